@@ -1,0 +1,24 @@
+# Third-party packages. None is required here: the folder that uses a missing one is left out, by
+# name, in pliant_library(). docs/dependencies.md says what each is for.
+
+find_package(Threads QUIET)
+find_package(PkgConfig QUIET)
+find_package(fmt QUIET)
+find_package(yaml-cpp QUIET)
+find_package(nlohmann_json QUIET)
+find_package(OpenSSL QUIET)
+find_package(Eigen3 QUIET)
+find_package(CLI11 QUIET)
+find_package(spdlog QUIET)
+
+# Ceres' own module for SuiteSparse lists every library it finds, QUIET or not.
+block(SCOPE_FOR VARIABLES)
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+  find_package(Ceres QUIET)
+endblock()
+
+# By pkg-config: Debian's libzip-config.cmake refuses to load without the zipcmp, zipmerge and
+# ziptool programs, which are separate packages that a library user has no need for.
+if(PkgConfig_FOUND)
+  pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
+endif()

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant::source_rules {
+
+/// One line of source text that breaks a rule.
+struct Offence {
+  std::string file;  ///< relative to the root of the repository
+  int line = 0;      ///< counted from 1
+  std::string what;  ///< the rule it breaks, in words
+};
+
+/// A source file as text; `path` is relative to the root of the repository.
+struct SourceFile {
+  std::string path;
+  std::string text;
+};
+
+/// All .h and .cpp files below `folder` (relative to `root`), in the order of their names.
+std::vector<SourceFile> source_files(const std::filesystem::path& root, std::string_view folder);
+
+/// Includes of a folder of src/pliant that stands later in the layer order than the file's own,
+/// or that is not in the order at all. Files outside src/pliant may include every folder.
+std::vector<Offence> layer_offences(const SourceFile& source);
+
+/// Headers that include a third-party library whose cost nobody else shall pay.
+std::vector<Offence> heavy_header_offences(const SourceFile& source);
+
+/// Absolute paths into the file system of one machine.
+std::vector<Offence> machine_path_offences(const SourceFile& source);
+
+/// Library code that prints, ends the process or reads the environment.
+std::vector<Offence> library_manner_offences(const SourceFile& source);
+
+/// One line an offence, as compilers write it: `file:line: what`.
+std::string describe(const std::vector<Offence>& offences);
+
+}  // namespace pliant::source_rules

@@ -1,0 +1,96 @@
+#include "layers/source_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pliant::source_rules {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Rule = std::vector<Offence> (*)(const SourceFile&);
+
+/// Offences of all sources of the libraries and programs against one rule.
+std::vector<Offence> offences_of_the_tree(Rule rule) {
+  std::vector<Offence> offences;
+  for (const char* folder : {"src/pliant", "apps"}) {
+    for (const SourceFile& source : source_files(PLIANT_SOURCE_DIR, folder)) {
+      const std::vector<Offence> found = rule(source);
+      offences.insert(offences.end(), found.begin(), found.end());
+    }
+  }
+  return offences;
+}
+
+void expect_none(const std::vector<Offence>& offences) {
+  EXPECT_TRUE(offences.empty()) << describe(offences);
+}
+
+TEST(SourceTree, HasSourcesToCheck) {
+  EXPECT_FALSE(source_files(PLIANT_SOURCE_DIR, "src/pliant").empty());
+}
+
+TEST(SourceTree, IncludesOnlyEarlierLayers) { expect_none(offences_of_the_tree(layer_offences)); }
+
+TEST(SourceTree, KeepsHeavyThirdPartyHeadersInSourceFiles) {
+  expect_none(offences_of_the_tree(heavy_header_offences));
+}
+
+TEST(SourceTree, NamesNoPathOfOneMachine) {
+  expect_none(offences_of_the_tree(machine_path_offences));
+}
+
+TEST(SourceTree, LibrariesNeverPrintExitOrReadTheEnvironment) {
+  expect_none(offences_of_the_tree(library_manner_offences));
+}
+
+TEST(LayerRule, FindsALaterLayerWithItsFileAndLine) {
+  const auto offences =
+      layer_offences({"src/pliant/io/a.h", "#pragma once\n#include \"pliant/report/report.h\"\n"});
+  EXPECT_EQ(offences.size(), 1U);
+  EXPECT_THAT(describe(offences), HasSubstr("src/pliant/io/a.h:2: io may not include report"));
+}
+
+TEST(LayerRule, AllowsOwnAndEarlierLayersAndSubfolders) {
+  const std::string text =
+      "#include \"pliant/material/density/dahl.h\"\n#include \"pliant/math/spline.h\"\n";
+  EXPECT_THAT(layer_offences({"src/pliant/material/material.cpp", text}), IsEmpty());
+}
+
+TEST(LayerRule, FindsFoldersThatAreInNoLayer) {
+  EXPECT_EQ(layer_offences({"src/pliant/io/a.h", "#include \"pliant/utils/misc.h\"\n"}).size(), 1U);
+  EXPECT_EQ(layer_offences({"src/pliant/utils/a.h", "#include \"pliant/base/b.h\"\n"}).size(), 1U);
+  EXPECT_EQ(layer_offences({"apps/pliant/main.cpp", "#include \"pliant/misc.h\"\n"}).size(), 1U);
+}
+
+TEST(LayerRule, LetsProgramsIncludeEverything) {
+  EXPECT_THAT(layer_offences({"apps/pliant/fit.cpp", "#include \"pliant/report/report.h\"\n"}),
+              IsEmpty());
+}
+
+TEST(HeavyHeaderRule, FindsThemInHeadersOnly) {
+  for (const char* include : {"<ceres/ceres.h>", "<opencv2/core.hpp>", "<itkImage.h>"}) {
+    const std::string text = std::string("#include ") + include + "\n";
+    EXPECT_EQ(heavy_header_offences({"src/pliant/estimation/a.h", text}).size(), 1U) << include;
+    EXPECT_THAT(heavy_header_offences({"src/pliant/estimation/a.cpp", text}), IsEmpty()) << include;
+  }
+}
+
+TEST(MachinePathRule, FindsAbsolutePathsAndLeavesProseAlone) {
+  const std::string absolute = std::string("open(\"/") + "home" + "/me/data.csv\");\n";
+  EXPECT_EQ(machine_path_offences({"src/pliant/io/a.cpp", absolute}).size(), 1U);
+  EXPECT_THAT(machine_path_offences({"src/pliant/io/a.cpp", "// docs/opt/notes, ../srv/data\n"}),
+              IsEmpty());
+}
+
+TEST(LibraryMannerRule, BindsLibrariesAndNotPrograms) {
+  const std::string text = "std::cout << 1;\nstd::exit(1);\ngetenv(\"HOME\");\n";
+  EXPECT_EQ(library_manner_offences({"src/pliant/io/a.cpp", text}).size(), 3U);
+  EXPECT_THAT(library_manner_offences({"apps/pliant/main.cpp", text}), IsEmpty());
+  EXPECT_THAT(library_manner_offences({"src/pliant/io/a.cpp", "std::snprintf(b, n, \"\");\n"}),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace pliant::source_rules

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "pliant/base/progress.h"
+
+namespace pliant {
+
+/// What a run brings to every long computation.
+struct RunContext {
+  Progress& progress = silent_progress();
+  StopToken stop;
+  int threads = 1;
+  std::uint64_t seed = 0;
+};
+
+}  // namespace pliant

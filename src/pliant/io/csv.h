@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pliant/base/quantity.h"
+
+namespace pliant {
+
+struct CsvOptions {
+  std::string encoding = {};  ///< an iconv name; empty: UTF-8, or UTF-16 by its byte order mark
+  int skip_rows = 0;  ///< lines of the file before the header row (an instrument's preamble)
+  /// Our name of a column -> its header in the file, e.g. force -> "Load (N)". A unit may stand in
+  /// our name (force_N -> "Load") where the file does not tell it.
+  std::map<std::string, std::string> columns = {};
+};
+
+/// A table of text cells under a header row, read from a CSV file as spreadsheets, scripts and
+/// testing machines write them.
+///
+/// Columns are separated by tab, `;` or `,`, whichever fits the header and the row after it. Cells
+/// may be quoted (RFC 4180). Lines that start with `#` and empty rows are left out. A row of
+/// bracketed units under the header, "(s);(mm);(N)", gives the units of its columns. Numbers have a
+/// decimal point, or a decimal comma where the separator is none.
+///
+/// Every access by name throws an InputError, with line and column, where the column is missing or
+/// a cell is not what was asked for; it also marks the column as used.
+class CsvTable {
+ public:
+  const std::string& file() const { return file_; }
+  std::size_t rows() const { return lines_.size(); }
+  /// The line of the file on which a row starts, counted from 1.
+  int line(std::size_t row) const { return lines_.at(row); }
+  /// The line of the header row.
+  int header_line() const { return header_line_; }
+  /// The headers as they stand in the file, in its order.
+  std::vector<std::string> headers() const;
+
+  /// Whether there is a column of exactly this name, or one that `columns` maps to it.
+  bool has(std::string_view column) const;
+  /// The header of the column that holds the quantity `name`, whatever its unit.
+  /// @throws InputError when several columns do, or when a mapped header is not in the file
+  std::optional<std::string> quantity_column(std::string_view name) const;
+  /// The unit of that column as the file tells it; empty when it tells none. Tells a weight in
+  /// newtons from one in grams.
+  std::optional<std::string> quantity_unit(std::string_view name) const;
+
+  /// The quantity `name` in SI, from the one column called `NAME_UNIT`, `NAME (UNIT)`,
+  /// `NAME [UNIT]` or `NAME` with a units row, or from the column that `columns` maps to it, whose
+  /// unit stands in brackets or after a space or underscore at the end of its header.
+  std::vector<double> quantity(std::string_view name, Dimension dimension) const;
+  std::optional<std::vector<double>> optional_quantity(std::string_view name,
+                                                       Dimension dimension) const;
+
+  /// The column of exactly this name (or mapped to it) as plain numbers, whole numbers or text.
+  std::vector<double> numbers(std::string_view name) const;
+  std::vector<long> integers(std::string_view name) const;
+  std::vector<std::string> texts(std::string_view name) const;
+
+  /// The headers of the columns that were never read, for a warning.
+  std::vector<std::string> unused_columns() const;
+
+ private:
+  friend class CsvParser;
+
+  struct Cell {
+    std::uint32_t begin = 0;  // in text_
+    std::uint32_t size = 0;
+  };
+  struct Column {
+    std::string header;
+    std::string unit;  // of the units row; empty without one
+  };
+  struct QuantityColumn {
+    std::size_t index;
+    std::string unit;  // empty: none is told
+  };
+
+  std::string_view cell(std::size_t row, std::size_t column) const;
+  std::optional<std::size_t> find_header(std::string_view header) const;
+  std::size_t mapped_column(const std::string& name, const std::string& header) const;
+  std::optional<std::size_t> find_column(std::string_view name) const;
+  std::size_t require_column(std::string_view name) const;
+  std::optional<QuantityColumn> mapped_quantity(std::string_view name) const;
+  std::optional<QuantityColumn> find_quantity(std::string_view name) const;
+  UnitConversion conversion_of(const QuantityColumn& column, Dimension dimension) const;
+  std::vector<double> read_numbers(std::size_t column) const;
+  [[noreturn]] void fail(int line, std::size_t column, const std::string& problem,
+                         const std::string& expected = {}) const;
+  [[noreturn]] void fail_missing(std::string_view name, const std::string& expected) const;
+
+  std::string file_;
+  std::map<std::string, std::string> mapping_;  // CsvOptions::columns
+  std::string text_;
+  bool decimal_comma_allowed_ = false;
+  int header_line_ = 0;
+  std::vector<Column> columns_;
+  std::vector<Cell> cells_;  // row by row
+  std::vector<int> lines_;
+  mutable std::set<std::size_t> used_;
+};
+
+inline constexpr std::size_t kMaxCsvRows = 5'000'000;
+inline constexpr std::size_t kMaxCsvCells = 60'000'000;
+inline constexpr std::size_t kMaxCsvLineSize = std::size_t{1} << 20;
+
+/// @throws InputError when the file cannot be read as a table with at least one row of data
+CsvTable read_csv(const std::filesystem::path& path, const CsvOptions& options = {});
+
+/// The same for the contents of a file.
+CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options = {});
+
+}  // namespace pliant

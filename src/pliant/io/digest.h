@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+/// SHA-256 in lower-case hexadecimal, as `sha256sum` prints it.
+std::string sha256_of(std::string_view bytes);
+
+/// @throws InputError when the file cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace pliant

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+/// A folder of results that a command fills completely or leaves as it was.
+///
+/// Files are collected in a hidden folder inside `directory`; `commit` moves them into place and
+/// removes what an earlier run of the same command left there. A hidden list of files,
+/// `.pliant-results.json`, tells results from anything else: a folder that holds a file which is
+/// not on the list of the same command is refused, so that nothing of the user's is overwritten.
+/// One run at a time may write to a folder.
+class ResultDirectory {
+ public:
+  /// Makes `directory` (and what is missing above it) or checks that it can be written to.
+  /// @param command  the name of the command that makes the results, e.g. "fit"
+  /// @throws InputError when the folder cannot be made or written to, holds something else, or is
+  ///         being written to by another run
+  ResultDirectory(std::filesystem::path directory, std::string command);
+
+  /// Without `commit`: removes what was written and the folders that the constructor made.
+  ~ResultDirectory();
+  ResultDirectory(const ResultDirectory&) = delete;
+  ResultDirectory& operator=(const ResultDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return directory_; }
+  /// Where the files written so far stand until `commit`, for work that reads them back.
+  const std::filesystem::path& staging() const { return staging_; }
+
+  /// Adds a file; `relative_name` may have folders in it ("predictions/warp.csv").
+  /// @throws OutputError when writing fails
+  void write(const std::string& relative_name, std::string_view content);
+
+  /// Puts the files into place. Nothing can be written afterwards.
+  /// @throws OutputError
+  void commit();
+
+ private:
+  void prepare();
+  void lock();
+  void refuse_foreign_files() const;
+  void create_staging();
+  void stage(const std::string& relative_name, std::string_view content);
+  void remove_staging() noexcept;
+
+  std::filesystem::path directory_;
+  std::string command_;
+  std::filesystem::path staging_;
+  std::vector<std::filesystem::path> created_;  // folders made by the constructor, outermost first
+  std::set<std::string> earlier_files_;
+  std::set<std::string> files_;
+  int lock_ = -1;  // descriptor of directory_; closing it releases the lock
+  bool committed_ = false;
+};
+
+}  // namespace pliant

@@ -1,0 +1,273 @@
+#include "pliant/io/result_directory.h"
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/assert.h"
+#include "pliant/io/atomic_file.h"
+
+#include "input_error_of.h"
+#include "temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content_of;
+using test::input_error_of;
+using test::TemporaryFolder;
+
+int entries_in(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+void make_results(const fs::path& folder, const std::string& command,
+                  const std::vector<std::string>& names) {
+  ResultDirectory results(folder, command);
+  for (const std::string& name : names) results.write(name, command + " " + name);
+  results.commit();
+}
+
+/// Files larger than `bytes` cannot be written in this scope: as on a full disk, a write ends early
+/// and the next one fails.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &earlier_);
+    const rlimit limit{bytes, earlier_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &earlier_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit earlier_{};
+  void (*handler_)(int);
+};
+
+/// Gives up the rights of root in this scope, which may write everywhere.
+class WithoutRootRights {
+ public:
+  WithoutRootRights() : root_(::geteuid() == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (root_ && ::seteuid(kNobody) != 0) ADD_FAILURE() << "seteuid";
+  }
+  ~WithoutRootRights() {
+    if (root_ && ::seteuid(0) != 0) ADD_FAILURE() << "seteuid";
+  }
+  WithoutRootRights(const WithoutRootRights&) = delete;
+  WithoutRootRights& operator=(const WithoutRootRights&) = delete;
+
+ private:
+  bool root_;
+};
+
+TEST(ResultDirectory, AppearsCompleteOnCommit) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "a" / "b";
+  {
+    ResultDirectory results(out, "fit");
+    results.write("fit.json", "{}");
+    results.write("predictions/warp.csv", "a\n1\n");
+    EXPECT_FALSE(fs::exists(out / "fit.json"));
+    results.commit();
+  }
+  EXPECT_EQ(content_of(out / "fit.json"), "{}");
+  EXPECT_EQ(content_of(out / "predictions/warp.csv"), "a\n1\n");
+  EXPECT_NE(content_of(out / ".pliant-results.json").find("\"predictions/warp.csv\""),
+            std::string::npos);
+  EXPECT_EQ(entries_in(out), 3);  // no staging folder is left
+}
+
+TEST(ResultDirectory, LeavesNothingWithoutCommit) {
+  const TemporaryFolder folder;
+  {
+    ResultDirectory results(folder.path() / "a" / "b", "fit");
+    results.write("predictions/warp.csv", "1");
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "a"));
+}
+
+TEST(ResultDirectory, KeepsEarlierResultsWithoutCommit) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  make_results(out, "fit", {"fit.json"});
+  {
+    ResultDirectory results(out, "fit");
+    results.write("fit.json", "half");
+  }
+  EXPECT_EQ(content_of(out / "fit.json"), "fit fit.json");
+  EXPECT_EQ(entries_in(out), 2);
+}
+
+TEST(ResultDirectory, ReplacesEarlierResultsOfTheSameCommand) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json", "predictions/a.csv", "predictions/b.csv", "x/y"});
+  make_results(folder.path(), "fit", {"fit.json", "predictions/b.csv", "x"});
+  EXPECT_TRUE(fs::exists(folder.path() / "fit.json"));
+  EXPECT_FALSE(fs::exists(folder.path() / "predictions/a.csv"));
+  EXPECT_TRUE(fs::exists(folder.path() / "predictions/b.csv"));
+  EXPECT_TRUE(fs::is_regular_file(folder.path() / "x"));
+  make_results(folder.path(), "fit", {"fit.json"});
+  EXPECT_FALSE(fs::exists(folder.path() / "predictions"));
+}
+
+TEST(ResultDirectory, RefusesAFolderThatHoldsAnythingElseAndNamesIt) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json"});
+  folder.write("notes/mine.txt", "precious");
+  const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  EXPECT_EQ(error.where().file, folder.path().string());
+  EXPECT_EQ(error.problem(), "holds a file that no \"fit\" wrote: \"notes/mine.txt\"");
+  EXPECT_EQ(content_of(folder.path() / "notes/mine.txt"), "precious");
+  EXPECT_EQ(entries_in(folder.path()), 3);
+}
+
+TEST(ResultDirectory, OwnsOnlyWhatItsLatestRunWrote) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json", "old.csv"});
+  make_results(folder.path(), "fit", {"fit.json"});
+  folder.write("old.csv", "the user's own by now");
+  input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+}
+
+TEST(ResultDirectory, RefusesASymbolicLinkThatIsNotItsOwn) {
+  const TemporaryFolder folder;
+  fs::create_symlink("nowhere", folder.path() / "link");
+  const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  EXPECT_EQ(error.problem(), "holds a file that no \"fit\" wrote: \"link\"");
+}
+
+TEST(ResultDirectory, RefusesResultsOfAnotherCommand) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "lab", {"study.yaml"});
+  const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  EXPECT_EQ(error.problem(), "holds results of \"lab\"");
+}
+
+TEST(ResultDirectory, TrustsNoListThatNamesFilesOutsideTheFolder) {
+  const TemporaryFolder folder;
+  folder.write("victim", "precious");
+  for (const char* name : {"../victim", "/etc/passwd", "a/../../victim", ".", ""}) {
+    folder.write(
+        "out/.pliant-results.json",
+        std::string(R"({"pliant": "results/1", "command": "fit", "files": [")") + name + "\"]}");
+    input_error_of([&] { ResultDirectory(folder.path() / "out", "fit"); });
+  }
+  folder.write("out/.pliant-results.json", "{");
+  EXPECT_EQ(input_error_of([&] { ResultDirectory(folder.path() / "out", "fit"); }).where().line, 1);
+  EXPECT_EQ(content_of(folder.path() / "victim"), "precious");
+}
+
+TEST(ResultDirectory, TakesARelativeNameWithATrailingSlash) {
+  const TemporaryFolder folder;
+  make_results(folder.path() / "out/", "fit", {"fit.json"});
+  EXPECT_TRUE(fs::exists(folder.path() / "out/fit.json"));
+}
+
+TEST(ResultDirectory, RefusesAPathThatCannotBeAFolder) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("file", "");
+  EXPECT_EQ(input_error_of([&] { ResultDirectory(file, "fit"); }).where().file, file.string());
+  input_error_of([&] { ResultDirectory(file / "out", "fit"); });
+  input_error_of([] { ResultDirectory("/proc/self/out", "fit"); });
+}
+
+TEST(ResultDirectory, RefusesAFolderWithoutWritePermission) {
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms(0555));
+  {
+    const WithoutRootRights nobody;
+    input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+    input_error_of([&] { ResultDirectory(folder.path() / "out", "fit"); });
+    input_error_of([&] { write_file_atomically(folder.path() / "a", "1"); });
+  }
+  fs::permissions(folder.path(), fs::perms(0755));
+  EXPECT_EQ(entries_in(folder.path()), 0);
+}
+
+TEST(ResultDirectory, IsWrittenByOneRunAtATime) {
+  const TemporaryFolder folder;
+  const ResultDirectory first(folder.path(), "fit");
+  const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  EXPECT_NE(error.problem().find("another run"), std::string::npos);
+}
+
+TEST(ResultDirectory, RemovesWhatAKilledRunLeft) {
+  const TemporaryFolder folder;
+  folder.write(".pliant-partial-1/predictions/a.csv", "half");
+  make_results(folder.path(), "fit", {"fit.json"});
+  EXPECT_EQ(entries_in(folder.path()), 2);
+}
+
+TEST(ResultDirectory, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  {
+    ResultDirectory results(out, "fit");
+    results.write("small", "1");
+    const FileSizeLimit limit(1000);
+    try {
+      results.write("large", std::string(5000, 'x'));
+      FAIL() << "the disk was not full";
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.path(), (out / "large").string());
+    }
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(ResultDirectory, KeepsEarlierResultsWhenTheDiskIsFullAtCommit) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json"});
+  {
+    ResultDirectory results(folder.path(), "fit");
+    results.write("fit.json", "new");
+    const FileSizeLimit limit(10);
+    EXPECT_THROW(results.commit(), OutputError);
+  }
+  EXPECT_EQ(content_of(folder.path() / "fit.json"), "fit fit.json");
+  EXPECT_EQ(entries_in(folder.path()), 2);
+}
+
+TEST(ResultDirectory, TakesSafeNamesOnceOnly) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path(), "fit");
+  EXPECT_THROW(results.write("../a", ""), AssertionError);
+  EXPECT_THROW(results.write("/a", ""), AssertionError);
+  results.write("a", "");
+  EXPECT_THROW(results.write("a", ""), AssertionError);
+}
+
+TEST(WriteFileAtomically, ReplacesAFileAsAWhole) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a", "old");
+  write_file_atomically(file, "new");
+  EXPECT_EQ(content_of(file), "new");
+  {
+    const FileSizeLimit limit(1000);
+    EXPECT_THROW(write_file_atomically(file, std::string(5000, 'x')), OutputError);
+  }
+  EXPECT_EQ(content_of(file), "new");
+  EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+TEST(WriteFileAtomically, RefusesPlacesWhereNothingCanBeCreated) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(input_error_of([&] { write_file_atomically(folder.path() / "no/a", "1"); }).problem(),
+            "cannot be created: No such file or directory");
+  input_error_of([&] { write_file_atomically(folder.path(), "1"); });
+  EXPECT_EQ(entries_in(folder.path()), 0);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -14,7 +14,8 @@ function(pliant_embed_report_bundle target)
   target_sources(${target} PRIVATE "${source}")
 endfunction()
 
-# Makes WORK/dist/report.js and report.css: by a build rule, or as empty files without npm.
+# Makes WORK/dist/report.js and report.css: by a build rule, or without npm an empty script and the
+# plain style sheet, with which text and tables read as they should.
 function(_pliant_web_bundle_files work)
   find_program(NPM_PROGRAM npm)
   mark_as_advanced(NPM_PROGRAM)
@@ -26,7 +27,7 @@ function(_pliant_web_bundle_files work)
       message(STATUS "Reports without interactive figures (missing: npm; see packages.txt)")
     endif()
     _pliant_empty_file("${work}/dist/report.js")
-    _pliant_empty_file("${work}/dist/report.css")
+    file(COPY_FILE "${web}/src/report.css" "${work}/dist/report.css" ONLY_IF_DIFFERENT)
     return()
   endif()
 

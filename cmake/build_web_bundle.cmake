@@ -1,8 +1,8 @@
 # cmake -DSTEP=packages|bundle -DNPM=program -DWEB=source-folder -DWORK=build-folder -P this
 #
 # Works on a copy of web/ so that the source tree stays clean. When npm fails (a machine without
-# network), the bundle becomes two empty files and the build goes on: reports then show tables and
-# text, and say that this build draws no figures.
+# network), the script is empty and the build goes on: reports then show tables and text, and say
+# that this build draws no figures.
 
 function(run_npm result)
   execute_process(COMMAND "${NPM}" ${ARGN} WORKING_DIRECTORY "${WORK}"
@@ -42,7 +42,7 @@ function(build_bundle)
   endif()
   if(NOT status EQUAL 0)
     file(WRITE "${WORK}/dist/report.js" "")
-    file(WRITE "${WORK}/dist/report.css" "")
+    file(COPY_FILE "${WEB}/src/report.css" "${WORK}/dist/report.css")
   endif()
 endfunction()
 

@@ -71,6 +71,18 @@ struct HermiteShape {
     return above - knots.begin() - 1;
   }
 
+  // A function of the four Hermite cubics at x, summed with the values and tangents of its span.
+  template <class Function>
+  double on_span(double x, const Eigen::VectorXd& slopes, const std::vector<double>& values,
+                 Function f) const {
+    const Eigen::Index i = span_of(x);
+    const auto k = static_cast<size_t>(i);
+    const double h = knots[k + 1] - knots[k];
+    const double t = (x - knots[k]) / h;
+    return f(kHermiteBasis[0], t) * values[k] + f(kHermiteBasis[2], t) * values[k + 1] +
+           h * (f(kHermiteBasis[1], t) * slopes(i) + f(kHermiteBasis[3], t) * slopes(i + 1));
+  }
+
   Eigen::VectorXd value(double x) const {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(size());
     if (x <= knots.front()) {
@@ -145,12 +157,16 @@ std::string_view name_of(CurveKind kind) {
 ScalarCurve::ScalarCurve(CurveKind kind, std::vector<double> knots, std::vector<double> values,
                          bool even)
     : kind_(kind), even_(even), knots_(std::move(knots)), values_(std::move(values)) {
-  if (kind_ == CurveKind::hermite) tangents_ = tangent_matrix(knots_);
+  if (kind_ != CurveKind::hermite) return;
+  tangents_ = tangent_matrix(knots_);
+  update_slopes();
 }
 
-ScalarCurve ScalarCurve::constant(double value) {
-  return {CurveKind::constant, {}, {value}, true};
+void ScalarCurve::update_slopes() {
+  slopes_ = tangents_ * Eigen::Map<const Eigen::VectorXd>(values_.data(), size());
 }
+
+ScalarCurve ScalarCurve::constant(double value) { return {CurveKind::constant, {}, {value}, true}; }
 
 ScalarCurve ScalarCurve::affine(double k1, double k2) {
   return {CurveKind::affine, {}, {k1, k2}, true};
@@ -159,8 +175,9 @@ ScalarCurve ScalarCurve::affine(double k1, double k2) {
 ScalarCurve ScalarCurve::hermite(std::vector<double> knots, std::vector<double> values, bool even) {
   PLIANT_ASSERT(!knots.empty() && knots.size() == values.size(),
                 "a Hermite curve has as many knots as values, at least one");
-  PLIANT_ASSERT(std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) == knots.end(),
-                "the knots of a Hermite curve increase");
+  PLIANT_ASSERT(
+      std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) == knots.end(),
+      "the knots of a Hermite curve increase");
   PLIANT_ASSERT(!even || knots.front() >= 0, "an even curve has no negative knots");
   return {CurveKind::hermite, std::move(knots), std::move(values), even};
 }
@@ -168,6 +185,7 @@ ScalarCurve ScalarCurve::hermite(std::vector<double> knots, std::vector<double> 
 ScalarCurve ScalarCurve::with_values(const double* values) const {
   ScalarCurve other = *this;
   std::copy_n(values, values_.size(), other.values_.begin());
+  if (kind_ == CurveKind::hermite) other.update_slopes();
   return other;
 }
 
@@ -175,9 +193,28 @@ double ScalarCurve::apply(const Eigen::VectorXd& weights) const {
   return weights.dot(Eigen::Map<const Eigen::VectorXd>(values_.data(), size()));
 }
 
-double ScalarCurve::value(double x) const { return apply(weights(x)); }
+// value and slope are what paths and simulations ask for again and again: no weights, no
+// allocation.
+double ScalarCurve::value(double x) const {
+  if (kind_ == CurveKind::constant) return values_[0];
+  if (kind_ == CurveKind::affine) return values_[0] + values_[1] * std::abs(x);
+  const HermiteShape shape{knots_, tangents_};
+  const double at = even_ ? std::abs(x) : x;
+  if (at <= knots_.front()) return values_.front();
+  if (at >= knots_.back()) return values_.back();
+  return shape.on_span(at, slopes_, values_, evaluate);
+}
 
-double ScalarCurve::slope(double x) const { return apply(slope_weights(x)); }
+double ScalarCurve::slope(double x) const {
+  if (kind_ == CurveKind::constant) return 0;
+  if (kind_ == CurveKind::affine) return values_[1] * sign(x);
+  const HermiteShape shape{knots_, tangents_};
+  const double at = even_ ? std::abs(x) : x;
+  if (at <= knots_.front() || at >= knots_.back()) return 0;
+  const auto i = static_cast<size_t>(shape.span_of(at));
+  const double per_length = 1 / (knots_[i + 1] - knots_[i]);
+  return (even_ ? sign(x) : 1) * per_length * shape.on_span(at, slopes_, values_, derivative);
+}
 
 double ScalarCurve::integral(double x) const { return apply(integral_weights(x)); }
 

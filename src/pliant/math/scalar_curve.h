@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace pliant {
 
@@ -17,9 +18,10 @@ std::string_view name_of(CurveKind kind);
 
 /// A scalar function of one variable that is linear in its control values.
 ///
-/// Linearity is what estimation needs: the value, the slope and the integrals at x are dot products of the
-/// control values with weights that depend on x alone (`weights`, `slope_weights`, ...).
-/// Hermite tangents are central differences of the neighbouring control points, one-sided at the ends.
+/// Linearity is what estimation needs: the value, the slope and the integrals at x are dot products
+/// of the control values with weights that depend on x alone (`weights`, `slope_weights`, ...).
+/// Hermite tangents are central differences of the neighbouring control points, one-sided at the
+/// ends.
 class ScalarCurve {
  public:
   static ScalarCurve constant(double value);
@@ -28,8 +30,10 @@ class ScalarCurve {
   /// @param knots   strictly increasing, at least one
   /// @param values  as many as knots
   /// @param even    the curve is a function of |x|; needs knots that start at 0
-  /// @throws AssertionError when the sizes differ, the knots do not increase or an even curve has negative knots
-  static ScalarCurve hermite(std::vector<double> knots, std::vector<double> values, bool even = false);
+  /// @throws AssertionError when the sizes differ, the knots do not increase or an even curve has
+  /// negative knots
+  static ScalarCurve hermite(std::vector<double> knots, std::vector<double> values,
+                             bool even = false);
 
   CurveKind kind() const { return kind_; }
   bool even() const { return even_; }
@@ -58,14 +62,16 @@ class ScalarCurve {
 
  private:
   double apply(const Eigen::VectorXd& weights) const;
+  void update_slopes();
 
   ScalarCurve(CurveKind kind, std::vector<double> knots, std::vector<double> values, bool even);
 
   CurveKind kind_;
   bool even_;
-  std::vector<double> knots_;   // empty unless hermite
+  std::vector<double> knots_;  // empty unless hermite
   std::vector<double> values_;
-  Eigen::MatrixXd tangents_;    // hermite: tangent at knot i = tangents_.row(i) . values
+  Eigen::MatrixXd tangents_;  // hermite: tangent at knot i = tangents_.row(i) . values
+  Eigen::VectorXd slopes_;    // hermite: the tangents
 };
 
 }  // namespace pliant

@@ -1,0 +1,147 @@
+// How long a fit takes, and what one sample of a friction path costs, against the thesis' own
+// method.
+
+#include <filesystem>
+#include <fstream>
+
+#include <benchmark/benchmark.h>
+
+#include "pliant/estimation/study_fit.h"
+#include "pliant/experiment/friction_path.h"
+#include "pliant/experiment/strip_pull.h"
+#include "pliant/experiment/virtual_lab.h"
+#include "pliant/experiment/weight_path.h"
+#include "pliant/material/density/dahl_published.h"
+
+namespace {
+
+using namespace pliant;
+
+// Table 5.1, warp of cotton/spandex.
+ComponentLaw spandex() {
+  return {ScalarCurve::affine(4.42, 32.19), FrictionLaw::dahl, {0.40, 4.84, 0.088}};
+}
+
+Material spandex_material() {
+  Material material;
+  material.name = "spandex";
+  material.density = 0.157;
+  MaterialComponent& warp = material.components["stretch.warp"];
+  warp.stiffness = spandex().stiffness;
+  warp.friction = ComponentFriction{{0.40, 4.84, 0.088}, {}};
+  return material;
+}
+
+// A study of virtual measurements in a folder of its own.
+class VirtualStudy {
+ public:
+  explicit VirtualStudy(const LabExperiment& experiment) {
+    folder_ = std::filesystem::temp_directory_path() / ("pliant-bench-" + experiment.name);
+    std::filesystem::create_directories(folder_);
+    VirtualLab lab{"bench", spandex_material(), 1, 0, {experiment}, {}};
+    for (const auto& [name, text] : make_measurements(lab, {})) {
+      std::ofstream(folder_ / name) << text;
+    }
+    study_ = read_study(folder_ / "study.yaml");
+  }
+  ~VirtualStudy() { std::filesystem::remove_all(folder_); }
+  VirtualStudy(const VirtualStudy&) = delete;
+  VirtualStudy& operator=(const VirtualStudy&) = delete;
+
+  Study& study() { return study_; }
+
+ private:
+  std::filesystem::path folder_;
+  Study study_;
+};
+
+LabExperiment hanging_weights() {
+  LabExperiment experiment;
+  experiment.name = "warp-weights";
+  experiment.type = "hanging-weights";
+  experiment.direction = "warp";
+  experiment.clip_mass = 0.02;
+  experiment.peaks = {1, 2, 3, 4, 5, 6};
+  experiment.repeats = 3;
+  experiment.instrument.length_noise = 0.2e-3;
+  return experiment;
+}
+
+LabExperiment tensile_cycles() {
+  LabExperiment experiment;
+  experiment.name = "warp-cycles";
+  experiment.type = "tensile-cycles";
+  experiment.direction = "warp";
+  experiment.width = 0.05;
+  experiment.peaks = {0.15, 0.3, 0.45, 0.6};
+  experiment.samples = 250;
+  experiment.instrument.force_noise = 5e-3;
+  return experiment;
+}
+
+// 3 repeats x 6 hanging-weight cycles, 144 rows; data read once, as a fit reads it.
+void fit_hanging_weights(benchmark::State& state, EstimatorKind estimator) {
+  VirtualStudy virtual_study(hanging_weights());
+  virtual_study.study().fit.estimator = estimator;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(fit_study(virtual_study.study(), {}, {}));
+  }
+}
+BENCHMARK_CAPTURE(fit_hanging_weights, path, EstimatorKind::path)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fit_hanging_weights, anchor_as_published, EstimatorKind::anchor)
+    ->Unit(benchmark::kMillisecond);
+
+// Four nested cycles of a tensile tester, Hermite stiffness grown up to five control points.
+void fit_tensile_cycles(benchmark::State& state) {
+  VirtualStudy virtual_study(tensile_cycles());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(fit_study(virtual_study.study(), {}, {}));
+  }
+}
+BENCHMARK(fit_tensile_cycles)->Unit(benchmark::kMillisecond);
+
+// One sample of a path of a million, exact solution.
+void exact_friction_sample(benchmark::State& state) {
+  const DahlParameters dahl{0.40, 4.84, 0.088};
+  FrictionState point{0.1, 0.2};
+  double strain = 0.1, step = 1e-4;
+  for (auto _ : state) {
+    strain += step;
+    if (strain > 0.6 || strain < 0.05) step = -step;
+    point = {strain, friction_stress(dahl, strain, point).stress};
+    benchmark::DoNotOptimize(point);
+  }
+}
+BENCHMARK(exact_friction_sample);
+
+// The same with the papers' approximation (Eq. 5.3).
+void published_friction_sample(benchmark::State& state) {
+  const DahlParameters dahl{0.40, 4.84, 0.088};
+  FrictionState point{0.1, 0.2};
+  double strain = 0.1, step = 1e-4;
+  for (auto _ : state) {
+    strain += step;
+    if (strain > 0.6 || strain < 0.05) step = -step;
+    point = {strain, published_friction_stress(dahl, strain, point).stress};
+    benchmark::DoNotOptimize(point);
+  }
+}
+BENCHMARK(published_friction_sample);
+
+// Time of one sample of a tensile record: force alone, and with the derivatives that a fit needs.
+void strip_sample(benchmark::State& state) {
+  const bool derivatives = state.range(0) != 0;
+  std::vector<double> lengths;
+  for (int i = 0; i < 2000; ++i) lengths.push_back(0.1 + 0.06 * std::abs((i % 500) / 250.0 - 1));
+  const auto stretches = monotone_stretches(lengths, 1e-4);
+  const UniaxialGeometry geometry{0.1, 0.05, MembraneMeasure::stvk};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        pull_strip(spandex(), geometry, {}, {}, lengths, stretches, derivatives ? 5 : 0));
+  }
+  state.counters["per_sample"] = benchmark::Counter(
+      2000, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(strip_sample)->ArgName("derivatives")->Arg(0)->Arg(1);
+
+}  // namespace

@@ -1,0 +1,125 @@
+#include "pliant/estimation/anchor_estimator.h"
+
+#include <cmath>
+
+#include "pliant/estimation/linear_start.h"
+#include "pliant/material/density/dahl_published.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kVerySmallTau = 1e-3;  // share of the largest strain
+
+// Force errors of all used rows ([T] Eq. 5.5), and their derivatives w.r.t. the law.
+struct ForceErrors {
+  const ComponentProblem& problem;
+  ComponentLaw shape;
+
+  bool operator()(const Eigen::VectorXd& p, Eigen::VectorXd& residual,
+                  Eigen::MatrixXd* jacobian) const {
+    const ComponentLaw law = shape.with_parameters(p);
+    if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
+    Eigen::Index row = 0;
+    for (size_t e = 0; e < problem.experiments().size(); ++e) {
+      const Experiment& experiment = *problem.experiments()[e];
+      const Eigen::VectorXd nuisance = experiment.unfitted_nuisance();
+      const double offset = nuisance.size() > 0 ? nuisance(0) : 0;
+      const MeasuredPath& path = experiment.path();
+      for (size_t i = 0; i < path.strain.size(); ++i) {
+        if (!problem.used(e)[i]) continue;
+        add_row(law, path, i, offset, residual, jacobian, row++);
+      }
+    }
+    return true;
+  }
+
+ private:
+  void add_row(const ComponentLaw& law, const MeasuredPath& path, size_t i, double offset,
+               Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian, Eigen::Index row) const {
+    const double strain = path.strain[i];
+    const double anchor = path.strain[static_cast<size_t>(path.anchor[i])];
+    const int stiffness = law.stiffness.size();
+    FrictionStress friction;
+    if (law.friction_law == FrictionLaw::dahl) {
+      friction = anchored_friction_stress({law.friction[0], law.friction[1], law.friction[2]},
+                                          strain, anchor, path.direction[i]);
+    }
+    residual(row) =
+        path.factor[i] * (law.elastic_stress(strain) + friction.stress) + offset - path.force[i];
+    if (jacobian == nullptr) return;
+    jacobian->row(row).head(stiffness) =
+        path.factor[i] * strain * law.stiffness.weights(strain).transpose();
+    for (int k = 0; k < law.friction_count(); ++k) {
+      (*jacobian)(row, stiffness + k) =
+          path.factor[i] * friction.parameters[static_cast<size_t>(k)];
+    }
+  }
+};
+
+// Parameters outside [first, last) are held at their present value for a stage.
+LeastSquaresProblem stage_problem(const LeastSquaresProblem& all, const Eigen::VectorXd& values,
+                                  int first, int last) {
+  LeastSquaresProblem stage = all;
+  for (int i = 0; i < values.size(); ++i) {
+    if (i >= first && i < last) continue;
+    stage.lower(i) = stage.upper(i) = values(i);
+  }
+  return stage;
+}
+
+LeastSquaresProblem force_errors(const ComponentProblem& problem, const ComponentLaw& shape,
+                                 const ParameterLimits& limits) {
+  return {ForceErrors{problem, shape}, problem.used_rows(), limits.lower, limits.upper,
+          limits.scale};
+}
+
+}  // namespace
+
+AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
+                     const FitOptions& options, const StopToken& stop) {
+  const DataScale scale{problem.peak_stress(), problem.largest_strain()};
+  AnchorFit result;
+  LawFit& fit = result.fit;
+  fit.limits = parameter_limits(shape, component_of(problem), {}, scale, options);
+  const LeastSquaresProblem all = force_errors(problem, shape, fit.limits);
+
+  const int stiffness = shape.stiffness.size();
+  const int count = shape.parameter_count();
+  ComponentLaw elastic = shape;
+  elastic.friction_law = FrictionLaw::none;
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
+  values.head(stiffness) = linear_start(problem, elastic, 1).law.parameters();
+  if (shape.friction_law == FrictionLaw::dahl) {
+    values(stiffness + 2) = kVerySmallTau * problem.largest_strain();
+  }
+
+  const auto run = [&](const std::string& name, int first, int last) {
+    const LeastSquaresSummary solution =
+        solve_least_squares(stage_problem(all, values, first, last), values, {}, stop);
+    values = solution.parameters;
+    fit.solution = solution;
+    result.stages.push_back({name, std::sqrt(2 * solution.cost / problem.used_rows())});
+  };
+  run("stiffness without friction", 0, stiffness);
+  if (shape.friction_law == FrictionLaw::dahl) {
+    run("maximum friction with a very small tau", 0, stiffness + 2);
+    values(stiffness + 2) = 0.05 * problem.largest_strain();
+    run("tau", stiffness + 2, count);
+    run("all together", 0, count);
+  }
+  fit.law = shape.with_parameters(values);
+  fit.nuisance.resize(problem.nuisance_count());
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    const Eigen::VectorXd nuisance = problem.experiments()[e]->unfitted_nuisance();
+    fit.nuisance.segment(problem.first_nuisance(e), nuisance.size()) = nuisance;
+  }
+  fit.rms = result.stages.back().rms_force;
+  fit.starts_tried = fit.starts_reached = 1;
+  return result;
+}
+
+Uncertainty estimate_anchor_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
+  return linearised_uncertainty(force_errors(problem, fit.law, fit.limits), problem, fit, false);
+}
+
+}  // namespace pliant

@@ -1,0 +1,44 @@
+#include "pliant/estimation/component_curve.h"
+
+#include <cmath>
+#include <limits>
+
+#include "pliant/experiment/friction_path.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kPoints = 100;
+constexpr double kNormalQuantile = 1.959963984540054;
+
+}  // namespace
+
+ComponentCurve component_curve(const std::string& component, const ComponentLaw& law,
+                               double largest_strain, const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(law.parameter_count());
+  FrictionPath loading(law, {0, 0, zero, zero});
+  FrictionPath unloading = loading;
+  unloading.turn_at(largest_strain, zero);
+
+  ComponentCurve curve;
+  curve.component = component;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double strain = largest_strain * i / kPoints;
+    const PathStress load = loading.at(strain);
+    const double band =
+        covariance.size() > 0
+            ? kNormalQuantile *
+                  std::sqrt(std::max(load.gradient.dot(covariance * load.gradient), 0.0))
+            : std::numeric_limits<double>::quiet_NaN();
+    curve.strain.push_back(strain);
+    curve.load.push_back(load.stress);
+    curve.unload.push_back(unloading.at(strain).stress);
+    curve.low.push_back(load.stress - band);
+    curve.high.push_back(load.stress + band);
+    curve.elastic.push_back(law.elastic_stress(strain));
+    curve.max_friction.push_back(law.max_friction(strain));
+  }
+  return curve;
+}
+
+}  // namespace pliant

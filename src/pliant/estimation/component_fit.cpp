@@ -1,0 +1,160 @@
+#include "pliant/estimation/component_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/estimation/anchor_estimator.h"
+#include "pliant/estimation/control_points.h"
+#include "pliant/experiment/loop_metrics.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kNoiseRounds = 5;
+constexpr double kNoiseSettled = 0.01;
+
+bool only_weights(const std::vector<const Experiment*>& experiments) {
+  return std::all_of(experiments.begin(), experiments.end(), [](const Experiment* experiment) {
+    return experiment->info().type == "hanging-weights";
+  });
+}
+
+ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
+  ComponentLaw shape;
+  shape.friction_law = plan.friction;
+  if (plan.stiffness == CurveKind::constant) shape.stiffness = ScalarCurve::constant(0);
+  if (plan.stiffness == CurveKind::affine) shape.stiffness = ScalarCurve::affine(0, 0);
+  if (plan.stiffness == CurveKind::hermite) {
+    // Equidistant over the data: the thesis' placement, for the published estimator.
+    std::vector<double> knots;
+    for (int i = 0; i < plan.fit.control_points; ++i) {
+      knots.push_back(problem.largest_strain() * i / std::max(plan.fit.control_points - 1, 1));
+    }
+    shape.stiffness = ScalarCurve::hermite(knots, std::vector<double>(knots.size(), 0.0),
+                                           is_even(component_of(problem)));
+  }
+  return shape;
+}
+
+bool needs_noise_rounds(const ComponentProblem& problem) {
+  const bool length_noise = std::any_of(
+      problem.experiments().begin(), problem.experiments().end(), [](const Experiment* experiment) {
+        return experiment->info().length_noise && experiment->info().quantity.kind != "length";
+      });
+  return length_noise || problem.experiments().size() > 1;
+}
+
+// Weights and solution depend on each other where several experiments or both channels carry noise.
+void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop) {
+  for (int round = 0; round < kNoiseRounds; ++round) {
+    const double change = problem.update_noise(fit.law, fit.nuisance);
+    if (!needs_noise_rounds(problem)) return;
+    fit = refit(problem, fit, stop);
+    if (change < kNoiseSettled) return;
+  }
+}
+
+std::vector<std::optional<double>> spread_between_specimens(const ComponentProblem& problem,
+                                                            const LawFit& fit,
+                                                            const StopToken& stop) {
+  std::vector<Eigen::VectorXd> fits;
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    const auto specimens = problem.experiments()[e]->info().specimens.size();
+    for (size_t s = 0; s < specimens; ++s) {
+      const ComponentProblem one = problem.restricted_to(e, static_cast<int>(s));
+      if (one.used_rows() <= fit.law.parameter_count()) continue;
+      fits.push_back(refit(one, fit, stop).law.parameters());
+    }
+  }
+  std::vector<std::optional<double>> spread(static_cast<size_t>(fit.law.parameter_count()));
+  if (fits.size() < 2) return spread;
+  const auto count = static_cast<double>(fits.size());
+  for (size_t i = 0; i < spread.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    double mean = 0, squares = 0;
+    for (const Eigen::VectorXd& p : fits) mean += p(index) / count;
+    for (const Eigen::VectorXd& p : fits) squares += (p(index) - mean) * (p(index) - mean);
+    spread[i] = std::sqrt(squares / (count - 1));
+  }
+  return spread;
+}
+
+// Residuals are weighed by stated noise, or by 1 % of the measured range until the noise is known.
+std::string stage_unit(const ComponentProblem& problem) {
+  const bool stated = std::any_of(problem.noise().begin(), problem.noise().end(),
+                                  [](const RowNoise& noise) { return noise.stated; });
+  return stated ? "times the noise" : "% of range";
+}
+
+LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
+                   const StopToken& stop, std::vector<FitStage>& stages) {
+  const std::string& component = component_of(problem);
+  if (plan.stiffness != CurveKind::hermite) {
+    LawFit fit = fit_law(problem, shape_of(plan, problem), plan.fit, stop);
+    stages.push_back({component, std::string(name_of(plan.stiffness)) + " stiffness",
+                      stage_unit(problem), fit.rms, true});
+    return fit;
+  }
+  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit, stop);
+  for (const GrowthStage& stage : grown.stages) {
+    stages.push_back({component,
+                      std::to_string(stage.control_points) + " control point" +
+                          (stage.control_points == 1 ? "" : "s"),
+                      stage_unit(problem), stage.rms, stage.accepted});
+  }
+  return grown.fit;
+}
+
+}  // namespace
+
+ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+                             std::vector<std::string>& notes) {
+  const std::string& component = experiments.front()->info().component;
+  ComponentModel model;
+  const auto found = study.model.components.find(component);
+  if (found != study.model.components.end()) model = found->second;
+
+  ComponentPlan plan;
+  plan.fit = study.fit;
+  plan.stiffness = model.stiffness.value_or(study.model.stiffness.value_or(
+      only_weights(experiments) ? CurveKind::affine : CurveKind::hermite));
+  const FrictionChoice choice = model.friction.value_or(study.model.friction);
+  const bool data_unloads =
+      std::any_of(experiments.begin(), experiments.end(),
+                  [](const Experiment* experiment) { return unloads(experiment->path()); });
+  if (choice == FrictionChoice::none) plan.friction = FrictionLaw::none;
+  if (!data_unloads && choice != FrictionChoice::none) {
+    notes.push_back("friction of " + component +
+                    ": the data only loads; friction shows when it unloads");
+    if (choice == FrictionChoice::automatic) plan.friction = FrictionLaw::none;
+  }
+  return plan;
+}
+
+ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
+                           const StopToken& stop) {
+  ComponentFit result;
+  result.component = component_of(problem);
+  if (plan.fit.estimator == EstimatorKind::anchor) {
+    AnchorFit anchor = fit_anchor(problem, shape_of(plan, problem), plan.fit, stop);
+    for (const AnchorStage& stage : anchor.stages) {
+      result.stages.push_back({result.component, stage.name, "N", stage.rms_force, true});
+    }
+    result.fit = std::move(anchor.fit);
+    result.uncertainty = estimate_anchor_uncertainty(problem, result.fit);
+  } else {
+    result.fit = fit_by_path(problem, plan, stop, result.stages);
+    settle_noise(problem, result.fit, stop);
+    result.uncertainty = estimate_uncertainty(problem, result.fit);
+    result.between_specimen_sd = spread_between_specimens(problem, result.fit, stop);
+  }
+  result.between_specimen_sd.resize(static_cast<size_t>(result.fit.law.parameter_count()));
+  if (plan.friction != FrictionLaw::none) {
+    ComponentLaw elastic = result.fit.law;
+    elastic.friction_law = FrictionLaw::none;
+    result.elastic = fit_law(problem, elastic, plan.fit, stop);
+  }
+  return result;
+}
+
+}  // namespace pliant

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/law_fit.h"
+#include "pliant/estimation/uncertainty.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+
+/// How one component is to be fitted.
+struct ComponentPlan {
+  CurveKind stiffness = CurveKind::hermite;
+  FrictionLaw friction = FrictionLaw::dahl;
+  FitOptions fit;
+};
+
+/// A fitted component with all that is said about it.
+struct ComponentFit {
+  std::string component;
+  LawFit fit;
+  Uncertainty uncertainty;
+  std::optional<LawFit> elastic;  ///< best purely elastic law with the same control points
+  std::vector<FitStage> stages;
+  std::vector<std::optional<double>> between_specimen_sd;  ///< of the law's parameters
+};
+
+/// The plan that a study and its data imply: affine stiffness where only weights were hung, else
+/// hermite; friction where the data unloads.
+/// @param notes  gets a sentence when friction is left out
+ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+                             std::vector<std::string>& notes);
+
+/// Fits one component; `problem` keeps the noise that its residuals show.
+ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
+                           const StopToken& stop);
+
+}  // namespace pliant

@@ -1,0 +1,167 @@
+#include "pliant/estimation/component_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/base/assert.h"
+
+namespace pliant {
+namespace {
+
+// First guess of a residual's size, as a share of the measured range.
+constexpr double kFirstNoiseShare = 0.01;
+constexpr double kSmallestNoiseShare = 1e-9;  // noise-free data still has a weight
+
+bool measures_length(const Experiment& experiment) {
+  return experiment.info().quantity.kind == "length";
+}
+
+std::optional<double> stated_noise(const Experiment& experiment) {
+  const ExperimentInfo& info = experiment.info();
+  return measures_length(experiment) ? info.length_noise : info.force_noise;
+}
+
+double range_of(const Eigen::VectorXd& values) { return values.maxCoeff() - values.minCoeff(); }
+
+// Mean square of the used rows.
+double mean_square(const Eigen::VectorXd& values, const std::vector<char>& used) {
+  double sum = 0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (!used[static_cast<size_t>(i)]) continue;
+    sum += values(i) * values(i);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / count;
+}
+
+RowNoise make_noise(const Experiment& experiment, const std::vector<char>& used, double sd,
+                    const Eigen::VectorXd& from_length) {
+  RowNoise noise;
+  noise.stated = stated_noise(experiment).has_value();
+  noise.sd = (from_length.array().square() + sd * sd).sqrt();
+  noise.typical = std::sqrt(mean_square(noise.sd, used));
+  return noise;
+}
+
+}  // namespace
+
+ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
+    : experiments_(std::move(experiments)) {
+  PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
+  smallest_strain_ = 1e300;
+  for (const Experiment* experiment : experiments_) {
+    first_nuisance_.push_back(nuisance_count_);
+    nuisance_count_ += static_cast<int>(experiment->nuisance().size());
+    used_.push_back(experiment->info().used);
+    const std::vector<char>& used = used_.back();
+    used_rows_ += static_cast<int>(std::count(used.begin(), used.end(), 1));
+    const MeasuredPath& path = experiment->path();
+    for (size_t i = 0; i < path.strain.size(); ++i) {
+      if (!used[i]) continue;
+      peak_stress_ = std::max(peak_stress_, std::abs(path.force[i] / path.factor[i]));
+      largest_strain_ = std::max(largest_strain_, std::abs(path.strain[i]));
+      smallest_strain_ = std::min(smallest_strain_, std::abs(path.strain[i]));
+    }
+    const double sd =
+        stated_noise(*experiment).value_or(kFirstNoiseShare * range_of(experiment->measured()));
+    noise_.push_back(make_noise(*experiment, used, sd, Eigen::VectorXd::Zero(experiment->rows())));
+  }
+}
+
+ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen) const {
+  ComponentProblem part = *this;
+  part.used_rows_ = 0;
+  for (size_t e = 0; e < experiments_.size(); ++e) {
+    const MeasuredPath& path = experiments_[e]->path();
+    for (size_t i = 0; i < path.specimen.size(); ++i) {
+      part.used_[e][i] = used_[e][i] && e == experiment && path.specimen[i] == specimen;
+      part.used_rows_ += part.used_[e][i];
+    }
+  }
+  return part;
+}
+
+std::vector<NuisanceParameter> ComponentProblem::nuisance() const {
+  std::vector<NuisanceParameter> all;
+  for (const Experiment* experiment : experiments_) {
+    all.insert(all.end(), experiment->nuisance().begin(), experiment->nuisance().end());
+  }
+  return all;
+}
+
+double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
+  double change = 0;
+  for (size_t e = 0; e < experiments_.size(); ++e) {
+    const Experiment& experiment = *experiments_[e];
+    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
+    const auto prediction =
+        experiment.predict(law, nuisance.segment(first_nuisance_[e], count), false);
+    if (!prediction) continue;
+    Eigen::VectorXd from_length = Eigen::VectorXd::Zero(experiment.rows());
+    if (!measures_length(experiment) && prediction->length_gain.size() > 0) {
+      from_length = experiment.info().length_noise.value_or(0) * prediction->length_gain;
+    }
+    const std::vector<char>& used = used_[e];
+    const double smallest = kSmallestNoiseShare * range_of(experiment.measured());
+    const double unexplained = mean_square(prediction->value - experiment.measured(), used) -
+                               mean_square(from_length, used);
+    const double sd =
+        stated_noise(experiment).value_or(std::sqrt(std::max(unexplained, smallest * smallest)));
+    const double before = noise_[e].typical;
+    noise_[e] = make_noise(experiment, used, sd, from_length);
+    change = std::max(change, std::abs(noise_[e].typical - before) / before);
+  }
+  return change;
+}
+
+LeastSquaresProblem ComponentProblem::least_squares(const ComponentLaw& shape,
+                                                    const ParameterLimits& limits) const {
+  std::vector<Eigen::Index> with_prior;
+  for (size_t i = 0; i < limits.priors.size(); ++i) {
+    if (limits.priors[i] && !limits.fixed[i]) with_prior.push_back(static_cast<Eigen::Index>(i));
+  }
+  LeastSquaresProblem problem;
+  problem.residuals = used_rows_ + static_cast<int>(with_prior.size());
+  problem.lower = limits.lower;
+  problem.upper = limits.upper;
+  problem.scale = limits.scale;
+  const auto priors = limits.priors;
+  problem.evaluate = [this, shape, with_prior, priors](const Eigen::VectorXd& p,
+                                                       Eigen::VectorXd& residual,
+                                                       Eigen::MatrixXd* jacobian) {
+    const int law_count = shape.parameter_count();
+    const ComponentLaw law = shape.with_parameters(p);
+    if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
+    Eigen::Index row = 0;
+    for (size_t e = 0; e < experiments_.size(); ++e) {
+      const Experiment& experiment = *experiments_[e];
+      const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
+      const Eigen::Index first = law_count + first_nuisance_[e];
+      const auto prediction = experiment.predict(law, p.segment(first, count), jacobian != nullptr);
+      if (!prediction) return false;
+      const std::vector<char>& used = used_[e];
+      for (Eigen::Index i = 0; i < experiment.rows(); ++i) {
+        if (!used[static_cast<size_t>(i)]) continue;
+        const double weight = 1 / noise_[e].sd(i);
+        residual(row) = weight * (prediction->value(i) - experiment.measured()(i));
+        if (jacobian != nullptr) {
+          jacobian->row(row).head(law_count) = weight * prediction->jacobian.row(i).head(law_count);
+          jacobian->row(row).segment(first, count) =
+              weight * prediction->jacobian.row(i).tail(count);
+        }
+        ++row;
+      }
+    }
+    for (const Eigen::Index i : with_prior) {
+      const GaussianPrior& prior = *priors[static_cast<size_t>(i)];
+      residual(row) = (p(i) - prior.mean) / prior.sd;
+      if (jacobian != nullptr) (*jacobian)(row, i) = 1 / prior.sd;
+      ++row;
+    }
+    return true;
+  };
+  return problem;
+}
+
+}  // namespace pliant

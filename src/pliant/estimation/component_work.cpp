@@ -1,0 +1,192 @@
+#include "pliant/estimation/component_work.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/experiment_result.h"
+
+namespace pliant {
+namespace {
+
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+}
+
+ParameterEstimate estimate_of(const ComponentFit& fit, Eigen::Index i) {
+  const auto index = static_cast<size_t>(i);
+  ParameterEstimate estimate;
+  estimate.name = fit.fit.limits.names[index];
+  estimate.owner = fit.component;
+  estimate.unit = fit.fit.limits.units[index];
+  estimate.value = fit.fit.solution.parameters(i);
+  estimate.fixed = fit.fit.limits.fixed[index];
+  estimate.at_bound = fit.uncertainty.at_bound[index];
+  estimate.identified = fit.uncertainty.identified[index];
+  estimate.std_error = if_finite(fit.uncertainty.std_error(i));
+  if (estimate.std_error) {
+    estimate.lower = estimate.value - fit.uncertainty.half_width(i);
+    estimate.upper = estimate.value + fit.uncertainty.half_width(i);
+  }
+  return estimate;
+}
+
+const Experiment& owner_of_nuisance(const ComponentProblem& problem, int nuisance) {
+  size_t owner = 0;
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    if (problem.first_nuisance(e) <= nuisance && !problem.experiments()[e]->nuisance().empty()) {
+      owner = e;
+    }
+  }
+  return *problem.experiments()[owner];
+}
+
+std::string control_point_note(const ScalarCurve& stiffness, size_t index) {
+  if (stiffness.kind() != CurveKind::hermite || index >= stiffness.knots().size()) return "";
+  return fmt::format("at strain {:.3g}", stiffness.knots()[index]);
+}
+
+void add_parameters(const ComponentWork& work, StudyResult& result) {
+  const ComponentFit& fit = work.fit;
+  const int law_count = fit.fit.law.parameter_count();
+  for (Eigen::Index i = 0; i < fit.fit.solution.parameters.size(); ++i) {
+    ParameterEstimate estimate = estimate_of(fit, i);
+    if (i < law_count) {
+      estimate.between_specimen_sd = fit.between_specimen_sd[static_cast<size_t>(i)];
+      estimate.note = control_point_note(fit.fit.law.stiffness, static_cast<size_t>(i));
+      result.parameters.push_back(estimate);
+    } else {
+      estimate.owner =
+          owner_of_nuisance(*work.problem, static_cast<int>(i) - law_count).info().name;
+      result.nuisance.push_back(estimate);
+    }
+  }
+}
+
+void add_experiments(const ComponentWork& work, StudyResult& result) {
+  const ComponentFit& fit = work.fit;
+  for (size_t e = 0; e < work.fitted.size(); ++e) {
+    const Experiment& experiment = *work.fitted[e];
+    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
+    const int first = work.problem->first_nuisance(e);
+    ExperimentResult row = compare(experiment, fit.fit.law, fit.fit.nuisance.segment(first, count));
+    const RowNoise& noise = work.problem->noise()[e];
+    row.noise = noise.typical;
+    row.noise_source = noise.stated ? "stated in the study" : "estimated from the residuals";
+    if (fit.elastic) {
+      add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
+    }
+    result.experiments.push_back(std::move(row));
+  }
+  for (const Experiment* experiment : work.validated) {
+    const Eigen::VectorXd nuisance = experiment->unfitted_nuisance();
+    try {
+      ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
+      row.handled.push_back(
+          "predicted without any fitting: rest length as stated, friction at "
+          "rest, force offset from the rows in which the strip is slack");
+      if (fit.elastic) add_elastic(row, *experiment, fit.elastic->law, nuisance);
+      result.experiments.push_back(std::move(row));
+    } catch (const SolverError& error) {
+      result.warnings.push_back(error.what());
+    }
+  }
+}
+
+void add_warnings(const ComponentWork& work, StudyResult& result) {
+  const ComponentFit& fit = work.fit;
+  if (!fit.fit.solution.converged) {
+    result.converged = false;
+    result.warnings.push_back(fmt::format("the fit of {} did not converge: {}", work.component,
+                                          fit.fit.solution.message));
+  }
+  for (Eigen::Index i = 0; i < fit.fit.law.parameter_count(); ++i) {
+    const auto index = static_cast<size_t>(i);
+    const std::string& name = fit.fit.limits.names[index];
+    if (fit.uncertainty.at_bound[index]) {
+      result.warnings.push_back(name + " is at its bound");
+      result.undetermined.push_back(name + " (the data pushes it to its bound)");
+    } else if (!fit.uncertainty.identified[index] && !fit.fit.limits.fixed[index]) {
+      result.undetermined.push_back(name + " (its 95 % interval includes zero)");
+    }
+  }
+  if (fit.uncertainty.correlation_length > 1.5) {
+    result.assumptions.push_back(fmt::format(
+        "{}: neighbouring residuals go together; {:.0f} rows count as one in its standard errors",
+        work.component, fit.uncertainty.correlation_length));
+  }
+}
+
+MaterialComponent measured_component(const ComponentWork& work) {
+  MaterialComponent component;
+  component.stiffness = work.fit.fit.law.stiffness;
+  if (work.fit.fit.law.friction_law == FrictionLaw::dahl) {
+    const auto& f = work.fit.fit.law.friction;
+    component.friction = ComponentFriction{{f[0], f[1], f[2]}, {}};
+  }
+  component.range = {std::min(work.problem->smallest_strain(), work.problem->largest_strain()),
+                     work.problem->largest_strain()};
+  return component;
+}
+
+}  // namespace
+
+void add_component(const ComponentWork& work, StudyResult& result) {
+  add_parameters(work, result);
+  add_experiments(work, result);
+  add_warnings(work, result);
+  const Eigen::Index law_count = work.fit.fit.law.parameter_count();
+  result.curves.push_back(
+      component_curve(work.component, work.fit.fit.law, work.problem->largest_strain(),
+                      work.fit.uncertainty.covariance.topLeftCorner(law_count, law_count)));
+  result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
+  result.starts.push_back({work.component, work.fit.fit.starts_tried, work.fit.fit.starts_reached});
+  result.singular_values[work.component] = work.fit.uncertainty.singular_values;
+  result.models.insert(result.models.end(), work.models.begin(), work.models.end());
+  result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
+}
+
+Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works) {
+  std::vector<std::pair<const Uncertainty*, Eigen::Index>> order;
+  for (const bool law : {true, false}) {
+    for (const ComponentWork& work : works) {
+      if (!work.problem) continue;
+      const Eigen::Index law_count = work.fit.fit.law.parameter_count();
+      const Eigen::Index count = work.fit.fit.solution.parameters.size();
+      for (Eigen::Index i = law ? 0 : law_count; i < (law ? law_count : count); ++i) {
+        order.emplace_back(&work.fit.uncertainty, i);
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(order.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) {
+      const auto& [one, row] = order[static_cast<size_t>(i)];
+      const auto& [other, column] = order[static_cast<size_t>(j)];
+      if (one == other) covariance(i, j) = one->covariance(row, column);
+    }
+  }
+  return covariance;
+}
+
+Material material_of(const Study& study, const std::vector<ComponentWork>& works) {
+  Material material;
+  material.name = study.name;
+  material.density = study.density;
+  material.membrane = study.model.membrane;
+  material.bending = study.model.bending;
+  for (const std::string& name : cloth_component_names()) {
+    if (name != "stretch.bias") {
+      material.components[name] = {{}, {}, ComponentStatus::unmeasured, {}};
+    }
+  }
+  for (const ComponentWork& work : works) {
+    if (work.problem) material.components[work.component] = measured_component(work);
+  }
+  return material;
+}
+
+}  // namespace pliant

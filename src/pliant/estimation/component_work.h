@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/estimation/component_fit.h"
+#include "pliant/estimation/component_problem.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/experiment/experiment.h"
+
+namespace pliant {
+
+/// One component of a study: its experiments, and what was made of them.
+struct ComponentWork {
+  std::string component;
+  std::vector<const Experiment*> fitted;
+  std::vector<const Experiment*> validated;
+  ComponentPlan plan;
+  std::optional<ComponentProblem> problem;  ///< none where nothing is fitted
+  ComponentFit fit;
+  std::vector<ModelRank> models;
+  std::vector<Profile> profiles;
+};
+
+/// Adds what a component's fit found out to the result of its study: parameters, comparisons,
+/// curve, warnings.
+void add_component(const ComponentWork& work, StudyResult& result);
+
+/// Covariance of all unknowns of a study: parameters of all components first, then all nuisance
+/// parameters, as in fit.json.
+Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works);
+
+/// The material that a study determined; components without data are unmeasured.
+Material material_of(const Study& study, const std::vector<ComponentWork>& works);
+
+}  // namespace pliant

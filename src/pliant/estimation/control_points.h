@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/estimation/law_fit.h"
+
+namespace pliant {
+
+/// One step of growing a stiffness curve.
+struct GrowthStage {
+  int control_points = 0;
+  double rms = 0;  ///< of the weighted residuals
+  bool accepted = false;
+};
+
+struct GrownFit {
+  LawFit fit;
+  std::vector<GrowthStage> stages;
+};
+
+/// Fits a Hermite stiffness whose number of control points grows from one until the residual falls
+/// by less than 1 % or `options.control_points` are reached ([T] 3.4.2).
+///
+/// The thesis places them at equal distances. Here each new one splits the interval whose splitting
+/// explains most of the data, in its middle, at the median of the data's strains or where half of
+/// its rise in stress is reached, whichever is best: a stiff weave with a long toe needs its points
+/// where the curve bends.
+/// @param friction  friction law fitted along
+GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
+                        const FitOptions& options, const StopToken& stop);
+
+}  // namespace pliant

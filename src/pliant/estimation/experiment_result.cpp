@@ -1,0 +1,99 @@
+#include "pliant/estimation/experiment_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+namespace {
+
+double rms_of_used(const Eigen::VectorXd& difference, const std::vector<char>& used) {
+  double sum = 0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < difference.size(); ++i) {
+    if (!used[static_cast<size_t>(i)]) continue;
+    sum += difference(i) * difference(i);
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / count);
+}
+
+// What an error is compared with: the largest force, or the largest change of length.
+double reference(const Experiment& experiment) {
+  const Eigen::VectorXd& measured = experiment.measured();
+  if (experiment.info().quantity.kind == "length") {
+    return measured.maxCoeff() - measured.minCoeff();
+  }
+  return measured.cwiseAbs().maxCoeff();
+}
+
+// Strains of the material itself: a slack strip's clamps are nearer than that.
+std::pair<double, double> used_strains(const Eigen::VectorXd& strain,
+                                       const std::vector<char>& used) {
+  std::pair<double, double> range{1e300, -1e300};
+  for (Eigen::Index i = 0; i < strain.size(); ++i) {
+    if (!used[static_cast<size_t>(i)]) continue;
+    range.first = std::min(range.first, strain(i));
+    range.second = std::max(range.second, strain(i));
+  }
+  return range;
+}
+
+}  // namespace
+
+ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
+                         const Eigen::VectorXd& nuisance) {
+  const auto prediction = experiment.predict(law, nuisance, false);
+  if (!prediction) {
+    throw SolverError("experiment " + experiment.info().name +
+                          ": the material cannot carry its loads; its prediction",
+                      0, 0);
+  }
+  const ExperimentInfo& info = experiment.info();
+  const MeasuredPath& path = experiment.path();
+  ExperimentResult result;
+  result.name = info.name;
+  result.type = info.type;
+  result.direction = info.direction;
+  result.component = info.component;
+  result.role = info.role;
+  result.quantity = info.quantity;
+  result.measured = experiment.measured();
+  result.predicted = prediction->value;
+  result.rms = rms_of_used(result.predicted - result.measured, info.used);
+  result.rms_percent = 100 * result.rms / reference(experiment);
+  for (const double force : path.force) {
+    result.peak_force = std::max(result.peak_force, std::abs(force));
+  }
+  result.points = static_cast<int>(std::count(info.used.begin(), info.used.end(), 1));
+  result.excluded = experiment.rows() - result.points;
+  result.specimens = info.specimens;
+  result.noise = result.rms;
+  result.noise_source = "not used: predicted, not fitted";
+  result.strain_range = used_strains(prediction->strain, info.used);
+  result.handled = info.handled;
+  result.columns = info.columns;
+  result.time = info.time;
+  result.strain.assign(prediction->strain.begin(), prediction->strain.end());
+  result.direction_of_row = path.direction;
+  result.specimen_of_row = path.specimen;
+  result.used = info.used;
+  result.measured_loop = loop_metrics(experiment.loop(result.measured), path,
+                                      experiment.loop_width(), experiment.loop_length());
+  result.predicted_loop = loop_metrics(experiment.loop(result.predicted), path,
+                                       experiment.loop_width(), experiment.loop_length());
+  return result;
+}
+
+void add_elastic(ExperimentResult& result, const Experiment& experiment,
+                 const ComponentLaw& elastic, const Eigen::VectorXd& nuisance) {
+  const auto prediction = experiment.predict(elastic, nuisance, false);
+  if (!prediction) return;
+  result.elastic = prediction->value;
+  result.elastic_percent =
+      100 * rms_of_used(prediction->value - result.measured, experiment.info().used) /
+      reference(experiment);
+}
+
+}  // namespace pliant

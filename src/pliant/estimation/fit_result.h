@@ -1,0 +1,115 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/loop_metrics.h"
+#include "pliant/experiment/study.h"
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// An estimated number with what the data says about it.
+struct ParameterEstimate {
+  std::string name;
+  std::string owner;  ///< component of a law's parameter, experiment of a nuisance parameter
+  std::string unit;
+  double value = 0;
+  std::optional<double> std_error;
+  std::optional<double> lower, upper;  ///< 95 % interval
+  bool identified = false;
+  bool at_bound = false;
+  bool fixed = false;
+  std::optional<double> between_specimen_sd;
+  std::string note;  ///< e.g. the strain of a control point
+};
+
+/// How an experiment's measured quantity compares with its prediction.
+struct ExperimentResult {
+  std::string name, type, direction, component;
+  ExperimentRole role = ExperimentRole::fit;
+  MeasuredQuantity quantity;
+  double rms = 0;                         ///< SI, over the used rows
+  double rms_percent = 0;                 ///< of the peak (of the largest extension for lengths)
+  std::optional<double> elastic_percent;  ///< the same for the best purely elastic curve
+  double peak_force = 0;                  ///< N, or N/m for forces per width
+  int points = 0;
+  int excluded = 0;
+  std::vector<std::string> specimens;
+  double noise = 0;  ///< standard deviation used as weight, SI
+  std::string noise_source;
+  std::pair<double, double> strain_range;
+  std::optional<LoopMetrics> measured_loop, predicted_loop;
+  std::vector<std::string> handled;
+
+  // Row by row, for predictions/NAME.csv.
+  std::vector<OwnColumn> columns;
+  std::vector<double> time, strain;
+  std::vector<int> direction_of_row, specimen_of_row;
+  std::vector<char> used;
+  Eigen::VectorXd measured, predicted;
+  std::optional<Eigen::VectorXd> elastic;
+};
+
+/// A stress-strain curve of a fitted component: from rest to the largest strain and back to zero.
+struct ComponentCurve {
+  std::string component;
+  std::vector<double> strain, load, unload, low, high, elastic, max_friction;
+};
+
+struct FitStage {
+  std::string component, name, unit;
+  double rms = 0;
+  bool accepted = true;
+};
+
+struct StartCount {
+  std::string component;
+  int tried = 0;
+  int reached_best = 0;
+};
+
+/// One friction model of a comparison ([T] Fig. 5.3).
+struct ModelRank {
+  std::string component, name;
+  int parameters = 0;
+  double rms_percent = 0;
+  double aic = 0, bic = 0, delta_bic = 0;
+};
+
+/// Profile likelihood of one parameter: all others fitted again at each value.
+struct Profile {
+  std::string parameter, unit;
+  std::vector<double> value, delta_chi2;
+  std::optional<double> lower,
+      upper;  ///< where delta_chi2 passes 3.84; absent: not within the range
+  std::optional<double> std_error;
+};
+
+/// Everything that a fit or an evaluation found out; the content of fit.json and its neighbours.
+struct StudyResult {
+  std::string name;
+  double density = 0;
+  std::map<std::string, std::string> info, conditions;
+  EstimatorKind estimator = EstimatorKind::path;
+  bool converged = true;
+  double seconds = 0;
+  std::vector<ParameterEstimate> parameters, nuisance;
+  Eigen::MatrixXd covariance;  ///< parameters, then nuisance
+  std::map<std::string, Eigen::VectorXd> singular_values;
+  std::vector<ExperimentResult> experiments;
+  std::vector<ComponentCurve> curves;
+  std::vector<FitStage> stages;
+  std::vector<StartCount> starts;
+  std::vector<ModelRank> models;
+  std::vector<Profile> profiles;
+  std::vector<std::string> assumptions, undetermined, warnings;
+  Material material;
+};
+
+}  // namespace pliant

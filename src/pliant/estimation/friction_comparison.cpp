@@ -1,0 +1,72 @@
+#include "pliant/estimation/friction_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/estimation/experiment_result.h"
+
+namespace pliant {
+namespace {
+
+struct Candidate {
+  std::string name;
+  FrictionLaw law;
+  bool constant_maximum;
+};
+
+const std::vector<Candidate>& candidates() {
+  static const std::vector<Candidate> all{
+      {"linear maximum, constant tau", FrictionLaw::dahl, false},
+      {"constant maximum, constant tau", FrictionLaw::dahl, true},
+      {"linear maximum, constant alpha", FrictionLaw::constant_slope, false},
+      {"no friction", FrictionLaw::none, false},
+  };
+  return all;
+}
+
+int free_parameters(const ParameterLimits& limits) {
+  return static_cast<int>(((limits.upper - limits.lower).array() > 0).count());
+}
+
+double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
+  double worst = 0;
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    const Experiment& experiment = *problem.experiments()[e];
+    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
+    const ExperimentResult result =
+        compare(experiment, fit.law, fit.nuisance.segment(problem.first_nuisance(e), count));
+    worst = std::max(worst, result.rms_percent);
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const ComponentFit& fit,
+                                        const FitOptions& options, const StopToken& stop) {
+  const double independent =
+      std::max(problem.used_rows() / fit.uncertainty.correlation_length, 1.0);
+  std::vector<ModelRank> ranks;
+  for (const Candidate& candidate : candidates()) {
+    ComponentLaw shape = fit.fit.law;
+    shape.friction_law = candidate.law;
+    FitOptions fixed = options;
+    if (candidate.constant_maximum) fixed.fix[fit.component + ".friction.b"] = 0;
+    const LawFit model = fit_law(problem, shape, fixed, stop);
+    const double mean_square = 2 * model.solution.cost / problem.used_rows();
+    ModelRank rank;
+    rank.component = fit.component;
+    rank.name = candidate.name;
+    rank.parameters = free_parameters(model.limits);
+    rank.rms_percent = worst_percent(problem, model);
+    rank.aic = independent * std::log(mean_square) + 2 * rank.parameters;
+    rank.bic = independent * std::log(mean_square) + std::log(independent) * rank.parameters;
+    ranks.push_back(rank);
+  }
+  std::sort(ranks.begin(), ranks.end(),
+            [](const ModelRank& x, const ModelRank& y) { return x.bic < y.bic; });
+  for (ModelRank& rank : ranks) rank.delta_bic = rank.bic - ranks.front().bic;
+  return ranks;
+}
+
+}  // namespace pliant

@@ -1,0 +1,108 @@
+#include "pliant/estimation/law_fit.h"
+
+#include <cmath>
+#include <limits>
+
+#include "pliant/estimation/linear_start.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kMostLinearStarts = 3;
+constexpr double kReachedShare = 1e-3;
+constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
+
+std::vector<ComponentLaw> starting_laws(const ComponentProblem& problem, const ComponentLaw& shape,
+                                        const std::vector<ComponentLaw>& extra) {
+  std::vector<ComponentLaw> laws;
+  for (const LinearStart& start : linear_starts(problem, shape, kMostLinearStarts)) {
+    laws.push_back(start.law);
+  }
+  if (shape.friction_law == FrictionLaw::dahl) {
+    const double tau = laws.front().friction[2];
+    for (const double factor : {0.3, 3.0}) {
+      laws.push_back(linear_start(problem, shape, factor * tau).law);
+    }
+  }
+  laws.insert(laws.end(), extra.begin(), extra.end());
+  return laws;
+}
+
+ParameterLimits limits_of(const ComponentProblem& problem, const ComponentLaw& shape,
+                          const FitOptions& options) {
+  const DataScale scale{problem.peak_stress(), problem.largest_strain()};
+  return parameter_limits(shape, component_of(problem), problem.nuisance(), scale, options);
+}
+
+Eigen::VectorXd start_vector(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
+  Eigen::VectorXd all(law.parameter_count() + nuisance.size());
+  all << law.parameters(), nuisance;
+  return all;
+}
+
+Eigen::VectorXd nuisance_start(const ComponentProblem& problem) {
+  const std::vector<NuisanceParameter> parameters = problem.nuisance();
+  Eigen::VectorXd start(static_cast<Eigen::Index>(parameters.size()));
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    start(static_cast<Eigen::Index>(i)) = parameters[i].start;
+  }
+  return start;
+}
+
+void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSummary& solution,
+                   int residuals) {
+  fit.solution = solution;
+  fit.law = shape.with_parameters(solution.parameters);
+  fit.nuisance = solution.parameters.tail(solution.parameters.size() - shape.parameter_count());
+  fit.rms = std::sqrt(2 * solution.cost / residuals);
+}
+
+}  // namespace
+
+const std::string& component_of(const ComponentProblem& problem) {
+  return problem.experiments().front()->info().component;
+}
+
+LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
+               const FitOptions& options, const StopToken& stop,
+               const std::vector<ComponentLaw>& extra) {
+  LawFit fit;
+  fit.limits = limits_of(problem, shape, options);
+  // Without friction the initial friction state means nothing.
+  if (shape.friction_law == FrictionLaw::none) {
+    for (size_t i = 0; i < fit.limits.names.size(); ++i) {
+      if (!fit.limits.names[i].ends_with(".initial_friction")) continue;
+      fit.limits.lower(static_cast<Eigen::Index>(i)) = 0;
+      fit.limits.upper(static_cast<Eigen::Index>(i)) = 0;
+      fit.limits.fixed[i] = 1;
+    }
+  }
+  const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
+  std::vector<double> costs;
+  LeastSquaresSummary best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
+    const LeastSquaresSummary solution =
+        solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)), {}, stop);
+    costs.push_back(solution.cost);
+    if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
+  }
+  take_solution(fit, shape, best, least_squares.residuals);
+  fit.starts_tried = static_cast<int>(costs.size());
+  const double exact = least_squares.residuals * kExactRms * kExactRms / 2;
+  for (const double cost : costs) {
+    if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
+  }
+  return fit;
+}
+
+LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {
+  LawFit again = fit;
+  const LeastSquaresProblem least_squares = problem.least_squares(fit.law, fit.limits);
+  take_solution(again, fit.law,
+                solve_least_squares(least_squares, fit.solution.parameters, {}, stop),
+                least_squares.residuals);
+  return again;
+}
+
+}  // namespace pliant

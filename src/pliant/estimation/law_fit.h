@@ -1,0 +1,39 @@
+#pragma once
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/component_problem.h"
+#include "pliant/estimation/parameter_limits.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+
+/// A law of one shape fitted to a component's experiments.
+struct LawFit {
+  ComponentLaw law;
+  Eigen::VectorXd nuisance;
+  ParameterLimits limits;
+  LeastSquaresSummary solution;
+  double rms = 0;  ///< root mean square of the weighted residuals
+  int starts_tried = 0;
+  int starts_reached = 0;  ///< starts that ended within 0.1 % of the best cost
+};
+
+/// Fits stiffness values, friction and nuisance parameters of a law by bounded least squares, from
+/// several starting points.
+///
+/// Starts are the linear fits at the local minima over tau (see linear_starts) and the same with
+/// friction spread over a wider and a narrower strain, so that the result does not hang on one
+/// guess; all of it is deterministic.
+/// @param shape  stiffness curve and friction law; its values are not used
+/// @param extra  further starting points (e.g. a fit of a simpler shape); may be empty
+LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
+               const FitOptions& options, const StopToken& stop,
+               const std::vector<ComponentLaw>& extra = {});
+
+/// Fits again from the solution itself, after the problem's noise has changed.
+LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop);
+
+/// Component name that the problem's experiments share.
+const std::string& component_of(const ComponentProblem& problem);
+
+}  // namespace pliant

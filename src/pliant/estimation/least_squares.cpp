@@ -1,0 +1,149 @@
+#include "pliant/estimation/least_squares.h"
+
+#include <limits>
+#include <vector>
+
+#include <ceres/ceres.h>
+
+namespace pliant {
+namespace {
+
+// The free parameters in units of their scale.
+class ScaledParameters {
+ public:
+  ScaledParameters(const LeastSquaresProblem& problem, const Eigen::VectorXd& start)
+      : problem_(problem), all_(start.cwiseMax(problem.lower).cwiseMin(problem.upper)) {
+    for (Eigen::Index i = 0; i < all_.size(); ++i) {
+      if (problem.lower(i) < problem.upper(i)) free_.push_back(i);
+    }
+  }
+
+  int size() const { return static_cast<int>(free_.size()); }
+  Eigen::Index index(int i) const { return free_[static_cast<size_t>(i)]; }
+  double scale(int i) const { return problem_.scale(index(i)); }
+
+  std::vector<double> scaled() const {
+    std::vector<double> values;
+    for (int i = 0; i < size(); ++i) values.push_back(all_(index(i)) / scale(i));
+    return values;
+  }
+
+  Eigen::VectorXd unscaled(const double* values) const {
+    Eigen::VectorXd all = all_;
+    for (int i = 0; i < size(); ++i) {
+      // Scaling must not carry a parameter over its bound by a rounding error.
+      all(index(i)) =
+          std::clamp(values[i] * scale(i), problem_.lower(index(i)), problem_.upper(index(i)));
+    }
+    return all;
+  }
+
+ private:
+  const LeastSquaresProblem& problem_;
+  Eigen::VectorXd all_;
+  std::vector<Eigen::Index> free_;
+};
+
+class Residuals : public ceres::CostFunction {
+ public:
+  Residuals(const LeastSquaresProblem& problem, const ScaledParameters& parameters)
+      : problem_(problem), parameters_(parameters) {
+    set_num_residuals(problem.residuals);
+    mutable_parameter_block_sizes()->push_back(parameters.size());
+  }
+
+  bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
+    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+    Eigen::VectorXd residual(problem_.residuals);
+    Eigen::MatrixXd jacobian;
+    if (!problem_.evaluate(parameters_.unscaled(values[0]), residual,
+                           wanted ? &jacobian : nullptr)) {
+      return false;
+    }
+    if (!residual.allFinite() || (wanted && !jacobian.allFinite())) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = residual;
+    if (!wanted) return true;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor> scaled(jacobians[0], problem_.residuals, parameters_.size());
+    for (int i = 0; i < parameters_.size(); ++i) {
+      scaled.col(i) = jacobian.col(parameters_.index(i)) * parameters_.scale(i);
+    }
+    return true;
+  }
+
+ private:
+  const LeastSquaresProblem& problem_;
+  const ScaledParameters& parameters_;
+};
+
+class StopCallback : public ceres::IterationCallback {
+ public:
+  explicit StopCallback(const StopToken& stop) : stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return stop_.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const StopToken& stop_;
+};
+
+ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
+  ceres::Solver::Options solver;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = options.function_tolerance;
+  solver.gradient_tolerance = options.gradient_tolerance;
+  solver.parameter_tolerance = options.parameter_tolerance;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.logging_type = ceres::SILENT;
+  solver.num_threads = 1;  // the same bits whatever else runs
+  return solver;
+}
+
+}  // namespace
+
+LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
+                                        const Eigen::VectorXd& start,
+                                        const LeastSquaresOptions& options, const StopToken& stop) {
+  stop.throw_if_requested();
+  const ScaledParameters parameters(problem, start);
+  std::vector<double> values = parameters.scaled();
+  LeastSquaresSummary summary;
+  summary.parameters = parameters.unscaled(values.data());
+
+  Eigen::VectorXd residual(problem.residuals);
+  if (!problem.evaluate(summary.parameters, residual, nullptr) || !residual.allFinite()) {
+    summary.cost = std::numeric_limits<double>::infinity();
+    summary.message = "the start has no prediction";
+    return summary;
+  }
+  summary.cost = residual.squaredNorm() / 2;
+  if (parameters.size() == 0) {
+    summary.converged = true;
+    summary.message = "no free parameter";
+    return summary;
+  }
+
+  ceres::Problem ceres_problem;
+  ceres_problem.AddResidualBlock(new Residuals(problem, parameters), nullptr, values.data());
+  for (int i = 0; i < parameters.size(); ++i) {
+    ceres_problem.SetParameterLowerBound(values.data(), i,
+                                         problem.lower(parameters.index(i)) / parameters.scale(i));
+    ceres_problem.SetParameterUpperBound(values.data(), i,
+                                         problem.upper(parameters.index(i)) / parameters.scale(i));
+  }
+  ceres::Solver::Options solver = solver_options(options);
+  StopCallback callback(stop);
+  solver.callbacks.push_back(&callback);
+  ceres::Solver::Summary report;
+  ceres::Solve(solver, &ceres_problem, &report);
+  stop.throw_if_requested();
+
+  summary.parameters = parameters.unscaled(values.data());
+  summary.cost = report.final_cost;
+  summary.converged = report.termination_type == ceres::CONVERGENCE;
+  summary.iterations = static_cast<int>(report.iterations.size());
+  summary.message = report.message;
+  return summary;
+}
+
+}  // namespace pliant

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "pliant/base/progress.h"
+
+namespace pliant {
+
+/// A bounded nonlinear least-squares problem: minimise 1/2 |residual(p)|^2 with lower <= p <=
+/// upper.
+struct LeastSquaresProblem {
+  /// Fills the residual and, unless null, its Jacobian; returns false where p has no residual.
+  using Evaluate = std::function<bool(const Eigen::VectorXd& p, Eigen::VectorXd& residual,
+                                      Eigen::MatrixXd* jacobian)>;
+
+  Evaluate evaluate;
+  int residuals = 0;
+  Eigen::VectorXd lower;  ///< equal to `upper` where a parameter is fixed
+  Eigen::VectorXd upper;
+  Eigen::VectorXd scale;  ///< a change of each parameter that matters, > 0
+};
+
+struct LeastSquaresOptions {
+  int max_iterations = 200;
+  double function_tolerance = 1e-15;   ///< relative change of the cost
+  double gradient_tolerance = 1e-14;   ///< of the scaled problem
+  double parameter_tolerance = 1e-11;  ///< relative change of the scaled parameters
+};
+
+struct LeastSquaresSummary {
+  Eigen::VectorXd parameters;
+  double cost = 0;  ///< 1/2 |residual|^2
+  bool converged = false;
+  int iterations = 0;
+  std::string message;  ///< why it stopped
+};
+
+/// Trust-region Levenberg-Marquardt with bounds (Ceres).
+/// @param start  is moved into the bounds
+/// @return cost infinity and `converged` false where `start` has no residual
+/// @throws Interrupted
+LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
+                                        const Eigen::VectorXd& start,
+                                        const LeastSquaresOptions& options, const StopToken& stop);
+
+}  // namespace pliant

@@ -1,0 +1,169 @@
+#include "pliant/estimation/linear_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+#include "pliant/experiment/friction_path.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kTauSteps = 16;
+constexpr double kSmallestTau = 0.002;  // shares of the largest strain
+constexpr double kLargestTau = 2;
+
+struct LinearSystem {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+};
+
+// Unit responses of friction (d stress / d a, d stress / d b) along the measured path of an
+// experiment.
+class FrictionBasis {
+ public:
+  FrictionBasis(const MeasuredPath& path, double tau, bool tension_only)
+      : path_(path), tension_only_(tension_only), walk_(dahl(tau), rest()) {}
+
+  // Rows must be asked for in order.
+  Eigen::Vector2d at(size_t row) {
+    const auto anchor = static_cast<size_t>(path_.anchor[row]);
+    if (row == 0 || path_.specimen[row] != path_.specimen[row - 1]) {
+      PathPoint start = rest();
+      start.strain = strain(row);
+      walk_ = FrictionPath(dahl(tau_), start);
+    } else if (path_.anchor[row] != path_.anchor[row - 1]) {
+      walk_.turn_at(strain(anchor), Eigen::VectorXd::Zero(4));
+    }
+    return walk_.at(strain(row)).friction_gradient.segment<2>(1);
+  }
+
+ private:
+  ComponentLaw dahl(double tau) {
+    tau_ = tau;
+    return {ScalarCurve::constant(0), FrictionLaw::dahl, {0, 0, tau}};
+  }
+  static PathPoint rest() { return {0, 0, Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(4)}; }
+  double strain(size_t row) const {
+    return tension_only_ ? std::max(path_.strain[row], 0.0) : path_.strain[row];
+  }
+
+  const MeasuredPath& path_;
+  bool tension_only_;
+  double tau_ = 1;
+  FrictionPath walk_;
+};
+
+LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape, double tau) {
+  const bool friction = shape.friction_law != FrictionLaw::none;
+  const int law_columns = shape.stiffness.size() + (friction ? 2 : 0);
+  const auto experiments = problem.experiments().size();
+  LinearSystem system;
+  system.matrix.setZero(problem.used_rows(), law_columns + static_cast<int>(experiments));
+  system.right.resize(problem.used_rows());
+  Eigen::Index row = 0;
+  for (size_t e = 0; e < experiments; ++e) {
+    const Experiment& experiment = *problem.experiments()[e];
+    const MeasuredPath& path = experiment.path();
+    const bool tension_only = experiment.info().component != "shear";
+    const double peak =
+        std::abs(*std::max_element(path.force.begin(), path.force.end(),
+                                   [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    FrictionBasis basis(path, tau, tension_only);
+    for (size_t i = 0; i < path.strain.size(); ++i) {
+      const Eigen::Vector2d response = friction ? basis.at(i) : Eigen::Vector2d::Zero();
+      if (!problem.used(e)[i]) continue;
+      const double weight = 1 / peak;
+      const double strain = tension_only ? std::max(path.strain[i], 0.0) : path.strain[i];
+      system.right(row) = weight * path.force[i];
+      if (!experiment.nuisance().empty()) {
+        system.matrix(row, law_columns + static_cast<int>(e)) = weight;
+      }
+      if (!tension_only || path.strain[i] > 0) {
+        const double factor = weight * path.factor[i];
+        system.matrix.row(row).head(shape.stiffness.size()) =
+            factor * strain * shape.stiffness.weights(strain).transpose();
+        if (friction) {
+          system.matrix.row(row).segment<2>(shape.stiffness.size()) = factor * response.transpose();
+        }
+      }
+      ++row;
+    }
+  }
+  return system;
+}
+
+// Least squares in which the first `not_negative` unknowns are dropped, the most negative first,
+// until none is negative.
+Eigen::VectorXd solve_not_negative(const LinearSystem& system, int not_negative) {
+  const auto columns = system.matrix.cols();
+  std::vector<Eigen::Index> active(static_cast<size_t>(columns));
+  for (Eigen::Index i = 0; i < columns; ++i) active[static_cast<size_t>(i)] = i;
+  for (;;) {
+    const Eigen::VectorXd part =
+        system.matrix(Eigen::all, active).colPivHouseholderQr().solve(system.right);
+    size_t worst = active.size();
+    for (size_t i = 0; i < active.size(); ++i) {
+      const auto value = part(static_cast<Eigen::Index>(i));
+      if (active[i] >= not_negative || value >= 0) continue;
+      if (worst == active.size() || value < part(static_cast<Eigen::Index>(worst))) worst = i;
+    }
+    if (worst < active.size()) {
+      active.erase(active.begin() + static_cast<std::ptrdiff_t>(worst));
+      continue;
+    }
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns);
+    for (size_t i = 0; i < active.size(); ++i) all(active[i]) = part(static_cast<Eigen::Index>(i));
+    return all;
+  }
+}
+
+std::array<double, 3> friction_start(const ComponentLaw& shape, double a, double b, double tau,
+                                     const ComponentProblem& problem) {
+  // A small a keeps friction alive where the linear fit dropped it.
+  const double floor = 1e-3 * problem.peak_stress();
+  if (shape.friction_law == FrictionLaw::dahl) return {std::max(a, floor), b, tau};
+  const double middle = a + b * problem.largest_strain() / 2;
+  return {std::max(a, floor), b, std::max(middle, floor) / tau};
+}
+
+}  // namespace
+
+LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau) {
+  const LinearSystem system = assemble(problem, shape, tau);
+  const int stiffness = shape.stiffness.size();
+  const bool friction = shape.friction_law != FrictionLaw::none;
+  const Eigen::VectorXd solution = solve_not_negative(system, stiffness + (friction ? 2 : 0));
+  LinearStart start;
+  start.law = shape;
+  start.law.stiffness = shape.stiffness.with_values(solution.data());
+  if (friction) {
+    start.law.friction =
+        friction_start(shape, solution(stiffness), solution(stiffness + 1), tau, problem);
+  }
+  start.cost = (system.matrix * solution - system.right).squaredNorm();
+  return start;
+}
+
+std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                       int most) {
+  if (shape.friction_law == FrictionLaw::none) return {linear_start(problem, shape, 1)};
+  std::vector<LinearStart> all;
+  for (int i = 0; i < kTauSteps; ++i) {
+    const double share = kSmallestTau * std::pow(kLargestTau / kSmallestTau, i / (kTauSteps - 1.0));
+    all.push_back(linear_start(problem, shape, share * problem.largest_strain()));
+  }
+  std::vector<LinearStart> best;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const bool below_left = i == 0 || all[i].cost <= all[i - 1].cost;
+    const bool below_right = i + 1 == all.size() || all[i].cost < all[i + 1].cost;
+    if (below_left && below_right) best.push_back(all[i]);
+  }
+  std::sort(best.begin(), best.end(),
+            [](const LinearStart& x, const LinearStart& y) { return x.cost < y.cost; });
+  if (static_cast<int>(best.size()) > most) best.resize(static_cast<size_t>(most));
+  return best;
+}
+
+}  // namespace pliant

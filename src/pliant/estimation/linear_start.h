@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/estimation/component_problem.h"
+#include "pliant/material/component_law.h"
+
+namespace pliant {
+
+/// A law found without iteration, to start a fit from.
+struct LinearStart {
+  ComponentLaw law;
+  double cost = 0;  ///< sum of squared force errors, each experiment relative to its peak
+};
+
+/// For a fixed tau the force is linear in stiffness values, a and b: solves for them along the
+/// measured path, none of them negative, with a force offset for each experiment that has one as
+/// nuisance parameter. Slackness is left to the fit.
+/// @param shape  stiffness curve and friction law; its values are not used
+/// @param tau    strain constant of friction; unused without friction
+LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau);
+
+/// Linear starts at the local minima of their cost over a range of tau, the best first, at most
+/// `most` of them.
+std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                       int most);
+
+}  // namespace pliant

@@ -1,0 +1,277 @@
+#include "pliant/estimation/result_files.h"
+
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "pliant/io/csv_writer.h"
+#include "pliant/material/material_file.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON knows no NaN: an unknown number is null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json parameter_json(const ParameterEstimate& p, const char* owner) {
+  return {{"name", p.name},
+          {"value", number(p.value)},
+          {"std_error", number(p.std_error)},
+          {"unit", p.unit},
+          {"identified", p.identified},
+          {"at_bound", p.at_bound},
+          {"between_specimen_sd", number(p.between_specimen_sd)},
+          {"fixed", p.fixed},
+          {"lower", number(p.lower)},
+          {"upper", number(p.upper)},
+          {"note", p.note},
+          {owner, p.owner}};
+}
+
+Json loop_json(const LoopMetrics& loop) {
+  return {{"secant_modulus_N_per_m", number(loop.secant_modulus)},
+          {"hysteresis_ratio", number(loop.hysteresis_ratio)},
+          {"loop_loss", number(loop.loop_loss)}};
+}
+
+std::string prediction_file(const ExperimentResult& e) { return "predictions/" + e.name + ".csv"; }
+
+Json experiment_json(const ExperimentResult& e) {
+  const bool length = e.quantity.kind == "length";
+  Json json{{"name", e.name},
+            {"type", e.type},
+            {"direction", e.direction},
+            {"component", e.component},
+            {"role", e.role == ExperimentRole::fit ? "fit" : "validate"},
+            {"quantity", e.quantity.name},
+            {"rms_force_N", length ? Json(nullptr) : number(e.rms)},
+            {"peak_force_N", number(e.peak_force)},
+            {"rms_percent_of_peak", number(e.rms_percent)},
+            {"rms_position_mm", length ? number(e.rms * 1e3) : Json(nullptr)},
+            {"rms_elastic_percent_of_peak", number(e.elastic_percent)},
+            {"points", e.points},
+            {"specimens", e.specimens.size()},
+            {"excluded", e.excluded},
+            {"noise",
+             {{"quantity", e.quantity.kind},
+              {"value", number(e.noise * e.quantity.per_si)},
+              {"unit", e.quantity.unit},
+              {"source", e.noise_source}}},
+            {"strain_range", {e.strain_range.first, e.strain_range.second}}};
+  json["loop"] = nullptr;
+  if (e.measured_loop && e.predicted_loop) {
+    json["loop"] = {{"measured", loop_json(*e.measured_loop)},
+                    {"predicted", loop_json(*e.predicted_loop)}};
+  }
+  json["handled"] = e.handled;
+  json["prediction_file"] = prediction_file(e);
+  return json;
+}
+
+Json covariance_json(const Eigen::MatrixXd& covariance) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < covariance.cols(); ++j) row.push_back(number(covariance(i, j)));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void add_fit_details(const StudyResult& result, Json& json) {
+  json["parameters"] = Json::array();
+  for (const auto& p : result.parameters) {
+    json["parameters"].push_back(parameter_json(p, "component"));
+  }
+  json["nuisance"] = Json::array();
+  for (const auto& p : result.nuisance) {
+    json["nuisance"].push_back(parameter_json(p, "experiment"));
+  }
+  json["covariance"] = covariance_json(result.covariance);
+  json["singular_values"] = Json::array();
+  for (const auto& [component, values] : result.singular_values) {
+    json["singular_values"].push_back(
+        {{"component", component},
+         {"values", numbers(std::vector<double>(values.begin(), values.end()))}});
+  }
+}
+
+void add_searches(const StudyResult& result, Json& json) {
+  json["stages"] = Json::array();
+  for (const FitStage& s : result.stages) {
+    json["stages"].push_back({{"component", s.component},
+                              {"name", s.name},
+                              {"rms", number(s.rms)},
+                              {"unit", s.unit},
+                              {"accepted", s.accepted}});
+  }
+  json["starts"] = Json::array();
+  for (const StartCount& s : result.starts) {
+    json["starts"].push_back(
+        {{"component", s.component}, {"tried", s.tried}, {"reached_best", s.reached_best}});
+  }
+  json["models"] = Json::array();
+  for (const ModelRank& m : result.models) {
+    json["models"].push_back({{"component", m.component},
+                              {"name", m.name},
+                              {"parameters", m.parameters},
+                              {"rms_percent_of_peak", number(m.rms_percent)},
+                              {"aic", number(m.aic)},
+                              {"bic", number(m.bic)},
+                              {"delta_bic", number(m.delta_bic)}});
+  }
+  json["profiles"] = Json::array();
+  for (const Profile& p : result.profiles) {
+    json["profiles"].push_back({{"parameter", p.parameter},
+                                {"unit", p.unit},
+                                {"value", numbers(p.value)},
+                                {"delta_chi2", numbers(p.delta_chi2)},
+                                {"lower", number(p.lower)},
+                                {"upper", number(p.upper)},
+                                {"std_error", number(p.std_error)}});
+  }
+}
+
+std::string parameters_csv(const StudyResult& result) {
+  const std::vector<std::string> header{
+      "name",  "value",      "std_error", "unit",  "lower",
+      "upper", "identified", "at_bound",  "fixed", "between_specimen_sd"};
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  CsvWriter csv(header);
+  for (const auto* list : {&result.parameters, &result.nuisance}) {
+    for (const ParameterEstimate& p : *list) {
+      csv.cell(p.name).cell(p.value).cell(p.std_error.value_or(kNone)).cell(p.unit);
+      csv.cell(p.lower.value_or(kNone)).cell(p.upper.value_or(kNone));
+      csv.cell(p.identified ? 1 : 0).cell(p.at_bound ? 1 : 0).cell(p.fixed ? 1 : 0);
+      csv.cell(p.between_specimen_sd.value_or(kNone));
+      csv.end_row();
+    }
+  }
+  return csv.text();
+}
+
+std::string curves_csv(const StudyResult& result) {
+  const std::vector<std::string> header{"component", "strain", "load",    "unload",
+                                        "low",       "high",   "elastic", "friction_max"};
+  CsvWriter csv(header);
+  for (const ComponentCurve& c : result.curves) {
+    for (size_t i = 0; i < c.strain.size(); ++i) {
+      csv.cell(c.component).cell(c.strain[i]).cell(c.load[i]).cell(c.unload[i]);
+      csv.cell(c.low[i]).cell(c.high[i]).cell(c.elastic[i]).cell(c.max_friction[i]);
+      csv.end_row();
+    }
+  }
+  return csv.text();
+}
+
+// The experiment's own columns keep their names; ours give way where they would clash.
+std::vector<OwnColumn> own_columns(const ExperimentResult& e) {
+  std::vector<OwnColumn> columns;
+  for (const OwnColumn& column : e.columns) {
+    const bool ours = column.header == "specimen" || column.header == "strain" ||
+                      column.header == "branch" || column.header == "used";
+    if (!ours) columns.push_back(column);
+  }
+  return columns;
+}
+
+const char* branch_name(int direction) { return direction > 0 ? "load" : "unload"; }
+
+std::string prediction_csv(const ExperimentResult& e) {
+  const std::vector<OwnColumn> own = own_columns(e);
+  std::vector<std::string> header;
+  for (const OwnColumn& column : own) header.push_back(column.header);
+  for (const char* name : {"specimen", "strain", "branch", "used"}) header.push_back(name);
+  header.push_back("measured_" + e.quantity.name);
+  header.push_back("predicted_" + e.quantity.name);
+  if (e.elastic) header.push_back("elastic_" + e.quantity.name);
+
+  CsvWriter csv(header);
+  for (Eigen::Index i = 0; i < e.measured.size(); ++i) {
+    const auto row = static_cast<size_t>(i);
+    for (const OwnColumn& column : own) csv.cell(column.cells[row]);
+    csv.cell(e.specimens[static_cast<size_t>(e.specimen_of_row[row])]);
+    csv.cell(e.strain[row]).cell(branch_name(e.direction_of_row[row])).cell(e.used[row] ? 1 : 0);
+    csv.cell(e.quantity.per_si * e.measured(i)).cell(e.quantity.per_si * e.predicted(i));
+    if (e.elastic) csv.cell(e.quantity.per_si * (*e.elastic)(i));
+    csv.end_row();
+  }
+  return csv.text();
+}
+
+void add_tables(const StudyResult& result,
+                std::vector<std::pair<std::string, std::string>>& files) {
+  files.emplace_back("curves.csv", curves_csv(result));
+  for (const ExperimentResult& experiment : result.experiments) {
+    files.emplace_back(prediction_file(experiment), prediction_csv(experiment));
+  }
+}
+
+}  // namespace
+
+std::string summary_text(const StudyResult& result, const RunFacts& facts, bool fitted) {
+  Json json{{"pliant", fitted ? "fit/1" : "evaluation/1"},
+            {"name", result.name},
+            {"density", result.density > 0 ? Json(result.density) : Json(nullptr)},
+            {"info", result.info},
+            {"conditions", result.conditions},
+            {"command", facts.command},
+            {"created", facts.created},
+            {"version", facts.version},
+            {"study", facts.study},
+            {"study_sha256", facts.study_sha256}};
+  if (fitted) {
+    json["estimator"] = result.estimator == EstimatorKind::path ? "path" : "anchor";
+  } else {
+    json["material"] = facts.material_file;
+  }
+  json["converged"] = result.converged;
+  json["seconds"] = result.seconds;
+  if (fitted) add_fit_details(result, json);
+  json["experiments"] = Json::array();
+  for (const ExperimentResult& e : result.experiments) {
+    json["experiments"].push_back(experiment_json(e));
+  }
+  if (fitted) add_searches(result, json);
+  json["undetermined"] = result.undetermined;
+  json["assumptions"] = result.assumptions;
+  json["warnings"] = result.warnings;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::pair<std::string, std::string>> fit_files(const StudyResult& result,
+                                                           const RunFacts& facts) {
+  Material material = result.material;
+  material.provenance = {{"study", facts.study},
+                         {"study_sha256", facts.study_sha256},
+                         {"command", facts.command},
+                         {"pliant_version", facts.version},
+                         {"created", facts.created}};
+  std::vector<std::pair<std::string, std::string>> files;
+  files.emplace_back("material.json", material_text(material));
+  files.emplace_back("fit.json", summary_text(result, facts, true));
+  files.emplace_back("parameters.csv", parameters_csv(result));
+  add_tables(result, files);
+  return files;
+}
+
+std::vector<std::pair<std::string, std::string>> evaluation_files(const StudyResult& result,
+                                                                  const RunFacts& facts) {
+  std::vector<std::pair<std::string, std::string>> files;
+  files.emplace_back("evaluation.json", summary_text(result, facts, false));
+  add_tables(result, files);
+  return files;
+}
+
+}  // namespace pliant

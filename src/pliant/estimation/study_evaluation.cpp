@@ -1,0 +1,51 @@
+#include "pliant/estimation/study_evaluation.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/experiment_result.h"
+#include "pliant/estimation/study_experiments.h"
+
+namespace pliant {
+
+StudyResult evaluate_study(const Study& study, const Material& material,
+                           const RunContext& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  StudyResult result = describe(study);
+  result.material = material;
+  if (result.density == 0) result.density = material.density;
+  Study with_measure = study;
+  with_measure.model.membrane = material.membrane;
+  with_measure.density = result.density;
+  const Experiments experiments = read_experiments(with_measure, result);
+  for (const auto& experiment : experiments) {
+    context.stop.throw_if_requested();
+    const ExperimentInfo& info = experiment->info();
+    const std::optional<ComponentLaw> law = law_of(material, info.component);
+    if (!law) {
+      throw InputError({study.file, 0, info.name},
+                       fmt::format("the material {} has no {}: unmeasured",
+                                   quoted_value(material.name), info.component),
+                       "a material in which that component was measured or assumed");
+    }
+    ExperimentResult row = compare(*experiment, *law, experiment->unfitted_nuisance());
+    row.role = ExperimentRole::validate;
+    result.experiments.push_back(std::move(row));
+    const bool drawn =
+        std::any_of(result.curves.begin(), result.curves.end(),
+                    [&](const ComponentCurve& c) { return c.component == info.component; });
+    if (!drawn) {
+      result.curves.push_back(
+          component_curve(info.component, *law, result.experiments.back().strain_range.second, {}));
+    }
+  }
+  result.assumptions = assumptions_of(study, experiments);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace pliant

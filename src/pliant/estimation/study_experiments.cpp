@@ -1,0 +1,65 @@
+#include "pliant/estimation/study_experiments.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/experiment/make_experiment.h"
+
+namespace pliant {
+
+StudyResult describe(const Study& study) {
+  StudyResult result;
+  result.name = study.name;
+  result.density = study.density;
+  result.info = study.info;
+  result.conditions = study.conditions;
+  result.estimator = study.fit.estimator;
+  return result;
+}
+
+Experiments read_experiments(const Study& study, StudyResult& result) {
+  Experiments experiments;
+  std::map<std::string, std::vector<std::string>> left_out;  // names by type
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!is_supported_type(spec.type)) {
+      left_out[spec.type].push_back(spec.name);
+      continue;
+    }
+    experiments.push_back(make_experiment(spec, study.density, study.model.membrane));
+    for (const std::string& warning : experiments.back()->info().warnings) {
+      result.warnings.push_back(spec.name + ": " + warning);
+    }
+  }
+  for (const auto& [type, names] : left_out) {
+    result.warnings.push_back(
+        fmt::format("{} experiments are left out, this version does not use them yet: {}", type,
+                    fmt::join(names, ", ")));
+  }
+  return experiments;
+}
+
+std::vector<std::string> assumptions_of(const Study& study, const Experiments& experiments) {
+  std::vector<std::string> assumptions{
+      "every specimen is stretched uniformly; effects of the clamps on the strain are left out",
+      "friction depends on the path of strain, not on its speed; no viscosity, no creep"};
+  for (const auto& experiment : experiments) {
+    if (experiment->info().type == "hanging-weights") {
+      assumptions.push_back(experiment->info().name +
+                            ": the noise is in the lengths, the weights are exact");
+    } else if (!experiment->info().length_noise) {
+      assumptions.push_back(
+          experiment->info().name +
+          ": the noise is in the forces; none is stated for what drives the path");
+    }
+  }
+  if (study.fit.estimator == EstimatorKind::anchor) {
+    assumptions.push_back(
+        "published estimator: friction saturated at every turning point, its "
+        "approximate solution (offset b tau dropped); both bias it");
+  }
+  return assumptions;
+}
+
+}  // namespace pliant

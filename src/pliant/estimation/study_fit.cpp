@@ -1,0 +1,108 @@
+#include "pliant/estimation/study_fit.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/parallel.h"
+#include "pliant/estimation/component_work.h"
+#include "pliant/estimation/friction_comparison.h"
+#include "pliant/estimation/profile_likelihood.h"
+#include "pliant/estimation/study_experiments.h"
+
+namespace pliant {
+namespace {
+
+std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
+  std::vector<ComponentWork> works;
+  for (const auto& experiment : experiments) {
+    const ExperimentInfo& info = experiment->info();
+    auto work = std::find_if(works.begin(), works.end(),
+                             [&](const ComponentWork& w) { return w.component == info.component; });
+    if (work == works.end()) {
+      works.emplace_back();
+      work = works.end() - 1;
+      work->component = info.component;
+    }
+    (info.role == ExperimentRole::fit ? work->fitted : work->validated).push_back(experiment.get());
+  }
+  return works;
+}
+
+void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToken& stop) {
+  if (work.fitted.empty()) return;
+  work.problem.emplace(work.fitted);
+  work.fit = fit_component(*work.problem, work.plan, stop);
+  if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
+    work.models = compare_friction(*work.problem, work.fit, work.plan.fit, stop);
+  }
+  if (work.plan.fit.estimator == EstimatorKind::anchor) return;
+  const std::vector<std::string>& names = work.fit.fit.limits.names;
+  for (size_t i = 0; i < names.size(); ++i) {
+    const bool wanted =
+        std::any_of(options.profiles.begin(), options.profiles.end(),
+                    [&](const std::string& pattern) { return matches(pattern, names[i]); });
+    if (!wanted || work.fit.fit.limits.fixed[i]) continue;
+    work.profiles.push_back(
+        profile_likelihood(*work.problem, work.fit, static_cast<Eigen::Index>(i), stop));
+  }
+}
+
+void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& result) {
+  for (const std::string& pattern : options.profiles) {
+    const bool known =
+        std::any_of(result.profiles.begin(), result.profiles.end(),
+                    [&](const Profile& profile) { return matches(pattern, profile.parameter); });
+    if (!known)
+      result.warnings.push_back("no free parameter is called " + pattern + ": no profile");
+  }
+}
+
+}  // namespace
+
+StudyResult fit_study(const Study& study, const StudyFitOptions& options,
+                      const RunContext& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  StudyResult result = describe(study);
+  const Experiments experiments = read_experiments(study, result);
+  std::vector<ComponentWork> works = group_by_component(experiments);
+  const bool anything = std::any_of(works.begin(), works.end(),
+                                    [](const ComponentWork& w) { return !w.fitted.empty(); });
+  if (!anything) {
+    throw InputError({study.file, 0, "experiments"}, "no experiment that this version can fit",
+                     "at least one of hanging-weights, tensile-cycles, shear-cycles that is not "
+                     "under `validate`");
+  }
+  result.assumptions = assumptions_of(study, experiments);
+  for (ComponentWork& work : works) {
+    if (work.fitted.empty()) {
+      result.warnings.push_back(work.component + " has validation experiments alone: not fitted");
+    } else {
+      work.plan = plan_component(study, work.fitted, result.undetermined);
+    }
+  }
+
+  std::atomic<int> done = 0;
+  {
+    ProgressTask task(context.progress, "fit", static_cast<double>(works.size()));
+    std::mutex reporting;
+    parallel_for(static_cast<int>(works.size()), context.threads, [&](int i) {
+      fit_one(works[static_cast<size_t>(i)], options, context.stop);
+      const std::lock_guard lock(reporting);
+      task.advance(++done);
+    });
+  }
+
+  for (const ComponentWork& work : works) {
+    if (work.problem) add_component(work, result);
+  }
+  warn_of_unknown_profiles(options, result);
+  result.covariance = joint_covariance(works);
+  result.material = material_of(study, works);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace pliant

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/material/component_law.h"
+
+namespace pliant {
+
+enum class ExperimentRole { fit, validate };
+
+/// What an experiment measures row by row, and how results print it.
+struct MeasuredQuantity {
+  std::string name;   ///< column suffix: measured_NAME, e.g. force_N
+  std::string kind;   ///< force, length, ...
+  std::string unit;   ///< unit of the column
+  double per_si = 1;  ///< column value = per_si * SI value
+};
+
+/// A number that belongs to the apparatus or the specimen, not to the material; it is estimated
+/// along.
+struct NuisanceParameter {
+  std::string name;  ///< e.g. "warp-8cm.force_offset"
+  std::string unit;
+  double start = 0;
+  double lower = 0;
+  double upper = 0;
+  double scale = 1;  ///< a change that matters
+};
+
+/// Predicted values of the measured quantity, one per row.
+struct Prediction {
+  Eigen::VectorXd value;     ///< SI
+  Eigen::MatrixXd jacobian;  ///< d value / d (law, nuisance); empty unless asked for
+  Eigen::VectorXd strain;    ///< strain of the material at each row
+  Eigen::VectorXd
+      length_gain;  ///< |d value / d length|, for noise of the length (m); empty if none
+};
+
+/// The measured path, for estimators and figures that look at it row by row.
+struct MeasuredPath {
+  std::vector<double> strain;  ///< by the stated gauge length
+  std::vector<double> force;   ///< force (N) or force per width (N/m) that the material carries
+  std::vector<double> factor;  ///< force per stress at the row's strain (m, or 1)
+  std::vector<int> direction;  ///< 1 loading, -1 unloading
+  std::vector<int> anchor;     ///< row of the turning point before; the row itself at the start
+  std::vector<int> specimen;   ///< 0, 1, ...
+};
+
+/// An abscissa and an ordinate a row: the loop as the field draws it (force over length).
+struct LoopSeries {
+  Eigen::VectorXd abscissa;
+  Eigen::VectorXd ordinate;
+};
+
+/// A column of the experiment's own data file, as it was written there.
+struct OwnColumn {
+  std::string header;
+  std::vector<std::string> cells;
+};
+
+/// Facts of an experiment that hold whatever the law.
+struct ExperimentInfo {
+  std::string name;
+  std::string type;
+  std::string direction;
+  std::string component;  ///< strain component that it determines, e.g. stretch.warp
+  ExperimentRole role = ExperimentRole::fit;
+  MeasuredQuantity quantity;
+  std::vector<std::string> specimens;
+  std::vector<char> used;              ///< a row: does it take part in the fit
+  std::optional<double> force_noise;   ///< stated standard deviation of the force (N or N/m)
+  std::optional<double> length_noise;  ///< of the length (m)
+  std::vector<std::string> handled;    ///< what was found in the data and how it was dealt with
+  std::vector<std::string> warnings;
+  std::vector<OwnColumn> columns;
+  std::vector<double> time;  ///< s; empty unless measured
+};
+
+/// A measurement on one strain component: it predicts, is compared and is differentiated by the
+/// same object.
+class Experiment {
+ public:
+  virtual ~Experiment() = default;
+
+  const ExperimentInfo& info() const { return info_; }
+  const Eigen::VectorXd& measured() const { return measured_; }
+  int rows() const { return static_cast<int>(measured_.size()); }
+  const std::vector<NuisanceParameter>& nuisance() const { return nuisance_; }
+  const MeasuredPath& path() const { return path_; }
+
+  /// Predicts the measured quantity of all rows.
+  /// @param nuisance  one value for each of `nuisance()`
+  /// @return nothing when the law cannot carry the loads (no equilibrium)
+  virtual std::optional<Prediction> predict(const ComponentLaw& law,
+                                            const Eigen::VectorXd& nuisance,
+                                            bool with_jacobian) const = 0;
+
+  /// Nuisance values for a prediction without a fit: what the data itself shows, else the ideal
+  /// apparatus.
+  virtual Eigen::VectorXd unfitted_nuisance() const = 0;
+
+  /// The loop of a series of the measured quantity (SI), measured or predicted.
+  virtual LoopSeries loop(const Eigen::VectorXd& quantity) const = 0;
+
+  /// Width across the force (m), for moduli per width; 1 where forces are per width already.
+  virtual double loop_width() const = 0;
+  /// Gauge length (m) that turns the loop's abscissa into engineering strain; 1 where it is a
+  /// strain already.
+  virtual double loop_length() const = 0;
+
+ protected:
+  ExperimentInfo info_;
+  Eigen::VectorXd measured_;
+  std::vector<NuisanceParameter> nuisance_;
+  MeasuredPath path_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,89 @@
+#include "pliant/experiment/experiment_data.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace pliant {
+namespace {
+
+std::vector<char> used_rows(const ExperimentSpec& spec, int rows) {
+  std::vector<char> used(static_cast<size_t>(rows), 1);
+  for (const ExcludedRows& range : spec.excluded) {
+    if (range.last > rows) {
+      throw InputError({spec.where.file, spec.where.line, spec.where.field + ".exclude"},
+                       fmt::format("rows {}-{} do not exist", range.first, range.last),
+                       fmt::format("rows between 1 and {}", rows));
+    }
+    std::fill(used.begin() + range.first - 1, used.begin() + range.last, 0);
+  }
+  return used;
+}
+
+std::string component_of(const ExperimentSpec& spec) {
+  return spec.type == "shear-cycles" ? "shear" : "stretch." + spec.direction;
+}
+
+}  // namespace
+
+ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& data,
+                                   MeasuredQuantity quantity) {
+  ExperimentInfo info;
+  info.name = spec.name;
+  info.type = spec.type;
+  info.direction = spec.direction;
+  info.component = component_of(spec);
+  info.role = spec.role;
+  info.quantity = std::move(quantity);
+  for (const SpecimenRows& specimen : data.specimens()) info.specimens.push_back(specimen.name);
+  info.used = used_rows(spec, data.rows());
+  info.force_noise = spec.noise.force;
+  info.length_noise = spec.noise.length;
+  if (auto time = data.optional_quantity("time", Dimension::time)) info.time = *time;
+  data.optional_integers("cycle");
+  for (const ExcludedRows& range : spec.excluded) {
+    info.handled.push_back(
+        fmt::format("rows {}-{} are left out: {}", range.first, range.last, range.reason));
+  }
+  for (const std::string& column : data.unused_columns()) {
+    info.warnings.push_back(fmt::format("column {} is not used", quoted_value(column)));
+  }
+  info.columns = data.own_columns();
+  return info;
+}
+
+void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least) {
+  for (const SpecimenRows& specimen : specimens) {
+    if (specimen.count >= least) continue;
+    Location where = data.location(specimen.first, "");
+    throw InputError(where,
+                     fmt::format("specimen {} has {} row{}", quoted_value(specimen.name),
+                                 specimen.count, specimen.count == 1 ? "" : "s"),
+                     fmt::format("at least {} rows", least));
+  }
+}
+
+void require_positive(const std::vector<double>& values, const DataRows& data,
+                      std::string_view column) {
+  const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !(v > 0); });
+  if (bad == values.end()) return;
+  throw InputError(data.location(static_cast<int>(bad - values.begin()), column), "is not positive",
+                   "a value above 0");
+}
+
+void require_change(const std::vector<double>& values, const DataRows& data,
+                    std::string_view column) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  if (*high > *low) return;
+  throw InputError(data.location(0, column), "is the same in every row",
+                   "values that change: a constant one determines nothing");
+}
+
+std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name) {
+  if (info.specimens.size() == 1) return fmt::format("{}.{}", info.name, name);
+  return fmt::format("{}.{}.{}", info.name, info.specimens[specimen], name);
+}
+
+std::string millimetres(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
+
+}  // namespace pliant

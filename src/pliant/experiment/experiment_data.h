@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/experiment/data_source.h"
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+
+/// Fills what every experiment type has in common: names, role, specimens, used rows, own columns,
+/// warnings. Call it after all known columns were read, so that the others can be reported.
+/// @throws InputError for exclusions beyond the data
+ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& data,
+                                   MeasuredQuantity quantity);
+
+/// @throws InputError when a specimen has fewer than `least` rows
+void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least);
+
+/// @throws InputError at the first value that is not above zero
+void require_positive(const std::vector<double>& values, const DataRows& data,
+                      std::string_view column);
+
+/// @throws InputError when all values are equal: such a column determines nothing
+void require_change(const std::vector<double>& values, const DataRows& data,
+                    std::string_view column);
+
+/// Name of a specimen's nuisance parameter: EXPERIMENT.NAME, or EXPERIMENT.SPECIMEN.NAME where
+/// there are several.
+std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name);
+
+/// A length as it reads in a sentence, e.g. 0.0123 -> "12.3 mm".
+std::string millimetres(double metres);
+
+}  // namespace pliant

@@ -1,0 +1,118 @@
+#include "pliant/experiment/virtual_lab.h"
+#include "pliant/io/document.h"
+#include "pliant/io/fields.h"
+#include "pliant/material/material_file.h"
+
+namespace pliant {
+namespace {
+
+double at_least_zero(const Value& value, Dimension dimension) {
+  const double number = value.quantity(dimension);
+  if (number < 0) value.fail("is negative", "a value of at least 0");
+  return number;
+}
+
+double positive(const Value& value, Dimension dimension) {
+  const double number = value.quantity(dimension);
+  if (number <= 0) value.fail("is not positive", "a value above 0");
+  return number;
+}
+
+struct InstrumentPart {
+  double force = 0;
+  double length = 0;
+};
+
+InstrumentPart read_part(Fields& fields, std::string_view key, bool shear) {
+  InstrumentPart part;
+  const auto node = fields.optional(key);
+  if (!node) return part;
+  Fields inner = node->fields();
+  const Dimension force = shear ? Dimension::force_per_length : Dimension::force;
+  if (auto v = inner.optional("force")) part.force = at_least_zero(*v, force);
+  if (auto v = inner.optional("length")) part.length = at_least_zero(*v, Dimension::length);
+  inner.finish();
+  return part;
+}
+
+Dimension peak_dimension(const std::string& type) {
+  if (type == "hanging-weights") return Dimension::force;
+  return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
+}
+
+LabExperiment read_experiment(const Value& node) {
+  Fields fields = node.fields();
+  LabExperiment experiment;
+  experiment.name = fields.require("name").text();
+  experiment.type =
+      fields.require("type").choice({"hanging-weights", "tensile-cycles", "shear-cycles"});
+  const bool shear = experiment.type == "shear-cycles";
+  if (!shear) {
+    experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+    if (auto v = fields.optional("length")) experiment.length = positive(*v, Dimension::length);
+    if (auto v = fields.optional("width")) experiment.width = positive(*v, Dimension::length);
+  }
+  if (experiment.type == "hanging-weights") {
+    if (auto v = fields.optional("clip_mass")) {
+      experiment.clip_mass = at_least_zero(*v, Dimension::mass);
+    }
+    if (auto v = fields.optional("step")) experiment.step = positive(*v, Dimension::force);
+  } else {
+    if (auto v = fields.optional("samples")) experiment.samples = v->integer(3, 1000000);
+  }
+  if (experiment.type == "tensile-cycles") {
+    if (auto v = fields.optional("slack")) experiment.slack = at_least_zero(*v, Dimension::length);
+  }
+  if (shear) {
+    if (auto v = fields.optional("transverse_tension")) {
+      experiment.transverse_tension = at_least_zero(*v, Dimension::force_per_length);
+    }
+  }
+  const Value peaks = fields.require("peaks");
+  for (const Value& peak : peaks.items()) {
+    experiment.peaks.push_back(positive(peak, peak_dimension(experiment.type)));
+  }
+  if (experiment.peaks.empty()) peaks.fail("is empty", "at least one peak");
+  if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
+  const InstrumentPart noise = read_part(fields, "noise", shear);
+  const InstrumentPart resolution = read_part(fields, "resolution", shear);
+  experiment.instrument = {noise.force, noise.length, resolution.force, resolution.length};
+  fields.finish();
+  return experiment;
+}
+
+}  // namespace
+
+VirtualLab read_lab(const std::filesystem::path& path) {
+  const Document document = read_yaml(path);
+  Fields fields = Value(document).fields();
+  require_document(fields, "lab", 1);
+  VirtualLab lab;
+  const Value material = fields.require("material");
+  lab.material = read_material(path.parent_path() / material.text());
+  lab.name = lab.material.name;
+  if (auto v = fields.optional("name")) lab.name = v->text();
+  if (auto v = fields.optional("specimens")) lab.specimens = v->integer(1, 1000);
+  if (auto v = fields.optional("specimen_variation")) {
+    lab.specimen_variation = at_least_zero(*v, Dimension::fraction);
+  }
+  const Value list = fields.require("experiments");
+  for (const Value& node : list.items()) {
+    LabExperiment experiment = read_experiment(node);
+    if (!law_of(lab.material,
+                experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction)) {
+      node.fail("needs a component that the material " + quoted_value(lab.material.name) +
+                    " does not have",
+                "a direction that was measured or assumed");
+    }
+    lab.experiments.push_back(std::move(experiment));
+  }
+  if (lab.experiments.empty()) list.fail("has no experiment", "at least one");
+  if (auto v = fields.optional("validate")) {
+    for (const Value& pattern : v->items()) lab.validate.push_back(pattern.text());
+  }
+  fields.finish();
+  return lab;
+}
+
+}  // namespace pliant

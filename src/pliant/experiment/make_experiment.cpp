@@ -1,0 +1,19 @@
+#include "pliant/experiment/make_experiment.h"
+
+#include "pliant/base/assert.h"
+#include "pliant/experiment/hanging_weights.h"
+#include "pliant/experiment/shear_cycles.h"
+#include "pliant/experiment/tensile_cycles.h"
+
+namespace pliant {
+
+std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, double density,
+                                            MembraneMeasure measure) {
+  if (spec.type == "hanging-weights")
+    return std::make_unique<HangingWeights>(spec, density, measure);
+  if (spec.type == "tensile-cycles") return std::make_unique<TensileCycles>(spec, measure);
+  PLIANT_ASSERT(spec.type == "shear-cycles", "the caller asks is_supported_type first");
+  return std::make_unique<ShearCycles>(spec);
+}
+
+}  // namespace pliant

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/experiment.h"
+#include "pliant/io/csv.h"
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// Where an experiment's rows come from: one file, or a pattern with one specimen a file.
+struct DataSource {
+  std::vector<std::filesystem::path> files;  ///< sorted by name
+  std::string written;                       ///< as the study says it
+  CsvOptions csv;
+  Location where;
+};
+
+/// Rows left out of a fit, numbered from 1 within the experiment's data.
+struct ExcludedRows {
+  int first = 0;
+  int last = 0;
+  std::string reason;
+};
+
+/// Stated standard deviations of the instrument's noise; absent: estimated from the residuals.
+struct StatedNoise {
+  std::optional<double> force;   ///< N; N/m in shear-cycles
+  std::optional<double> length;  ///< m
+};
+
+enum class InitialFriction {
+  rest,     ///< a fresh specimen: no friction stress at the first row
+  unknown,  ///< estimated as a nuisance parameter
+};
+
+/// Whether the stated gauge length is the strip's length free of force.
+enum class RestLength {
+  known,
+  unknown,  ///< estimated as a nuisance parameter (default where a pretension is stated)
+};
+
+/// One experiment as a study describes it (docs/formats.md), SI units.
+struct ExperimentSpec {
+  std::string name;
+  std::string type;
+  std::string direction;  ///< warp, weft, bias; empty where the type has none
+  std::string standard;
+  std::string side;  ///< buckling-bend: up or down
+  DataSource data;
+  double length = 0;  ///< gauge length
+  double width = 0;
+  double clip_mass = 0;
+  double pretension = 0;          ///< N, at which the gauge length was set
+  double apparatus_friction = 0;  ///< N, stated friction of the instrument
+  double transverse_tension = 0;  ///< N/m, shear-cycles
+  int precondition_cycles = 0;
+  bool rested = false;
+  InitialFriction initial_friction = InitialFriction::rest;
+  RestLength rest_length = RestLength::known;
+  StatedNoise noise;
+  std::vector<ExcludedRows> excluded;
+  ExperimentRole role = ExperimentRole::fit;
+  Location where;
+};
+
+enum class FrictionChoice { automatic, dahl, none };
+
+struct ComponentModel {
+  std::optional<CurveKind> stiffness;
+  std::optional<FrictionChoice> friction;
+};
+
+struct ModelOptions {
+  MembraneMeasure membrane = MembraneMeasure::stvk;
+  std::string bending = "discrete-shells";
+  std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
+  FrictionChoice friction = FrictionChoice::automatic;
+  std::map<std::string, ComponentModel> components;
+};
+
+enum class EstimatorKind {
+  path,    ///< stress carried along the path, exact solution of [T] Eq. 5.2
+  anchor,  ///< the published estimator ([T] Eqs. 5.4-5.6)
+};
+
+struct GaussianPrior {
+  double mean = 0;
+  double sd = 0;
+};
+
+/// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
+struct FitOptions {
+  EstimatorKind estimator = EstimatorKind::path;
+  int control_points = 5;  ///< most control points of a hermite stiffness
+  std::map<std::string, std::pair<double, double>> bounds;
+  std::map<std::string, double> fix;
+  std::map<std::string, GaussianPrior> priors;
+};
+
+struct Study {
+  std::string file;
+  std::string name;
+  double density = 0;  ///< kg/m^2; 0 = not stated
+  std::map<std::string, std::string> info;
+  std::map<std::string, std::string> conditions;
+  std::vector<ExperimentSpec> experiments;
+  ModelOptions model;
+  FitOptions fit;
+  std::vector<std::string> validate;
+};
+
+/// Experiment types that this version fits and predicts.
+bool is_supported_type(std::string_view type);
+
+/// Reads a study/1 file.
+/// @throws InputError that names file, line and field
+Study read_study(const std::filesystem::path& path);
+
+/// The study with every default filled in, as a study/1 text that `read_study` reads back.
+/// @param directory  the folder that the text will be stored in; data files are named relative to
+/// it
+std::string resolved_study_text(const Study& study, const std::filesystem::path& directory);
+
+/// Whether `name` matches `pattern`, in which `*` stands for any text.
+bool matches(std::string_view pattern, std::string_view name);
+
+}  // namespace pliant

@@ -1,0 +1,152 @@
+#include <yaml-cpp/yaml.h>
+
+#include "pliant/base/quantity.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kDigits = 15;
+
+std::string text_of(double si, Dimension dimension) {
+  return format_quantity(si, dimension, kDigits);
+}
+
+std::string_view name_of(FrictionChoice choice) {
+  switch (choice) {
+    case FrictionChoice::automatic:
+      return "auto";
+    case FrictionChoice::dahl:
+      return "dahl";
+    case FrictionChoice::none:
+      return "none";
+  }
+  return "";
+}
+
+YAML::Node texts_node(const std::map<std::string, std::string>& texts) {
+  YAML::Node node(YAML::NodeType::Map);
+  for (const auto& [key, value] : texts) node[key] = value;
+  return node;
+}
+
+YAML::Node data_node(const DataSource& data, const std::filesystem::path& directory) {
+  // A pattern stays one: the folder of its first file, made relative to where the text will stand.
+  const std::filesystem::path folder = data.files.front().parent_path();
+  const std::filesystem::path written =
+      (folder / std::filesystem::path(data.written).filename()).lexically_normal();
+  std::error_code error;
+  std::filesystem::path relative = std::filesystem::proximate(
+      std::filesystem::absolute(written), std::filesystem::absolute(directory), error);
+  if (error) relative = written;
+  if (data.csv.columns.empty() && data.csv.encoding.empty() && data.csv.skip_rows == 0) {
+    return YAML::Node(relative.generic_string());
+  }
+  YAML::Node node;
+  node["file"] = relative.generic_string();
+  if (!data.csv.columns.empty()) node["columns"] = texts_node(data.csv.columns);
+  if (!data.csv.encoding.empty()) node["encoding"] = data.csv.encoding;
+  if (data.csv.skip_rows > 0) node["skip_rows"] = data.csv.skip_rows;
+  return node;
+}
+
+YAML::Node noise_node(const StatedNoise& noise, bool shear) {
+  YAML::Node node;
+  if (noise.force) {
+    node["force"] = text_of(*noise.force, shear ? Dimension::force_per_length : Dimension::force);
+  }
+  if (noise.length) node["length"] = text_of(*noise.length, Dimension::length);
+  return node;
+}
+
+YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::path& directory) {
+  const bool stretch = spec.type == "hanging-weights" || spec.type == "tensile-cycles";
+  YAML::Node node;
+  node["name"] = spec.name;
+  node["type"] = spec.type;
+  if (!spec.direction.empty()) node["direction"] = spec.direction;
+  if (!spec.side.empty()) node["side"] = spec.side;
+  if (!spec.standard.empty()) node["standard"] = spec.standard;
+  node["data"] = data_node(spec.data, directory);
+  if (spec.length > 0) node["length"] = text_of(spec.length, Dimension::length);
+  if (spec.width > 0) node["width"] = text_of(spec.width, Dimension::length);
+  if (stretch) {
+    node["clip_mass"] = text_of(spec.clip_mass, Dimension::mass);
+    node["pretension"] = text_of(spec.pretension, Dimension::force);
+    node["apparatus_friction"] = text_of(spec.apparatus_friction, Dimension::force);
+    node["precondition_cycles"] = spec.precondition_cycles;
+  }
+  if (spec.type == "shear-cycles") {
+    node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
+  }
+  node["rested"] = spec.rested;
+  node["initial_friction"] = spec.initial_friction == InitialFriction::rest ? "rest" : "unknown";
+  if (spec.type == "tensile-cycles") {
+    node["rest_length"] = spec.rest_length == RestLength::known ? "known" : "unknown";
+  }
+  if (spec.noise.force || spec.noise.length) {
+    node["noise"] = noise_node(spec.noise, spec.type == "shear-cycles");
+  }
+  for (const ExcludedRows& rows : spec.excluded) {
+    YAML::Node excluded;
+    excluded["rows"] = std::to_string(rows.first) + "-" + std::to_string(rows.last);
+    excluded["reason"] = rows.reason;
+    node["exclude"].push_back(excluded);
+  }
+  return node;
+}
+
+YAML::Node model_node(const ModelOptions& model) {
+  YAML::Node node;
+  node["kind"] = "cloth";
+  node["membrane"] = std::string(name_of(model.membrane));
+  node["bending"] = model.bending;
+  if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
+  node["friction"] = std::string(name_of(model.friction));
+  for (const auto& [name, component] : model.components) {
+    YAML::Node inner;
+    if (component.stiffness) inner["stiffness"] = std::string(name_of(*component.stiffness));
+    if (component.friction) inner["friction"] = std::string(name_of(*component.friction));
+    node["components"][name] = inner;
+  }
+  return node;
+}
+
+YAML::Node fit_node(const FitOptions& fit) {
+  YAML::Node node;
+  node["estimator"] = fit.estimator == EstimatorKind::path ? "path" : "anchor";
+  node["control_points"] = fit.control_points;
+  for (const auto& [name, bounds] : fit.bounds) {
+    node["bounds"][name] = std::vector<double>{bounds.first, bounds.second};
+  }
+  for (const auto& [name, value] : fit.fix) node["fix"][name] = value;
+  for (const auto& [name, prior] : fit.priors) {
+    node["priors"][name]["mean"] = prior.mean;
+    node["priors"][name]["sd"] = prior.sd;
+  }
+  return node;
+}
+
+}  // namespace
+
+std::string resolved_study_text(const Study& study, const std::filesystem::path& directory) {
+  YAML::Node node;
+  node["pliant"] = "study/1";
+  node["name"] = study.name;
+  if (study.density > 0) node["density"] = text_of(study.density, Dimension::area_density);
+  if (!study.info.empty()) node["info"] = texts_node(study.info);
+  if (!study.conditions.empty()) node["conditions"] = texts_node(study.conditions);
+  for (const ExperimentSpec& spec : study.experiments) {
+    node["experiments"].push_back(experiment_node(spec, directory));
+  }
+  node["model"] = model_node(study.model);
+  node["fit"] = fit_node(study.fit);
+  for (const std::string& pattern : study.validate) node["validate"].push_back(pattern);
+
+  YAML::Emitter emitter;
+  emitter.SetDoublePrecision(17);
+  emitter << node;
+  return std::string(emitter.c_str()) + "\n";
+}
+
+}  // namespace pliant

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "pliant/experiment/test_template.h"
+
+namespace pliant {
+
+TestTemplate hanging_weights_template();
+TestTemplate tensile_cycles_template();
+TestTemplate shear_cycles_template();
+
+}  // namespace pliant

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/experiment/u3m_file.h"
+
+namespace pliant {
+
+struct ImportOptions {
+  std::optional<double> width_m = {};  ///< of every strip, in place of the file's
+};
+
+/// A study that was made from an instrument's file, not yet written.
+struct ImportedStudy {
+  std::string study_yaml;                                  ///< content of study.yaml
+  std::vector<std::pair<std::string, std::string>> files;  ///< name and content of its CSV files
+  std::vector<std::string> notes;                          ///< what was understood
+  std::vector<std::string> warnings;
+};
+
+/// The study in a U3M file (see `read_u3m_file` for what is accepted): stretch tests along warp,
+/// weft and bias as tensile-cycles, bends as buckling-bend, one CSV file each. The stretch at 2 cm
+/// is for validation where there is one at 8 cm: it may be the same strip, stretched before.
+/// @throws InputError when the file cannot be read, holds no measurements or tells no strip width
+///         and none is given
+ImportedStudy import_u3m(const std::filesystem::path& file, const ImportOptions& options = {});
+
+/// The same for documents that were read.
+ImportedStudy import_u3m(const U3mFile& file, const ImportOptions& options = {});
+
+}  // namespace pliant

@@ -1,0 +1,228 @@
+#include "pliant/experiment/virtual_lab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
+#include "pliant/base/random.h"
+#include "pliant/experiment/friction_path.h"
+#include "pliant/experiment/strip_pull.h"
+#include "pliant/experiment/weight_path.h"
+#include "pliant/io/csv_writer.h"
+
+namespace pliant {
+namespace {
+
+double measured(double value, double noise, double resolution, RandomStream& random) {
+  if (noise > 0) value += noise * random.normal();
+  return resolution > 0 ? resolution * std::round(value / resolution) : value;
+}
+
+ComponentLaw specimen_law(const ComponentLaw& law, double variation, RandomStream& random) {
+  if (variation == 0) return law;
+  Eigen::VectorXd parameters = law.parameters();
+  for (double& p : parameters) p *= std::exp(variation * random.normal());
+  return law.with_parameters(parameters);
+}
+
+[[noreturn]] void fail_to_carry(const LabExperiment& experiment) {
+  throw SolverError("virtual experiment " + experiment.name +
+                        ": the material cannot carry its loads; its prediction",
+                    0, 0);
+}
+
+// [T] 5.3.2: weights 0 .. n .. 0 for each peak n, the whole sequence repeated.
+std::string hang(const LabExperiment& experiment, const ComponentLaw& law, const VirtualLab& lab,
+                 RandomStream& random) {
+  struct Row {
+    int repeat;
+    double peak;
+    int step;
+    double weight;
+  };
+  std::vector<Row> rows;
+  for (int repeat = 1; repeat <= experiment.repeats; ++repeat) {
+    for (const double peak : experiment.peaks) {
+      const int steps = static_cast<int>(std::lround(peak / experiment.step));
+      for (int k = 0; k <= 2 * steps; ++k) {
+        rows.push_back({repeat, peak, k, experiment.step * (steps - std::abs(k - steps))});
+      }
+    }
+  }
+  const double area = experiment.length * experiment.width;
+  const double added = (experiment.clip_mass + lab.material.density * area / 2) * kStandardGravity;
+  std::vector<double> forces;
+  std::vector<char> rested(rows.size(), 0);
+  rested.front() = 1;
+  for (const Row& row : rows) forces.push_back(row.weight + added);
+  const UniaxialGeometry geometry{experiment.length, experiment.width, lab.material.membrane};
+  const auto hung = hang_weights(law, geometry, forces, rested, false);
+  if (!hung) fail_to_carry(experiment);
+
+  const std::vector<std::string> header{"repeat", "peak_N", "step", "weight_N", "length_mm"};
+  CsvWriter csv(header);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const double length =
+        measured(hung->length(static_cast<Eigen::Index>(i)), experiment.instrument.length_noise,
+                 experiment.instrument.length_resolution, random);
+    csv.cell(rows[i].repeat).cell(rows[i].peak).cell(rows[i].step).cell(rows[i].weight);
+    csv.cell(length * 1e3);
+    csv.end_row();
+  }
+  return csv.text();
+}
+
+// A path between turning values at even speed, sampled so that turns fall between samples as they
+// do on a machine.
+struct SampledPath {
+  std::vector<double> value;
+  std::vector<int> cycle;
+  std::vector<Stretch> stretches;
+};
+
+SampledPath sample_path(const std::vector<double>& turns, double spacing) {
+  SampledPath path;
+  double next = 0;  // distance along the path of the next sample
+  double travelled = 0;
+  for (size_t leg = 0; leg + 1 < turns.size(); ++leg) {
+    const double from = turns[leg], to = turns[leg + 1];
+    const double distance = std::abs(to - from);
+    Stretch stretch;
+    stretch.first = static_cast<int>(path.value.size());
+    stretch.direction = to > from ? 1 : -1;
+    stretch.turn = to;
+    const bool last_leg = leg + 2 == turns.size();
+    while (next < travelled + distance || (last_leg && next <= travelled + distance)) {
+      path.value.push_back(from + stretch.direction * (next - travelled));
+      path.cycle.push_back(static_cast<int>(leg / 2) + 1);
+      next += spacing;
+    }
+    travelled += distance;
+    stretch.last = static_cast<int>(path.value.size()) - 1;
+    if (stretch.last >= stretch.first) path.stretches.push_back(stretch);
+  }
+  return path;
+}
+
+// Cycles from `start` to each peak and back, the whole sequence repeated.
+std::vector<double> cycle_turns(double start, const std::vector<double>& peaks, int repeats) {
+  std::vector<double> turns{start};
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (const double peak : peaks) turns.insert(turns.end(), {peak, start});
+  }
+  return turns;
+}
+
+std::string pull(const LabExperiment& experiment, const ComponentLaw& law, const VirtualLab& lab,
+                 RandomStream& random) {
+  std::vector<double> peaks;
+  for (const double peak : experiment.peaks) peaks.push_back(experiment.length * (1 + peak));
+  const double start = experiment.length - experiment.slack;
+  const double reach = *std::max_element(peaks.begin(), peaks.end()) - start;
+  const SampledPath path =
+      sample_path(cycle_turns(start, peaks, experiment.repeats), reach / (experiment.samples - 1));
+  const UniaxialGeometry geometry{experiment.length, experiment.width, lab.material.membrane};
+  const auto forces = pull_strip(law, geometry, {}, {}, path.value, path.stretches, 0);
+  if (!forces) fail_to_carry(experiment);
+
+  const Instrument& instrument = experiment.instrument;
+  const std::vector<std::string> header{"force_N", "length_mm", "cycle"};
+  CsvWriter csv(header);
+  for (size_t i = 0; i < path.value.size(); ++i) {
+    csv.cell(measured(forces->force(static_cast<Eigen::Index>(i)), instrument.force_noise,
+                      instrument.force_resolution, random));
+    csv.cell(1e3 * measured(path.value[i], instrument.length_noise, instrument.length_resolution,
+                            random));
+    csv.cell(path.cycle[i]);
+    csv.end_row();
+  }
+  return csv.text();
+}
+
+// KES-FB1: 0, +peak, -peak, 0 in one cycle.
+std::string shear(const LabExperiment& experiment, const ComponentLaw& law, RandomStream& random) {
+  std::vector<double> turns{0};
+  for (int repeat = 0; repeat < experiment.repeats; ++repeat) {
+    for (const double peak : experiment.peaks) turns.insert(turns.end(), {peak, -peak});
+  }
+  turns.push_back(0);
+  const double largest = *std::max_element(experiment.peaks.begin(), experiment.peaks.end());
+  const SampledPath path = sample_path(turns, 2 * largest / (experiment.samples - 1));
+  FrictionPath stress(law, {});
+  const std::vector<std::string> header{"angle_deg", "force_N_per_m"};
+  CsvWriter csv(header);
+  for (const Stretch& stretch : path.stretches) {
+    for (int i = stretch.first; i <= stretch.last; ++i) {
+      const double angle = path.value[static_cast<size_t>(i)];
+      const double force =
+          stress.at(std::sin(angle)).stress + experiment.transverse_tension * std::tan(angle);
+      csv.cell(angle * 180 / std::numbers::pi);
+      csv.cell(measured(force, experiment.instrument.force_noise,
+                        experiment.instrument.force_resolution, random));
+      csv.end_row();
+    }
+    stress.turn_at(std::sin(stretch.turn), {});
+  }
+  return csv.text();
+}
+
+std::string measure(const LabExperiment& experiment, const ComponentLaw& law, const VirtualLab& lab,
+                    RandomStream& random) {
+  if (experiment.type == "hanging-weights") return hang(experiment, law, lab, random);
+  if (experiment.type == "tensile-cycles") return pull(experiment, law, lab, random);
+  return shear(experiment, law, random);
+}
+
+std::string study_entry(const LabExperiment& e, const std::string& data) {
+  std::string text =
+      fmt::format("  - name: {}\n    type: {}\n    data: {}\n", e.name, e.type, data);
+  if (e.type == "shear-cycles") {
+    if (e.transverse_tension > 0) {
+      text += fmt::format("    transverse_tension: {} N/m\n", e.transverse_tension);
+    }
+    return text + "    initial_friction: rest\n";
+  }
+  text += fmt::format("    direction: {}\n    length: {} mm\n    width: {} mm\n", e.direction,
+                      e.length * 1e3, e.width * 1e3);
+  if (e.type == "tensile-cycles") return text + "    initial_friction: rest\n";
+  if (e.clip_mass > 0) text += fmt::format("    clip_mass: {} g\n", e.clip_mass * 1e3);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> make_measurements(const VirtualLab& lab,
+                                                                   const RunContext& context) {
+  std::vector<std::pair<std::string, std::string>> files;
+  std::string study = fmt::format(
+      "pliant: study/1\nname: {}\ndensity: {} kg/m^2\ninfo:\n"
+      "  source: virtual measurements of the material {}, seed {}\nexperiments:\n",
+      lab.name, lab.material.density, lab.material.name, context.seed);
+  RandomStream root(context.seed);
+  for (const LabExperiment& experiment : lab.experiments) {
+    const std::string component =
+        experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction;
+    const ComponentLaw law = *law_of(lab.material, component);
+    for (int specimen = 1; specimen <= lab.specimens; ++specimen) {
+      context.stop.throw_if_requested();
+      RandomStream random = root.split(fmt::format("{}/{}", experiment.name, specimen));
+      const ComponentLaw own = specimen_law(law, lab.specimen_variation, random);
+      const std::string name = lab.specimens == 1
+                                   ? experiment.name + ".csv"
+                                   : fmt::format("{}-{:02}.csv", experiment.name, specimen);
+      files.emplace_back(name, measure(experiment, own, lab, random));
+    }
+    study += study_entry(experiment, experiment.name + (lab.specimens == 1 ? ".csv" : "-*.csv"));
+  }
+  study += fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
+  if (!lab.validate.empty()) study += "validate:\n";
+  for (const std::string& pattern : lab.validate) study += fmt::format("  - \"{}\"\n", pattern);
+  files.emplace_back("study.yaml", study);
+  return files;
+}
+
+}  // namespace pliant

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// Noise and resolution of a virtual instrument (SI); zero: ideal.
+struct Instrument {
+  double force_noise = 0;  ///< standard deviation; N, or N/m in shear-cycles
+  double length_noise = 0;
+  double force_resolution = 0;
+  double length_resolution = 0;
+};
+
+/// A virtual experiment of a lab/1 file.
+struct LabExperiment {
+  std::string name, type, direction;
+  double length = 0.1, width = 0.1;
+  double clip_mass = 0;
+  Instrument instrument;
+  std::vector<double>
+      peaks;          ///< hanging-weights: N; tensile-cycles: engineering strain; shear-cycles: rad
+  double step = 1;    ///< hanging-weights: N between weights
+  int repeats = 1;    ///< of the whole sequence
+  int samples = 100;  ///< rows of a half cycle of the largest amplitude
+  double slack = 0;   ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
+  double transverse_tension = 0;
+};
+
+/// Content of a lab/1 file (docs/formats.md).
+struct VirtualLab {
+  std::string name;
+  Material material;
+  int specimens = 1;
+  double specimen_variation =
+      0;  ///< relative standard deviation of every parameter between specimens
+  std::vector<LabExperiment> experiments;
+  std::vector<std::string> validate;  ///< names or patterns that the study keeps out of the fit
+};
+
+/// Reads a lab/1 file and the material it names.
+/// @throws InputError
+VirtualLab read_lab(const std::filesystem::path& path);
+
+/// Makes the measurements: study.yaml and a CSV for each experiment (and specimen), in the formats
+/// that `fit` reads.
+/// @return names and contents; the same for the same seed
+/// @throws InputError when the material lacks a component; SolverError when it cannot carry a load
+std::vector<std::pair<std::string, std::string>> make_measurements(const VirtualLab& lab,
+                                                                   const RunContext& context);
+
+}  // namespace pliant

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "pliant/material/component_law.h"
+#include "pliant/material/density/dahl.h"
+#include "pliant/math/scalar_curve.h"
+
+namespace pliant {
+
+/// Whether a component's numbers were measured, assumed, or do not exist. What was not measured is
+/// not zero.
+enum class ComponentStatus { measured, assumed, unmeasured };
+
+std::string_view name_of(ComponentStatus status);
+
+/// How the membrane strain is measured from a triangle's deformation.
+enum class MembraneMeasure {
+  stvk,             ///< Green-Lagrange ([T] Eq. 3.3)
+  soft_constraint,  ///< |w| - 1 ([T] Eq. 3.4)
+  spring,           ///< l / l0 - 1 ([T] Eq. 3.1)
+};
+
+std::string_view name_of(MembraneMeasure measure);
+
+/// Dahl friction that may differ between positive and negative strain ([P] 4.1).
+struct ComponentFriction {
+  DahlParameters positive;
+  std::optional<DahlParameters> negative;  ///< as `positive` when absent
+};
+
+/// One strain component of a cloth material.
+struct MaterialComponent {
+  std::optional<ScalarCurve> stiffness;
+  std::optional<ComponentFriction> friction;
+  ComponentStatus status = ComponentStatus::measured;
+  std::optional<std::pair<double, double>> range;  ///< strains the data covered
+};
+
+/// A cloth material: the content of a material/1 file (docs/formats.md).
+struct Material {
+  std::string name;
+  double density = 0;  ///< kg/m^2; 0 = not known
+  MembraneMeasure membrane = MembraneMeasure::stvk;
+  std::string bending = "discrete-shells";
+  std::string bending_of = "sheet";
+  std::map<std::string, MaterialComponent> components;
+  std::optional<double> damping_fraction;
+  std::map<std::string, std::string> info;
+  std::map<std::string, std::string> provenance;
+};
+
+/// Whether a component is one of bending (its curve is a function of |strain| and has other units).
+bool is_bending(std::string_view component);
+
+/// Whether a component's curves are functions of |strain|: shear and bending.
+bool is_even(std::string_view component);
+
+/// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear,
+/// bend.weft, ...
+const std::vector<std::string>& cloth_component_names();
+
+/// The one-dimensional law of a component.
+/// @return nothing when the component is absent or unmeasured; friction is that of positive strain
+std::optional<ComponentLaw> law_of(const Material& material, const std::string& component);
+
+}  // namespace pliant

@@ -1,0 +1,233 @@
+#include "pliant/material/material_file.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "pliant/io/document.h"
+#include "pliant/io/fields.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double not_negative(Value value) {
+  const double number = value.number();
+  if (number < 0) value.fail("is negative", "a number of at least 0");
+  return number;
+}
+
+double positive(Value value) {
+  const double number = value.number();
+  if (number <= 0) value.fail("is not positive", "a number above 0");
+  return number;
+}
+
+ScalarCurve read_hermite(Fields& fields, bool even_component) {
+  Value strain = fields.require("strain");
+  Value value = fields.require("value");
+  std::vector<double> knots = strain.numbers();
+  std::vector<double> values = value.numbers();
+  if (knots.empty()) strain.fail("is empty", "at least one strain");
+  if (knots.size() != values.size()) {
+    value.fail("has " + std::to_string(values.size()) + " values",
+               "as many as `strain` (" + std::to_string(knots.size()) + ")");
+  }
+  for (size_t i = 1; i < knots.size(); ++i) {
+    if (knots[i] <= knots[i - 1]) strain.fail("does not increase", "strictly increasing strains");
+  }
+  // FORMATS: for shear and bending a list that starts at 0 is mirrored.
+  const bool even = even_component && knots.front() >= 0;
+  return ScalarCurve::hermite(std::move(knots), std::move(values), even);
+}
+
+ScalarCurve read_curve(Value node, bool even_component) {
+  Fields fields = node.fields();
+  const std::string kind = fields.require("curve").choice({"constant", "affine", "hermite"});
+  const auto read = [&]() -> ScalarCurve {
+    if (kind == "constant") return ScalarCurve::constant(fields.require("value").number());
+    if (kind == "affine") {
+      const double k1 = fields.require("k1").number();
+      return ScalarCurve::affine(k1, fields.require("k2").number());
+    }
+    return read_hermite(fields, even_component);
+  };
+  ScalarCurve curve = read();
+  fields.finish();
+  return curve;
+}
+
+DahlParameters read_dahl(Fields& fields) {
+  DahlParameters dahl;
+  dahl.a = not_negative(fields.require("a"));
+  dahl.b = not_negative(fields.require("b"));
+  dahl.tau = positive(fields.require("tau"));
+  return dahl;
+}
+
+ComponentFriction read_friction(Value node) {
+  Fields fields = node.fields();
+  fields.require("law").choice({"dahl"});
+  ComponentFriction friction;
+  if (std::optional<Value> side = fields.optional("positive")) {
+    Fields positive_side = side->fields();
+    friction.positive = read_dahl(positive_side);
+    positive_side.finish();
+    Fields negative_side = fields.require("negative").fields();
+    friction.negative = read_dahl(negative_side);
+    negative_side.finish();
+  } else {
+    friction.positive = read_dahl(fields);
+  }
+  fields.finish();
+  return friction;
+}
+
+ComponentStatus read_status(Value value) {
+  const std::string name = value.choice({"measured", "assumed", "unmeasured"});
+  for (const ComponentStatus status :
+       {ComponentStatus::measured, ComponentStatus::assumed, ComponentStatus::unmeasured}) {
+    if (name == name_of(status)) return status;
+  }
+  return ComponentStatus::measured;
+}
+
+std::pair<double, double> read_range(Value value) {
+  const std::vector<double> ends = value.numbers();
+  if (ends.size() != 2 || ends[0] > ends[1])
+    value.fail("is no range", "[smallest, largest] strain");
+  return {ends[0], ends[1]};
+}
+
+MaterialComponent read_component(Value node, bool even) {
+  Fields fields = node.fields();
+  MaterialComponent component;
+  const std::optional<Value> stiffness = fields.optional("stiffness");
+  if (stiffness) component.stiffness = read_curve(*stiffness, even);
+  if (auto friction = fields.optional("friction")) component.friction = read_friction(*friction);
+  if (auto range = fields.optional("range")) component.range = read_range(*range);
+  component.status = stiffness ? ComponentStatus::measured : ComponentStatus::unmeasured;
+  if (auto status = fields.optional("status")) {
+    component.status = read_status(*status);
+    if (component.status != ComponentStatus::unmeasured && !stiffness) {
+      status->fail("is `" + std::string(name_of(component.status)) + "` without a stiffness",
+                   "`unmeasured`, or a stiffness");
+    }
+  }
+  fields.finish();
+  return component;
+}
+
+std::map<std::string, std::string> read_texts(std::optional<Value> node) {
+  std::map<std::string, std::string> texts;
+  if (!node) return texts;
+  Fields fields = node->fields();
+  for (auto& [key, value] : fields.all()) texts[key] = value.text();
+  return texts;
+}
+
+MembraneMeasure read_measure(Value value) {
+  const std::string name = value.choice({"stvk", "soft-constraint", "spring"});
+  if (name == "spring") return MembraneMeasure::spring;
+  return name == "stvk" ? MembraneMeasure::stvk : MembraneMeasure::soft_constraint;
+}
+
+Json curve_json(const ScalarCurve& curve) {
+  Json json{{"curve", name_of(curve.kind())}};
+  switch (curve.kind()) {
+    case CurveKind::constant:
+      json["value"] = curve.values()[0];
+      break;
+    case CurveKind::affine:
+      json["k1"] = curve.values()[0];
+      json["k2"] = curve.values()[1];
+      break;
+    case CurveKind::hermite:
+      json["strain"] = curve.knots();
+      json["value"] = curve.values();
+      break;
+  }
+  return json;
+}
+
+Json dahl_json(const DahlParameters& dahl) {
+  return Json{{"a", dahl.a}, {"b", dahl.b}, {"tau", dahl.tau}};
+}
+
+Json friction_json(const ComponentFriction& friction) {
+  Json json{{"law", "dahl"}};
+  if (friction.negative) {
+    json["positive"] = dahl_json(friction.positive);
+    json["negative"] = dahl_json(*friction.negative);
+  } else {
+    json.update(dahl_json(friction.positive));
+  }
+  return json;
+}
+
+Json component_json(const MaterialComponent& component) {
+  Json json = Json::object();
+  if (component.stiffness) json["stiffness"] = curve_json(*component.stiffness);
+  if (component.friction) json["friction"] = friction_json(*component.friction);
+  json["status"] = name_of(component.status);
+  if (component.range) json["range"] = {component.range->first, component.range->second};
+  return json;
+}
+
+}  // namespace
+
+Material read_material(const std::filesystem::path& path) {
+  const Document document = read_json(path);
+  Fields fields = Value(document).fields();
+  require_document(fields, "material", 1);
+
+  Material material;
+  material.name = fields.require("name").text();
+  fields.require("kind").choice({"cloth"});
+  if (auto density = fields.optional("density")) material.density = positive(*density);
+  if (auto membrane = fields.optional("membrane")) material.membrane = read_measure(*membrane);
+  if (auto bending = fields.optional("bending")) {
+    material.bending = bending->choice({"discrete-shells", "spring"});
+  }
+  if (auto of = fields.optional("bending_of")) {
+    material.bending_of = of->choice({"sheet", "hinges"});
+  }
+  Fields components = fields.require("components").fields();
+  for (const std::string& name : cloth_component_names()) {
+    if (auto component = components.optional(name)) {
+      material.components[name] = read_component(*component, is_even(name));
+    }
+  }
+  components.finish();
+  if (auto damping = fields.optional("damping")) {
+    Fields inner = damping->fields();
+    material.damping_fraction = not_negative(inner.require("fraction"));
+    inner.finish();
+  }
+  material.info = read_texts(fields.optional("info"));
+  material.provenance = read_texts(fields.optional("provenance"));
+  fields.finish();
+  return material;
+}
+
+std::string material_text(const Material& material) {
+  Json json{{"pliant", "material/1"},
+            {"name", material.name},
+            {"kind", "cloth"},
+            {"density", material.density > 0 ? Json(material.density) : Json(nullptr)},
+            {"membrane", name_of(material.membrane)},
+            {"bending", material.bending},
+            {"bending_of", material.bending_of}};
+  Json& components = json["components"] = Json::object();
+  for (const std::string& name : cloth_component_names()) {
+    const auto found = material.components.find(name);
+    if (found != material.components.end()) components[name] = component_json(found->second);
+  }
+  if (material.damping_fraction) json["damping"] = {{"fraction", *material.damping_fraction}};
+  if (!material.info.empty()) json["info"] = material.info;
+  if (!material.provenance.empty()) json["provenance"] = material.provenance;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace pliant

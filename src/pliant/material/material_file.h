@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// Reads a cloth material from a material/1 file.
+/// @throws InputError that names file, line and field of what is wrong
+Material read_material(const std::filesystem::path& path);
+
+/// The text of a material/1 file, SI units, numbers that read back to the same bits.
+std::string material_text(const Material& material);
+
+}  // namespace pliant

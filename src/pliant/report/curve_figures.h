@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "pliant/report/curves.h"
+#include "pliant/report/figure.h"
+
+namespace pliant::report {
+
+/// Stress against strain of one component with its 95 % band; below it how many measured points
+/// there are at each strain.
+/// @param data_strains   the strains of the rows that the fit used
+/// @param show_friction  false draws the elastic part alone (friction not determined)
+Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
+                            bool show_friction);
+
+/// The friction stress of the same cycle between the bounds +- sigma_max(strain).
+/// The curve must have its elastic part and its friction bound.
+Figure friction_figure(const ComponentCurve& curve);
+
+}  // namespace pliant::report

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/report/curve_figures.h"
+#include "pliant/report/html.h"
+#include "pliant/report/labels.h"
+#include "pliant/report/plot_style.h"
+#include "pliant/report/sections.h"
+
+namespace pliant::report {
+namespace {
+
+constexpr PrintSize kCurveSize = {345, 300};
+
+/// Strains of the rows that shaped the component: of fitted experiments, or of all that are
+/// compared in an evaluation.
+std::vector<double> data_strains(const ReportData& data, const std::string& component) {
+  std::vector<double> strains;
+  for (std::size_t i = 0; i < data.predictions.size(); ++i) {
+    const ResultExperiment& e = data.results.experiments[i];
+    if (e.component != component || (e.validation && !data.results.evaluation)) continue;
+    const Prediction& p = data.predictions[i];
+    for (std::size_t row = 0; row < p.rows(); ++row) {
+      if (p.used[row]) strains.push_back(p.strain[row]);
+    }
+  }
+  return strains;
+}
+
+bool any_undetermined(const Results& results, const std::string& component, bool friction) {
+  return std::any_of(results.parameters.begin(), results.parameters.end(),
+                     [&](const ResultParameter& p) {
+                       return p.component == component && !p.fixed && !p.identified &&
+                              (p.name.find(".friction.") != std::string::npos) == friction;
+                     });
+}
+
+bool has_friction(const ComponentCurve& curve) {
+  return !curve.elastic.empty() && std::any_of(curve.max_friction.begin(), curve.max_friction.end(),
+                                               [](double stress) { return stress > 0.0; });
+}
+
+std::string captioned(std::string_view caption, Figure figure, FigureSheet& figures) {
+  figure.print_size = kCurveSize;
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption,
+                     figures.add(figure, "figure-tall"));
+}
+
+std::string curve_part(const ReportData& data, const ComponentCurve& curve, FigureSheet& figures) {
+  const std::vector<double> strains = data_strains(data, curve.component);
+  const bool friction_known = !any_undetermined(data.results, curve.component, true);
+  const bool draws_friction = friction_known && has_friction(curve);
+  std::vector<SeriesStyle> legend;
+  if (!curve.elastic.empty()) legend.push_back(kElastic);
+  if (friction_known) legend.insert(legend.end(), {kPredictedLoad, kPredictedUnload});
+  if (draws_friction) legend.push_back(kEnvelope);
+  std::string html = "<article class=\"figure-block\">\n<h3>" +
+                     escape_html(component_title(curve.component)) + "</h3>\n";
+  if (any_undetermined(data.results, curve.component, false)) {
+    html +=
+        "<p>Part of its stiffness is not determined by the data: read the curve only where the "
+        "data stand.</p>\n";
+  }
+  if (!friction_known) {
+    html += "<p>Its friction is not determined by the data and not drawn.</p>\n";
+  }
+  if (figures.can_draw()) html += legend_html(legend);
+  html += "<div class=\"pair\">\n";
+  html += captioned(
+      friction_known && !curve.low.empty()
+          ? "Stress against strain, 95 % band of the loading branch; below, the number of "
+            "measured points at each strain"
+          : "Stress against strain; below, the number of measured points at each strain",
+      stress_strain_figure(curve, strains, friction_known), figures);
+  if (draws_friction) {
+    html += captioned("Friction stress of the same cycle; it tends to its saturated value",
+                      friction_figure(curve), figures);
+  }
+  return html + "</div></article>\n";
+}
+
+}  // namespace
+
+std::string curve_section(const ReportData& data, FigureSheet& figures) {
+  if (data.curves.empty()) return {};
+  std::string html =
+      "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
+      "<p>The material without its test: one cycle from rest to the largest strain and back. Where "
+      "there are no measured points the curve is extrapolated.</p>\n";
+  for (const ComponentCurve& curve : data.curves) html += curve_part(data, curve, figures);
+  return html + "</section>\n";
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace pliant {
+
+/// The drawing script of the report, one classic script; empty where the build has none.
+std::string_view embedded_report_script();
+
+/// The style sheet of the report; empty where the build has none.
+std::string_view embedded_report_style();
+
+}  // namespace pliant

@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/loop_figure.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/residual_figure.h"
+#include "pliant/report/sections.h"
+
+namespace pliant::report {
+namespace {
+
+constexpr PrintSize kLoopSize = {345, 276};
+constexpr PrintSize kResidualSize = {345, 130};
+
+/// Rows drawn of one experiment, so that a report on many stays light.
+std::size_t row_budget(std::size_t experiments) {
+  constexpr std::size_t kAllExperiments = 30'000;
+  constexpr std::size_t kMost = 800;
+  constexpr std::size_t kFewest = 150;
+  return std::clamp(kAllExperiments / std::max<std::size_t>(experiments, 1), kFewest, kMost);
+}
+
+std::string force_unit(const ResultExperiment& e) {
+  const std::string unit = quantity_label(e.quantity).unit;
+  return unit == "N/m" ? unit : "N";
+}
+
+/// `RMS error 1.2 % of peak (0.024 of 1.97 N)`
+std::string error_in_words(const ResultExperiment& e) {
+  const std::string_view reference = e.measures_lengths() ? "largest extension" : "peak";
+  std::string detail;
+  if (e.rms_position_mm) detail = format_significant(e.rms_position_mm, 2) + " mm";
+  if (e.rms_force && e.peak_force) {
+    detail = fmt::format("{} of {} {}", format_significant(e.rms_force, 2),
+                         format_significant(e.peak_force, 3), force_unit(e));
+  }
+  if (!e.rms_percent_of_peak) return detail.empty() ? detail : "RMS error " + detail;
+  return fmt::format("RMS error {} of {}{}", format_percent(e.rms_percent_of_peak), reference,
+                     detail.empty() ? detail : " (" + detail + ")");
+}
+
+/// What was tested and how well it came out, one phrase a fact.
+std::string description(const ResultExperiment& e, bool evaluation) {
+  std::vector<std::string> facts;
+  if (!e.type.empty()) facts.push_back(e.type);
+  if (!e.direction.empty()) facts.push_back(e.direction);
+  facts.push_back(evaluation || e.validation ? "predicted, not fitted" : "fitted");
+  facts.push_back(fmt::format("{} specimen{}", e.specimens, e.specimens == 1 ? "" : "s"));
+  facts.push_back(fmt::format("{} points used, {} left out", e.points, e.excluded));
+  if (e.strain_range) {
+    facts.push_back(strain_range_text(e.component, (*e.strain_range)[0], (*e.strain_range)[1]));
+  }
+  const std::string error = error_in_words(e);
+  if (!error.empty()) facts.push_back(error);
+  if (e.rms_elastic_percent_of_peak) {
+    facts.push_back("best curve without friction " + format_percent(e.rms_elastic_percent_of_peak));
+  }
+  if (!e.noise.empty() && !e.validation) facts.push_back("noise of the " + e.noise);
+  return fmt::format("{}", fmt::join(facts, " · "));
+}
+
+std::string captioned(std::string_view caption, const std::string& figure) {
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption, figure);
+}
+
+std::string residuals(const ResultExperiment& e, const Prediction& prediction, std::size_t budget,
+                      FigureSheet& figures) {
+  std::string html;
+  for (const ResidualAbscissa abscissa : {ResidualAbscissa::strain, ResidualAbscissa::time}) {
+    Figure figure = residual_figure(e, prediction, abscissa, budget);
+    figure.print_size = kResidualSize;
+    const std::string_view caption =
+        abscissa == ResidualAbscissa::strain ? "Measured minus material, against strain"
+        : prediction.time.empty()            ? "Measured minus material, in the order measured"
+                                             : "Measured minus material, against time";
+    html += captioned(caption, figures.add(figure, "figure-short"));
+  }
+  return html;
+}
+
+std::string handled(const ResultExperiment& e) {
+  if (e.handled.empty()) return {};
+  return "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
+}
+
+std::string experiment_part(const ResultExperiment& e, const Prediction& prediction,
+                            std::size_t budget, bool evaluation, FigureSheet& figures) {
+  LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .compact = false});
+  loop.figure.print_size = kLoopSize;
+  const std::string drawn =
+      loop.drawn < loop.total ? fmt::format("Loops ({} of {} points drawn)", loop.drawn, loop.total)
+                              : std::string("Loops");
+  std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
+  html += fmt::format("<p class=\"description\">{}</p>\n", escape_html(description(e, evaluation)));
+  if (figures.can_draw()) html += legend_html(loop.legend);
+  html += "<div class=\"experiment\">\n" +
+          captioned(drawn, figures.add(loop.figure, "figure-tall")) + "<div>\n" +
+          residuals(e, prediction, budget / 2, figures) + "</div></div>\n";
+  return html + handled(e) + "</article>\n";
+}
+
+}  // namespace
+
+std::string experiment_section(const ReportData& data, FigureSheet& figures) {
+  const std::vector<ResultExperiment>& experiments = data.results.experiments;
+  if (experiments.empty()) return {};
+  std::string html =
+      "<section id=\"experiments\"><h2>Experiments</h2>\n"
+      "<p>Residuals without a pattern are noise of the measurement; a pattern against strain is "
+      "what "
+      "the material model cannot follow, a drift in the order measured is a change of the specimen "
+      "or "
+      "of the apparatus.</p>\n";
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    html += experiment_part(experiments[i], data.predictions[i], row_budget(experiments.size()),
+                            data.results.evaluation, figures);
+  }
+  return html + "</section>\n";
+}
+
+}  // namespace pliant::report

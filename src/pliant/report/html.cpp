@@ -1,0 +1,78 @@
+#include "pliant/report/html.h"
+
+#include <fmt/format.h>
+
+namespace pliant::report {
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string element(std::string_view tag, std::string_view text) {
+  return fmt::format("<{0}>{1}</{0}>\n", tag, escape_html(text));
+}
+
+std::string bullet_list(const std::vector<std::string>& texts) {
+  if (texts.empty()) return {};
+  std::string html = "<ul>\n";
+  for (const std::string& text : texts) html += element("li", text);
+  return html + "</ul>\n";
+}
+
+HtmlTable::HtmlTable(std::vector<Column> columns, std::string css_class)
+    : columns_(std::move(columns)), css_class_(std::move(css_class)) {}
+
+void HtmlTable::begin_row(std::string_view css_class) {
+  if (!rows_.empty()) rows_ += "</tr>\n";
+  rows_ += css_class.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", css_class);
+  next_column_ = 0;
+}
+
+void HtmlTable::cell(std::string_view text) { html_cell(escape_html(text)); }
+
+void HtmlTable::html_cell(std::string_view html) {
+  const bool number = columns_.at(next_column_++).align == Align::number;
+  rows_ += fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html);
+}
+
+std::string HtmlTable::html() const {
+  std::string html =
+      fmt::format("<div class=\"table-box\"><table class=\"{}\">\n<thead><tr>", css_class_);
+  for (const Column& column : columns_) {
+    html += fmt::format("<th scope=\"col\"{}>{}",
+                        column.align == Align::number ? " class=\"number\"" : "",
+                        escape_html(column.heading));
+    if (!column.explanation.empty()) {
+      html += fmt::format("<small>{}</small>", escape_html(column.explanation));
+    }
+    html += "</th>";
+  }
+  html += "</tr></thead>\n<tbody>\n" + rows_;
+  if (!rows_.empty()) html += "</tr>\n";
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant::report {
+
+/// Text made safe for HTML content and double-quoted attributes.
+std::string escape_html(std::string_view text);
+
+/// `<tag>escaped text</tag>`
+std::string element(std::string_view tag, std::string_view text);
+
+/// `<ul>` of escaped texts; empty for none.
+std::string bullet_list(const std::vector<std::string>& texts);
+
+/// Builds an HTML table whose cells are escaped unless given as HTML.
+class HtmlTable {
+ public:
+  enum class Align { text, number };
+  struct Column {
+    std::string heading;
+    Align align = Align::text;
+    std::string explanation = {};  ///< small print under the heading
+  };
+
+  explicit HtmlTable(std::vector<Column> columns, std::string css_class = {});
+
+  void begin_row(std::string_view css_class = {});
+  void cell(std::string_view text);
+  void html_cell(std::string_view html);
+
+  bool empty() const { return rows_.empty(); }
+  /// The table in a box that scrolls sideways where the page is narrow.
+  std::string html() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::string css_class_;
+  std::string rows_;
+  std::size_t next_column_ = 0;
+};
+
+}  // namespace pliant::report

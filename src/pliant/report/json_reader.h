@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace pliant::report {
+
+/// Typed access to one JSON object of a results file; every mismatch is an InputError that names
+/// the file and the dotted path of the field. The JSON value must outlive the reader.
+class JsonReader {
+ public:
+  JsonReader(const nlohmann::json& value, std::string file, std::string path);
+
+  bool has(std::string_view key) const;  ///< present and not null
+
+  std::string text(std::string_view key) const;  ///< throws where absent
+  std::string text_or(std::string_view key, std::string_view fallback) const;
+  bool flag_or(std::string_view key, bool fallback) const;
+  int integer_or(std::string_view key, int fallback) const;
+  std::optional<double> number(std::string_view key) const;  ///< none where absent or null
+
+  std::optional<JsonReader> object(std::string_view key) const;
+  std::vector<JsonReader> objects(std::string_view key) const;  ///< empty where absent
+  std::vector<std::string> texts(std::string_view key) const;
+  std::vector<double> numbers(std::string_view key) const;  ///< NaN for null
+  std::vector<std::vector<double>> number_rows(std::string_view key) const;
+  /// A mapping of free text; values that are no strings are given as they stand in the file.
+  std::vector<std::pair<std::string, std::string>> entries(std::string_view key) const;
+
+  [[noreturn]] void fail(std::string_view key, std::string problem, std::string expected) const;
+
+ private:
+  const nlohmann::json* find(std::string_view key) const;
+  const nlohmann::json& list(std::string_view key) const;
+  std::vector<double> number_list(const nlohmann::json& value, std::string_view key) const;
+
+  const nlohmann::json* value_;
+  std::string file_;
+  std::string path_;
+};
+
+}  // namespace pliant::report

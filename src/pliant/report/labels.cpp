@@ -1,0 +1,95 @@
+#include "pliant/report/labels.h"
+
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/report/number_format.h"
+
+namespace pliant::report {
+namespace {
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+bool is_bending(std::string_view component) { return component.starts_with("bend"); }
+
+}  // namespace
+
+QuantityLabel quantity_label(std::string_view column) {
+  if (column == "force_N_per_m") return {"Shear force", "N/m"};
+  if (column == "angle_deg") return {"Shear angle", "°"};
+  // Longest first: `_N_per_m` ends in `_m` too.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kUnits = {
+      {{"_N_per_m", "N/m"},
+       {"_1_per_m", "1/m"},
+       {"_deg", "°"},
+       {"_mm", "mm"},
+       {"_Pa", "Pa"},
+       {"_N", "N"},
+       {"_g", "g"},
+       {"_m", "m"},
+       {"_s", "s"}}};
+  for (const auto& [suffix, unit] : kUnits) {
+    if (column.size() <= suffix.size() || !column.ends_with(suffix)) continue;
+    std::string name(column.substr(0, column.size() - suffix.size()));
+    for (char& c : name) c = c == '_' ? ' ' : c;
+    return {capitalised(name), std::string(unit)};
+  }
+  return {std::string(column), ""};
+}
+
+StrainScale strain_scale(std::string_view component) {
+  if (is_bending(component)) return {{"Curvature", "1/m"}, 1.0};
+  return {{component.starts_with("shear") ? "Shear strain" : "Strain", "%"}, 100.0};
+}
+
+std::string strain_range_text(std::string_view component, double low, double high) {
+  const StrainScale scale = strain_scale(component);
+  std::string name = scale.label.name;
+  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  return fmt::format("{} {} to {} {}", name, format_significant(scale.factor * low, 2),
+                     format_significant(scale.factor * high, 2), scale.label.unit);
+}
+
+QuantityLabel stress_label(std::string_view component) {
+  if (is_bending(component)) return {"Moment per width", "N"};
+  return {component.starts_with("shear") ? "Shear stress" : "Stress", "N/m"};
+}
+
+std::string component_title(std::string_view component) {
+  const std::size_t dot = component.find('.');
+  if (dot == std::string_view::npos) return capitalised(std::string(component));
+  const std::string_view kind = component.substr(0, dot);
+  const std::string direction = capitalised(std::string(component.substr(dot + 1)));
+  if (kind == "stretch") return direction + " stretch";
+  if (kind == "bend") return direction + " bending";
+  return std::string(component);
+}
+
+std::string parameter_meaning(std::string_view parameter) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMeanings = {
+      {{".friction.a", "friction at zero strain"},
+       {".friction.b", "growth of friction with strain"},
+       {".friction.tau", "strain over which friction builds up"},
+       {".k1", "stiffness at zero strain"},
+       {".k2", "growth of stiffness with strain"},
+       {".k", "stiffness"}}};
+  for (const auto& [suffix, meaning] : kMeanings) {
+    if (parameter.ends_with(suffix)) return std::string(meaning);
+  }
+  if (parameter.ends_with("]") && parameter.find(".k[") != std::string_view::npos) {
+    return "stiffness at a control point";
+  }
+  return {};
+}
+
+std::string shown_unit(std::string_view unit) {
+  return unit == "1" || unit == "-" ? std::string() : std::string(unit);
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,146 @@
+#include "pliant/report/loop_figure.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "pliant/report/drawn_rows.h"
+
+namespace pliant::report {
+namespace {
+
+/// The coordinates of each row as measured, as predicted and without friction.
+struct LoopCoordinates {
+  QuantityLabel x_label, y_label;
+  std::vector<double> x_measured, x_predicted, x_elastic;
+  std::vector<double> y_measured, y_predicted, y_elastic;
+  bool measured_along_x = false;
+};
+
+/// Lengths answer to a load: they lie along x, the load along y, as on a tester's chart.
+LoopCoordinates length_against_load(const ResultExperiment& e, const Prediction& p) {
+  return {quantity_label(e.quantity),
+          quantity_label(p.driver_column),
+          p.measured,
+          p.predicted,
+          p.elastic,
+          p.driver,
+          p.driver,
+          p.driver,
+          true};
+}
+
+LoopCoordinates quantity_against_strain(const ResultExperiment& e, const Prediction& p) {
+  const StrainScale scale = strain_scale(e.component);
+  std::vector<double> x = p.driver;
+  if (x.empty()) {
+    for (const double strain : p.strain) x.push_back(scale.factor * strain);
+  }
+  return {p.driver.empty() ? scale.label : quantity_label(p.driver_column),
+          quantity_label(e.quantity),
+          x,
+          x,
+          x,
+          p.measured,
+          p.predicted,
+          p.elastic,
+          false};
+}
+
+LoopCoordinates coordinates(const ResultExperiment& e, const Prediction& p) {
+  const bool lengths = e.quantity.starts_with("length") && !p.driver.empty();
+  return lengths ? length_against_load(e, p) : quantity_against_strain(e, p);
+}
+
+class LoopPlot {
+ public:
+  LoopPlot(const Prediction& prediction, LoopCoordinates at, std::vector<std::size_t> rows,
+           bool compact)
+      : prediction_(prediction), at_(std::move(at)), rows_(std::move(rows)), compact_(compact) {}
+
+  void add_measured(const SeriesStyle& style, Branch branch) {
+    add_markers(style, [&](std::size_t row) {
+      return prediction_.used[row] && prediction_.branch[row] == branch;
+    });
+  }
+
+  void add_excluded(const SeriesStyle& style) {
+    add_markers(style, [&](std::size_t row) { return !prediction_.used[row]; });
+  }
+
+  void add_predicted(const SeriesStyle& style, Branch branch) {
+    const BrokenLine line =
+        line_of_branch(prediction_, rows_, branch, at_.x_predicted, at_.y_predicted);
+    add(style, line.x, line.y);
+  }
+
+  /// The elastic curve has no branches: one line, in the order of what drives it.
+  void add_elastic(const SeriesStyle& style) {
+    if (prediction_.elastic.empty()) return;
+    std::vector<std::size_t> order = rows_;
+    const std::vector<double>& key = at_.measured_along_x ? at_.y_elastic : at_.x_elastic;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
+    std::vector<double> x, y;
+    for (const std::size_t row : order) {
+      x.push_back(at_.x_elastic[row]);
+      y.push_back(at_.y_elastic[row]);
+    }
+    add(style, x, y);
+  }
+
+  LoopFigure finish() {
+    result_.figure.layout = base_layout(compact_);
+    result_.figure.layout["xaxis"] = axis(at_.x_label, compact_);
+    result_.figure.layout["yaxis"] = axis(at_.y_label, compact_);
+    result_.drawn = rows_.size();
+    result_.total = prediction_.rows();
+    return std::move(result_);
+  }
+
+ private:
+  template <typename Belongs>
+  void add_markers(const SeriesStyle& style, Belongs belongs) {
+    std::vector<double> x, y;
+    for (const std::size_t row : rows_) {
+      if (!belongs(row)) continue;
+      x.push_back(at_.x_measured[row]);
+      y.push_back(at_.y_measured[row]);
+    }
+    add(style, x, y);
+  }
+
+  void add(const SeriesStyle& style, const std::vector<double>& x, const std::vector<double>& y) {
+    if (x.empty()) return;
+    result_.figure.traces.push_back(trace(style, x, y, compact_));
+    result_.legend.push_back(style);
+  }
+
+  const Prediction& prediction_;
+  LoopCoordinates at_;
+  std::vector<std::size_t> rows_;
+  bool compact_;
+  LoopFigure result_;
+};
+
+}  // namespace
+
+LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& prediction,
+                       const LoopFigureOptions& options) {
+  LoopPlot plot(prediction, coordinates(experiment, prediction),
+                rows_to_draw(prediction, prediction.measured, options.budget), options.compact);
+  plot.add_measured(kMeasuredLoad, Branch::load);
+  plot.add_measured(kMeasuredUnload, Branch::unload);
+  if (!options.compact) {
+    plot.add_measured(kMeasuredRest, Branch::rest);
+    plot.add_excluded(kExcluded);
+    plot.add_elastic(kElastic);
+  }
+  plot.add_predicted(kPredictedLoad, Branch::load);
+  plot.add_predicted(kPredictedUnload, Branch::unload);
+  LoopFigure result = plot.finish();
+  result.figure.description = "Measured and predicted loops of " + experiment.name;
+  result.figure.data_file = experiment.prediction_file;
+  return result;
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pliant/report/figure.h"
+#include "pliant/report/plot_style.h"
+#include "pliant/report/prediction.h"
+#include "pliant/report/results.h"
+
+namespace pliant::report {
+
+struct LoopFigure {
+  Figure figure;
+  std::vector<SeriesStyle> legend;
+  std::size_t drawn = 0, total = 0;  ///< rows
+};
+
+struct LoopFigureOptions {
+  std::size_t budget = 800;  ///< rows to draw
+  bool compact = false;      ///< page one: only the loops, small
+};
+
+/// Measured and predicted load-unload loops of one experiment: force against strain, or load
+/// against length where lengths are measured.
+LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& prediction,
+                       const LoopFigureOptions& options);
+
+}  // namespace pliant::report

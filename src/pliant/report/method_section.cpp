@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/labels.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/sections.h"
+
+namespace pliant::report {
+namespace {
+
+using Align = HtmlTable::Align;
+
+std::string assumptions(const Results& results) {
+  if (results.assumptions.empty()) return {};
+  return "<h3>What was assumed</h3>\n" + bullet_list(results.assumptions);
+}
+
+std::string all_warnings(const Results& results) {
+  if (results.warnings.empty()) return {};
+  return "<h3>All warnings</h3>\n" + bullet_list(results.warnings);
+}
+
+std::string starts(const Results& results) {
+  std::vector<std::string> lines;
+  for (const MultiStart& start : results.starts) {
+    lines.push_back(fmt::format("{}: {} of {} starts reached the same best fit", start.component,
+                                start.reached_best, start.tried));
+  }
+  if (lines.empty()) return {};
+  return "<h3>Starts</h3>\n<p>The search was started from several points; where only one of many "
+         "reaches the best fit, a better one may exist.</p>\n" +
+         bullet_list(lines);
+}
+
+std::string stages(const Results& results) {
+  if (results.stages.empty()) return {};
+  HtmlTable table({{"Component"}, {"Stage"}, {"RMS error", Align::number}, {"Unit"}, {"Kept"}});
+  for (const FitStage& stage : results.stages) {
+    table.begin_row();
+    table.cell(stage.component);
+    table.cell(stage.name);
+    table.cell(format_significant(stage.rms, 3));
+    table.cell(shown_unit(stage.unit));
+    table.cell(stage.accepted ? "yes" : "no");
+  }
+  return "<h3>Stages</h3>\n" + table.html();
+}
+
+std::string provenance(const Results& results) {
+  HtmlTable table({{"Item"}, {"Value"}});
+  const auto row = [&](std::string_view name, const std::string& value) {
+    if (value.empty()) return;
+    table.begin_row();
+    table.cell(name);
+    table.cell(value);
+  };
+  row("Command", results.command);
+  row("Created", results.created);
+  row("Pliant version", results.version);
+  row("Estimator", results.estimator);
+  if (results.seconds) row("Computing time", format_significant(results.seconds, 2) + " s");
+  for (const auto& [name, value] : results.conditions) row(name, value);
+  for (const auto& [name, value] : results.info) row(name, value);
+  return "<h3>Origin of these results</h3>\n" + table.html() +
+         "<p>Beside this file: <code>material.json</code> (the material), "
+         "<code>parameters.csv</code>, <code>curves.csv</code>, <code>predictions/</code> (each "
+         "experiment row by row) and <code>study.resolved.yaml</code> (the study with every "
+         "default "
+         "filled in).</p>\n";
+}
+
+}  // namespace
+
+std::string method_section(const Results& results) {
+  return "<section id=\"method\"><h2>Assumptions and method</h2>\n" + assumptions(results) +
+         all_warnings(results) + stages(results) + starts(results) + provenance(results) +
+         "</section>\n";
+}
+
+}  // namespace pliant::report

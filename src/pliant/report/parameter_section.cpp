@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/labels.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/sections.h"
+
+namespace pliant::report {
+namespace {
+
+using Align = HtmlTable::Align;
+
+std::string flags(const ResultParameter& p) {
+  std::vector<std::string> words;
+  if (p.fixed) words.push_back("fixed, not estimated");
+  if (!p.fixed && !p.identified) words.push_back("not determined");
+  if (p.at_bound) words.push_back("at its bound");
+  if (!p.note.empty()) words.push_back(p.note);
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+/// Name, value, standard error and interval; a value that the data does not determine is greyed and
+/// stands without an uncertainty that would make it look known.
+void add_estimate(HtmlTable& table, const ResultParameter& p) {
+  const bool known = p.fixed || p.identified;
+  const bool uncertain = known && !p.fixed;
+  const UncertainFormat format(p.value, uncertain ? p.std_error : std::nullopt);
+  table.cell(known ? format(p.value) : fmt::format("({})", format_significant(p.value, 2)));
+  table.cell(uncertain ? format(p.std_error) : kNoValue);
+  table.cell(uncertain && p.lower && p.upper
+                 ? fmt::format("{} to {}", format(p.lower), format(p.upper))
+                 : std::string(kNoValue));
+  table.cell(shown_unit(p.unit));
+}
+
+std::string_view row_class(const ResultParameter& p) {
+  return !p.fixed && !p.identified ? "undetermined" : "";
+}
+
+bool any_spread(const std::vector<ResultParameter>& parameters) {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const ResultParameter& p) { return p.between_specimen_sd.has_value(); });
+}
+
+std::string parameter_table(const std::vector<ResultParameter>& parameters) {
+  const bool spread = any_spread(parameters);
+  std::vector<HtmlTable::Column> columns = {{"Parameter"},
+                                            {"Value", Align::number},
+                                            {"Standard error", Align::number},
+                                            {"95 % interval", Align::number},
+                                            {"Unit"}};
+  if (spread) columns.push_back({"Between specimens", Align::number, "standard deviation"});
+  columns.push_back({"Remarks"});
+  HtmlTable table(std::move(columns));
+  for (const ResultParameter& p : parameters) {
+    table.begin_row(row_class(p));
+    const std::string meaning = parameter_meaning(p.name);
+    table.html_cell(fmt::format("<code>{}</code>{}", escape_html(p.name),
+                                meaning.empty() ? "" : "<small>" + meaning + "</small>"));
+    add_estimate(table, p);
+    if (spread) table.cell(format_significant(p.between_specimen_sd, 2));
+    table.cell(flags(p));
+  }
+  return table.html();
+}
+
+std::string nuisance_table(const std::vector<ResultParameter>& nuisance) {
+  if (nuisance.empty()) return {};
+  HtmlTable table({{"Nuisance parameter"},
+                   {"Experiment"},
+                   {"Value", Align::number},
+                   {"Standard error", Align::number},
+                   {"95 % interval", Align::number},
+                   {"Unit"},
+                   {"Remarks"}});
+  for (const ResultParameter& p : nuisance) {
+    table.begin_row(row_class(p));
+    table.html_cell("<code>" + escape_html(p.name) + "</code>");
+    table.cell(p.experiment);
+    add_estimate(table, p);
+    table.cell(flags(p));
+  }
+  return "<h3>Nuisance parameters</h3>\n"
+         "<p>Belong to one test, not to the fabric: estimated so that they do not spoil the "
+         "material.</p>\n" +
+         table.html();
+}
+
+std::string singular_value_table(const std::vector<SingularValues>& all) {
+  if (all.empty()) return {};
+  HtmlTable table(
+      {{"Component"}, {"Smallest / largest", Align::number}, {"Singular values, largest first"}});
+  for (const SingularValues& singular : all) {
+    std::vector<double> values = singular.values;
+    std::sort(values.rbegin(), values.rend());
+    std::vector<std::string> texts;
+    for (const double value : values) texts.push_back(format_significant(value, 2));
+    table.begin_row();
+    table.cell(singular.component);
+    table.cell(values.empty() || values.front() <= 0.0
+                   ? std::string(kNoValue)
+                   : format_significant(values.back() / values.front(), 2));
+    table.cell(fmt::format("{}", fmt::join(texts, ", ")));
+  }
+  return "<h3>How well the data determine the parameters</h3>\n"
+         "<p>Singular values of the scaled sensitivities. One that is many powers of ten below the "
+         "largest is a combination of parameters that the data hardly see.</p>\n" +
+         table.html();
+}
+
+}  // namespace
+
+std::string parameter_section(const Results& results) {
+  if (results.parameters.empty()) return {};
+  std::string html = "<section id=\"parameters\"><h2>Parameters</h2>\n";
+  html +=
+      results.evaluation
+          ? "<p>Taken from the material file.</p>\n"
+          : "<p>The standard error is what the noise of these data leaves uncertain, under the "
+            "assumptions listed below. The spread between specimens, where several were tested, "
+            "is the difference from one piece of fabric to the next. Greyed values in brackets "
+            "are where the search stopped: the data do not determine them.</p>\n";
+  return html + parameter_table(results.parameters) + nuisance_table(results.nuisance) +
+         singular_value_table(results.singular_values) + "</section>\n";
+}
+
+}  // namespace pliant::report

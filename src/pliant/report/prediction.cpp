@@ -1,0 +1,52 @@
+#include "pliant/report/prediction.h"
+
+#include "pliant/base/errors.h"
+#include "pliant/io/csv.h"
+
+namespace pliant::report {
+namespace {
+
+Branch branch_named(const CsvTable& table, const std::filesystem::path& file, std::size_t row,
+                    const std::string& name) {
+  if (name == "load") return Branch::load;
+  if (name == "unload") return Branch::unload;
+  if (name == "rest") return Branch::rest;
+  throw InputError({file.string(), table.line(row), "branch"}, "unknown branch `" + name + "`",
+                   "load, unload or rest");
+}
+
+std::string driver_column(const CsvTable& table, std::string_view quantity) {
+  if (quantity.starts_with("length")) {
+    for (const char* name : {"weight_N", "weight_g", "force_N"}) {
+      if (table.has(name)) return name;
+    }
+  }
+  return table.has("angle_deg") ? "angle_deg" : "";
+}
+
+}  // namespace
+
+Prediction read_prediction(const std::filesystem::path& file, std::string_view quantity) {
+  const CsvTable table = read_csv(file, CsvOptions{});
+  const std::string name(quantity);
+  Prediction p;
+  p.strain = table.numbers("strain");
+  p.measured = table.numbers("measured_" + name);
+  p.predicted = table.numbers("predicted_" + name);
+  p.specimen =
+      table.has("specimen") ? table.texts("specimen") : std::vector<std::string>(table.rows(), "1");
+  const std::vector<std::string> branches = table.texts("branch");
+  const std::vector<double> used =
+      table.has("used") ? table.numbers("used") : std::vector<double>(table.rows(), 1.0);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    p.branch.push_back(branch_named(table, file, row, branches[row]));
+    p.used.push_back(used[row] != 0.0 ? 1 : 0);
+  }
+  if (table.has("elastic_" + name)) p.elastic = table.numbers("elastic_" + name);
+  if (table.has("time_s")) p.time = table.numbers("time_s");
+  p.driver_column = driver_column(table, quantity);
+  if (!p.driver_column.empty()) p.driver = table.numbers(p.driver_column);
+  return p;
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "pliant/report/figure.h"
+#include "pliant/report/results.h"
+
+namespace pliant::report {
+
+/// Profile likelihood of one parameter: how much worse the fit becomes when it is held at another
+/// value and all others follow; beside it the parabola that its standard error stands for.
+Figure profile_figure(const ProfileLikelihood& profile);
+
+}  // namespace pliant::report

@@ -1,0 +1,69 @@
+#include "pliant/report/residual_figure.h"
+
+#include <vector>
+
+#include "pliant/report/drawn_rows.h"
+#include "pliant/report/plot_style.h"
+
+namespace pliant::report {
+namespace {
+
+struct Abscissa {
+  QuantityLabel label;
+  std::vector<double> values;
+};
+
+Abscissa against_strain(const ResultExperiment& experiment, const Prediction& prediction) {
+  const StrainScale scale = strain_scale(experiment.component);
+  Abscissa abscissa{scale.label, prediction.strain};
+  for (double& value : abscissa.values) value *= scale.factor;
+  return abscissa;
+}
+
+Abscissa against_time(const Prediction& prediction) {
+  if (!prediction.time.empty()) return {{"Time", "s"}, prediction.time};
+  Abscissa abscissa{{"Row", ""}, {}};
+  for (std::size_t row = 0; row < prediction.rows(); ++row) {
+    abscissa.values.push_back(static_cast<double>(row + 1));
+  }
+  return abscissa;
+}
+
+}  // namespace
+
+Figure residual_figure(const ResultExperiment& experiment, const Prediction& prediction,
+                       ResidualAbscissa abscissa, std::size_t budget) {
+  const bool by_strain = abscissa == ResidualAbscissa::strain;
+  const Abscissa x = by_strain ? against_strain(experiment, prediction) : against_time(prediction);
+  std::vector<double> residuals;
+  for (std::size_t row = 0; row < prediction.rows(); ++row) {
+    // A row that was not used must not use up the budget as an extreme.
+    residuals.push_back(prediction.used[row] ? prediction.measured[row] - prediction.predicted[row]
+                                             : 0.0);
+  }
+  const std::vector<std::size_t> rows = rows_to_draw(prediction, residuals, budget);
+  Figure figure;
+  const auto add = [&](const SeriesStyle& style, Branch branch) {
+    std::vector<double> xs, ys;
+    for (const std::size_t row : rows) {
+      if (!prediction.used[row] || prediction.branch[row] != branch) continue;
+      xs.push_back(x.values[row]);
+      ys.push_back(residuals[row]);
+    }
+    if (!xs.empty()) figure.traces.push_back(trace(style, xs, ys));
+  };
+  add(kMeasuredLoad, Branch::load);
+  add(kMeasuredUnload, Branch::unload);
+  add(kMeasuredRest, Branch::rest);
+  figure.layout = base_layout();
+  figure.layout["xaxis"] = axis(x.label, /*compact=*/true);
+  figure.layout["yaxis"] =
+      axis({"Residual", quantity_label(experiment.quantity).unit}, /*compact=*/true);
+  figure.layout["yaxis"]["nticks"] = 6;
+  figure.description = std::string("Measured minus predicted against ") +
+                       (by_strain ? "strain" : "time") + ", " + experiment.name;
+  figure.data_file = experiment.prediction_file;
+  return figure;
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+#include "pliant/report/figure.h"
+#include "pliant/report/prediction.h"
+#include "pliant/report/results.h"
+
+namespace pliant::report {
+
+enum class ResidualAbscissa { strain, time };
+
+/// Measured minus predicted, of the rows that were used, against strain, or against time (the row
+/// number where no time was recorded).
+Figure residual_figure(const ResultExperiment& experiment, const Prediction& prediction,
+                       ResidualAbscissa abscissa, std::size_t budget);
+
+}  // namespace pliant::report

@@ -1,0 +1,213 @@
+#include "pliant/report/results.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/text_file.h"
+#include "pliant/report/json_reader.h"
+
+namespace pliant::report {
+namespace {
+
+std::filesystem::path results_file(const std::filesystem::path& directory) {
+  for (const char* name : {"fit.json", "evaluation.json"}) {
+    if (std::filesystem::exists(directory / name)) return directory / name;
+  }
+  throw InputError({directory.string(), 0, {}}, "no results of `pliant fit` or `pliant evaluate`",
+                   "a directory with fit.json or evaluation.json");
+}
+
+nlohmann::json parse(const std::string& file, const std::string& text) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError({file, 0, {}}, fmt::format("not valid JSON ({})", error.what()),
+                     "a complete results file");
+  }
+}
+
+/// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`.
+std::string component_of(const std::string& parameter) {
+  return parameter.substr(0, std::min(parameter.find(".friction."), parameter.find(".k")));
+}
+
+ResultParameter read_parameter(const JsonReader& json) {
+  ResultParameter p;
+  p.name = json.text("name");
+  p.component = json.text_or("component", component_of(p.name));
+  p.experiment = json.text_or("experiment", "");
+  p.unit = json.text_or("unit", "");
+  p.note = json.text_or("note", "");
+  p.value = json.number("value");
+  p.std_error = json.number("std_error");
+  p.lower = json.number("lower");
+  p.upper = json.number("upper");
+  p.between_specimen_sd = json.number("between_specimen_sd");
+  p.identified = json.flag_or("identified", true);
+  p.at_bound = json.flag_or("at_bound", false);
+  p.fixed = json.flag_or("fixed", false);
+  return p;
+}
+
+std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
+  if (!json) return std::nullopt;
+  return LoopMeasures{json->number("secant_modulus_N_per_m"), json->number("hysteresis_ratio"),
+                      json->number("loop_loss")};
+}
+
+std::string noise_in_words(const std::optional<JsonReader>& json) {
+  if (!json || !json->has("value")) return {};
+  const std::string source = json->text_or("source", "");
+  return fmt::format("{}: {:.2g} {}{}", json->text_or("quantity", "noise"), *json->number("value"),
+                     json->text_or("unit", ""), source.empty() ? "" : ", " + source);
+}
+
+std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::string_view key) {
+  const std::vector<double> range = json.numbers(key);
+  if (range.empty()) return std::nullopt;
+  if (range.size() != 2) json.fail(key, "not a range", "two numbers");
+  return std::array{range[0], range[1]};
+}
+
+/// Files are read from the results directory only, whatever the results file names.
+void require_inside(const JsonReader& json, const std::string& file) {
+  const std::filesystem::path path(file);
+  bool inside = path.is_relative();
+  for (const auto& part : path) inside = inside && part != "..";
+  if (!inside) json.fail("prediction_file", "leaves the results directory", "a relative path");
+}
+
+ResultExperiment read_experiment(const JsonReader& json) {
+  ResultExperiment e;
+  e.name = json.text("name");
+  e.type = json.text_or("type", "");
+  e.direction = json.text_or("direction", "");
+  e.component = json.text_or("component", e.name);
+  e.quantity = json.text_or("quantity", "force_N");
+  e.prediction_file = json.text_or("prediction_file", "predictions/" + e.name + ".csv");
+  require_inside(json, e.prediction_file);
+  e.validation = json.text_or("role", "fit") == "validate";
+  e.rms_force = json.number("rms_force_N");
+  e.peak_force = json.number("peak_force_N");
+  e.rms_percent_of_peak = json.number("rms_percent_of_peak");
+  e.rms_elastic_percent_of_peak = json.number("rms_elastic_percent_of_peak");
+  e.rms_position_mm = json.number("rms_position_mm");
+  e.points = json.integer_or("points", 0);
+  e.specimens = json.integer_or("specimens", 0);
+  e.excluded = json.integer_or("excluded", 0);
+  e.noise = noise_in_words(json.object("noise"));
+  e.strain_range = read_range(json, "strain_range");
+  if (const auto loop = json.object("loop")) {
+    e.measured_loop = read_loop(loop->object("measured"));
+    e.predicted_loop = read_loop(loop->object("predicted"));
+  }
+  e.handled = json.texts("handled");
+  return e;
+}
+
+FitStage read_stage(const JsonReader& json) {
+  return {json.text_or("component", ""), json.text_or("name", ""), json.text_or("unit", ""),
+          json.number("rms"), json.flag_or("accepted", true)};
+}
+
+MultiStart read_start(const JsonReader& json) {
+  return {json.text_or("component", ""), json.integer_or("tried", 0),
+          json.integer_or("reached_best", 0)};
+}
+
+RankedModel read_model(const JsonReader& json) {
+  return {json.text_or("component", ""),
+          json.text_or("name", ""),
+          json.integer_or("parameters", 0),
+          json.number("rms_percent_of_peak"),
+          json.number("aic"),
+          json.number("bic"),
+          json.number("delta_bic")};
+}
+
+ProfileLikelihood read_profile(const JsonReader& json) {
+  ProfileLikelihood profile{json.text("parameter"),  json.text_or("unit", ""),
+                            json.numbers("value"),   json.numbers("delta_chi2"),
+                            json.number("lower"),    json.number("upper"),
+                            json.number("std_error")};
+  if (profile.value.size() != profile.delta_chi2.size()) {
+    json.fail("delta_chi2", "not as long as `value`", "one number a value");
+  }
+  return profile;
+}
+
+SingularValues read_singular_values(const JsonReader& json) {
+  return {json.text_or("component", ""), json.numbers("values")};
+}
+
+template <typename Item>
+std::vector<Item> read_all(const JsonReader& json, std::string_view key,
+                           Item (*read)(const JsonReader&)) {
+  std::vector<Item> items;
+  for (const JsonReader& object : json.objects(key)) items.push_back(read(object));
+  return items;
+}
+
+/// A nuisance parameter goes with the component that its experiment measures.
+void assign_nuisance_components(Results& results) {
+  for (ResultParameter& p : results.nuisance) {
+    for (const ResultExperiment& e : results.experiments) {
+      if (e.name == p.experiment) p.component = e.component;
+    }
+  }
+}
+
+void check_covariance(const JsonReader& json, const Results& results) {
+  if (results.covariance.empty()) return;
+  const std::size_t n = results.parameters.size() + results.nuisance.size();
+  bool square = results.covariance.size() == n;
+  for (const auto& row : results.covariance) square = square && row.size() == n;
+  if (!square) {
+    json.fail("covariance", "wrong size", fmt::format("{0} rows of {0} numbers", n));
+  }
+}
+
+}  // namespace
+
+Results read_results(const std::filesystem::path& directory) {
+  const std::string file = results_file(directory).string();
+  const nlohmann::json document = parse(file, read_text_file(file));
+  const JsonReader json(document, file, "");
+  const std::string type = json.text("pliant");
+  if (type != "fit/1" && type != "evaluation/1") {
+    json.fail("pliant", "unknown document `" + type + "`", "fit/1 or evaluation/1");
+  }
+  Results r;
+  r.evaluation = type == "evaluation/1";
+  r.name = json.text_or("name", "unnamed");
+  r.material = json.text_or("material", "");
+  r.command = json.text_or("command", "");
+  r.created = json.text_or("created", "");
+  r.version = json.text_or("version", "");
+  r.estimator = json.text_or("estimator", "");
+  r.density = json.number("density");
+  r.seconds = json.number("seconds");
+  r.converged = json.flag_or("converged", true);
+  r.info = json.entries("info");
+  r.conditions = json.entries("conditions");
+  r.parameters = read_all(json, "parameters", read_parameter);
+  r.nuisance = read_all(json, "nuisance", read_parameter);
+  r.covariance = json.number_rows("covariance");
+  check_covariance(json, r);
+  r.singular_values = read_all(json, "singular_values", read_singular_values);
+  r.experiments = read_all(json, "experiments", read_experiment);
+  assign_nuisance_components(r);
+  r.stages = read_all(json, "stages", read_stage);
+  r.starts = read_all(json, "starts", read_start);
+  r.models = read_all(json, "models", read_model);
+  r.profiles = read_all(json, "profiles", read_profile);
+  r.undetermined = json.texts("undetermined");
+  r.assumptions = json.texts("assumptions");
+  r.warnings = json.texts("warnings");
+  return r;
+}
+
+}  // namespace pliant::report

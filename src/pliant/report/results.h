@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pliant::report {
+
+/// One estimated number as fit.json states it; values in `unit`.
+struct ResultParameter {
+  std::string name;
+  std::string component;
+  std::string experiment;  ///< the experiment a nuisance parameter belongs to; empty otherwise
+  std::string unit;
+  std::string note;
+  std::optional<double> value;
+  std::optional<double> std_error;
+  std::optional<double> lower, upper;  ///< 95 % interval
+  std::optional<double> between_specimen_sd;
+  bool identified = true;
+  bool at_bound = false;
+  bool fixed = false;
+};
+
+/// What a load-unload loop says at a glance.
+struct LoopMeasures {
+  std::optional<double> secant_modulus;    ///< N/m, at the peak, engineering strain
+  std::optional<double> hysteresis_ratio;  ///< (Fmax - Fmin) / Favg, [T] 5.2.2
+  std::optional<double> loop_loss;         ///< work lost in the loop over work of loading, 0..1
+};
+
+struct ResultExperiment {
+  std::string name, type, direction, component;
+  std::string quantity;  ///< what is measured and predicted, with its unit: `force_N`
+  std::string prediction_file;
+  bool validation = false;
+
+  bool measures_lengths() const { return quantity.starts_with("length"); }
+
+  std::optional<double> rms_force, peak_force;  ///< N, or N/m for shear
+  /// Of the peak force, or of the largest extension where lengths are measured.
+  std::optional<double> rms_percent_of_peak, rms_elastic_percent_of_peak;
+  std::optional<double> rms_position_mm;
+  int points = 0, specimens = 0, excluded = 0;
+  std::string noise;  ///< in words; empty where not stated
+  std::optional<std::array<double, 2>> strain_range;
+  std::optional<LoopMeasures> measured_loop, predicted_loop;
+  std::vector<std::string> handled;
+};
+
+struct FitStage {
+  std::string component, name, unit;
+  std::optional<double> rms;
+  bool accepted = true;
+};
+
+struct MultiStart {
+  std::string component;
+  int tried = 0, reached_best = 0;
+};
+
+struct RankedModel {
+  std::string component, name;
+  int parameters = 0;
+  std::optional<double> rms_percent_of_peak, aic, bic, delta_bic;
+};
+
+struct ProfileLikelihood {
+  std::string parameter, unit;
+  std::vector<double> value, delta_chi2;
+  std::optional<double> lower, upper, std_error;
+};
+
+struct SingularValues {
+  std::string component;
+  std::vector<double> values;
+};
+
+/// fit.json or evaluation.json of a results directory.
+struct Results {
+  bool evaluation = false;
+  std::string name, material, command, created, version, estimator;
+  std::optional<double> density;  ///< kg/m^2
+  std::optional<double> seconds;
+  bool converged = true;
+  std::vector<std::pair<std::string, std::string>> info, conditions;
+  std::vector<ResultParameter> parameters, nuisance;
+  std::vector<std::vector<double>> covariance;  ///< parameters, then nuisance; NaN = unknown
+  std::vector<SingularValues> singular_values;
+  std::vector<ResultExperiment> experiments;
+  std::vector<FitStage> stages;
+  std::vector<MultiStart> starts;
+  std::vector<RankedModel> models;
+  std::vector<ProfileLikelihood> profiles;
+  /// What the fit says is not determined, with reasons; may be empty although something is not.
+  std::vector<std::string> undetermined;
+  std::vector<std::string> assumptions, warnings;
+};
+
+/// Reads `directory`/fit.json, or evaluation.json where there is no fit.json.
+/// @throws InputError where neither exists, the JSON is broken, or a field is not what it must be
+Results read_results(const std::filesystem::path& directory);
+
+}  // namespace pliant::report

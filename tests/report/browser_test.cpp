@@ -1,0 +1,156 @@
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/report/embedded_bundle.h"
+#include "pliant/report/report.h"
+
+#include "report/sample_results.h"
+
+namespace pliant {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::SampleOptions;
+using testing::TemporaryFolder;
+using testing::write_sample_results;
+using testing::write_text;
+
+/// The first Chromium in PATH; empty when there is none.
+std::string find_chromium() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
+      const std::filesystem::path program = std::filesystem::path(folder) / name;
+      if (std::filesystem::exists(program)) return program.string();
+    }
+  }
+  return {};
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+/// A report in a headless browser.
+class BrowserReport : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    chromium_ = find_chromium();
+    if (chromium_.empty()) GTEST_SKIP() << "Chromium is not installed";
+    if (embedded_report_script().empty()) GTEST_SKIP() << "this build has no drawing script";
+  }
+
+  std::string report(const SampleOptions& options = {}) const {
+    const std::filesystem::path results = folder_.path() / "results";
+    write_sample_results(results, options);
+    return make_report(results);
+  }
+
+  /// The document as it stands after its scripts have run.
+  std::string document_of(const std::string& html) const {
+    const std::filesystem::path file = folder_.path() / "report.html";
+    write_text(file, html);
+    const std::string home = (folder_.path() / "home").string();
+    const std::string command =
+        "HOME='" + home + "' '" + chromium_ +
+        "' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+        " --disable-background-networking --disable-component-update --disable-sync"
+        " --user-data-dir='" +
+        home + "/profile' --virtual-time-budget=20000 --dump-dom 'file://" + file.string() +
+        "' 2>/dev/null";
+    std::string document;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return document;
+    char buffer[65536];
+    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) {
+      document.append(buffer, n);
+    }
+    EXPECT_EQ(pclose(pipe), 0) << command;
+    return document;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::string chromium_;
+};
+
+/// The report less its script, in which the same words occur.
+std::string without_script(std::string document) {
+  const std::string_view script = embedded_report_script();
+  const std::size_t begin = document.find("<script>\n");
+  if (begin != std::string::npos) document.erase(begin, script.size());
+  return document;
+}
+
+TEST_F(BrowserReport, DrawsEveryFigureWithoutErrorOrRequest) {
+  const std::string html = report();
+  const std::size_t figures = count(html, "<div class=\"figure ");
+  ASSERT_GT(figures, 20u);
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("data-ready=\"true\""));
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), figures);
+  EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
+  EXPECT_THAT(document, Not(HasSubstr("data-violation")));
+}
+
+TEST_F(BrowserReport, OfAnEvaluationIsDrawnToo) {
+  const std::string html = report({.evaluation = true});
+  const std::string document = without_script(document_of(html));
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), count(html, "<div class=\"figure "));
+  EXPECT_THAT(document, HasSubstr("data-ready=\"true\""));
+}
+
+/// The report with a script of the test's own, which runs once all figures are drawn.
+std::string when_drawn(std::string html, const std::string& script) {
+  html.insert(html.rfind("</body>"),
+              "<script>const wait = setInterval(() => {"
+              "if (document.documentElement.dataset.ready !== 'true') return;"
+              "clearInterval(wait);" +
+                  script + "}, 20);</script>");
+  return html;
+}
+
+TEST_F(BrowserReport, ALegendEntryHidesItsSeries) {
+  const std::string html = when_drawn(report(), R"(
+      const entry = document.querySelector('button.legend-entry[data-group=measured-load]');
+      entry.click();
+      const figure = document.getElementById('figure-1');
+      const hidden = figure.data.filter((trace) => trace.visible === false);
+      document.body.dataset.hidden = hidden.map((trace) => trace.legendgroup).join();)");
+  EXPECT_THAT(without_script(document_of(html)), HasSubstr("data-hidden=\"measured-load\""));
+}
+
+TEST_F(BrowserReport, TakesThePrintedSizeOnPaperAndGivesItUpAfterwards) {
+  const std::string html = when_drawn(report(), R"(
+      const figure = document.getElementById('figure-1');
+      const width = () => figure.querySelector('.main-svg').getBoundingClientRect().width;
+      const before = width();
+      window.dispatchEvent(new Event('beforeprint'));
+      document.body.dataset.fits = width() === Number(figure.dataset.printWidth);
+      window.dispatchEvent(new Event('afterprint'));
+      document.body.dataset.restored = width() === before;)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("data-fits=\"true\""));
+  EXPECT_THAT(document, HasSubstr("data-restored=\"true\""));
+}
+
+/// Shows that the check above would see a request: the policy stops it and marks the document.
+TEST_F(BrowserReport, MarksARequestThatWouldLeaveTheFile) {
+  std::string html = report();
+  html.insert(html.rfind("</body>"), "<script>new Image().src = 'http://127.0.0.1:9/';</script>");
+  EXPECT_THAT(without_script(document_of(html)), HasSubstr("data-violation=\"img-src"));
+}
+
+}  // namespace
+}  // namespace pliant

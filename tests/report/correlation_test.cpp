@@ -1,0 +1,58 @@
+#include "pliant/report/correlation.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pliant::report {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+ResultParameter parameter(const std::string& name, const std::string& component) {
+  ResultParameter p;
+  p.name = name;
+  p.component = component;
+  return p;
+}
+
+Results two_components() {
+  Results results;
+  results.parameters = {parameter("warp.k1", "warp"), parameter("warp.k2", "warp"),
+                        parameter("weft.k1", "weft"), parameter("weft.k2", "weft")};
+  results.covariance = {{4, 3, 0, 0}, {3, 9, 0, 0}, {0, 0, 1, -0.5}, {0, 0, -0.5, 1}};
+  return results;
+}
+
+TEST(CorrelationBlocks, DivideTheCovarianceByTheStandardErrors) {
+  const auto blocks = correlation_blocks(two_components());
+  ASSERT_THAT(blocks, SizeIs(2));
+  EXPECT_THAT(blocks[0].values[0], ElementsAre(1.0, 0.5));
+  EXPECT_THAT(blocks[1].values[0], ElementsAre(1.0, -0.5));
+}
+
+TEST(CorrelationBlocks, KeepComponentsTogetherThatShareData) {
+  Results results = two_components();
+  results.covariance[0][2] = results.covariance[2][0] = 1.0;
+  EXPECT_THAT(correlation_blocks(results), SizeIs(1));
+}
+
+TEST(CorrelationBlocks, LeaveOutWhatIsFixedOrNotDetermined) {
+  Results results = two_components();
+  results.parameters[0].fixed = true;
+  results.parameters[2].identified = false;
+  EXPECT_THAT(correlation_blocks(results), IsEmpty());
+}
+
+TEST(CorrelationBlocks, HaveNoNumberWithoutAVariance) {
+  Results results = two_components();
+  results.covariance[1][1] = std::nan("");
+  const auto blocks = correlation_blocks(results);
+  EXPECT_TRUE(std::isnan(blocks[0].values[0][1]));
+}
+
+}  // namespace
+}  // namespace pliant::report

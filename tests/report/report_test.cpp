@@ -1,0 +1,103 @@
+#include "pliant/report/report.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/report/embedded_bundle.h"
+
+#include "report/sample_results.h"
+
+namespace pliant {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::SampleOptions;
+using testing::TemporaryFolder;
+using testing::write_sample_results;
+
+std::string report_of(const SampleOptions& options) {
+  const TemporaryFolder folder;
+  write_sample_results(folder.path(), options);
+  return make_report(folder.path());
+}
+
+/// The report less the drawing script, whose text is another project's.
+std::string own_text(std::string html) {
+  const std::string_view script = embedded_report_script();
+  const std::size_t begin = script.empty() ? std::string::npos : html.find(script);
+  if (begin != std::string::npos) html.erase(begin, script.size());
+  return html;
+}
+
+TEST(Report, OpensWithTheVerdict) {
+  EXPECT_THAT(
+      report_of({}),
+      HasSubstr("The material reproduces 5 of 5 fitted experiments within 1.2 % of peak "
+                "force or extension. 2 validation experiments are predicted within 5.7 % of peak "
+                "force."));
+}
+
+TEST(Report, NamesNothingOutsideItself) {
+  const std::string html = own_text(report_of({}));
+  for (const char* reference : {"http:", "https:", " src=", " href=", "@import", "url("}) {
+    EXPECT_THAT(html, Not(HasSubstr(reference)));
+  }
+}
+
+TEST(Report, ForbidsRequestsByItsSecurityPolicy) {
+  EXPECT_THAT(report_of({}), HasSubstr("content=\"default-src 'none';"));
+}
+
+TEST(Report, EscapesTextOfTheUser) {
+  const std::string html = own_text(
+      report_of({.name = "</title><script>alert(1)</script>", .warning = "<img src=x onerror=y>"}));
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, Not(HasSubstr("<img")));
+  EXPECT_THAT(html, HasSubstr("&lt;img src=x onerror=y&gt;"));
+}
+
+TEST(Report, ShowsNoUncertaintyForAParameterThatIsNotDetermined) {
+  EXPECT_THAT(report_of({}),
+              HasSubstr("<code>stretch.bias.friction.a</code><small>friction at zero strain</small>"
+                        "</td><td class=\"number\">(1.4)</td><td class=\"number\">–</td>"
+                        "<td class=\"number\">–</td><td>N/m</td><td class=\"number\">–</td>"
+                        "<td>not determined</td>"));
+}
+
+TEST(Report, DrawsNoFrictionThatIsNotDetermined) {
+  EXPECT_THAT(report_of({}),
+              HasSubstr("Its friction is not determined by the data and not drawn."));
+}
+
+TEST(Report, SaysWhenDataNeverUnload) {
+  EXPECT_THAT(report_of({.loading_only_bias = true}),
+              HasSubstr("<li>friction of stretch.bias: its data never unload</li>"));
+}
+
+TEST(Report, OfAnEvaluationHasNoCorrelationsAndPredictsEverything) {
+  const std::string html = report_of({.evaluation = true});
+  EXPECT_THAT(html, HasSubstr("jersey.json"));
+  EXPECT_THAT(html, Not(HasSubstr("Correlations of the estimates")));
+  EXPECT_THAT(html, Not(HasSubstr("<td>fitted</td>")));
+}
+
+TEST(Report, SaysHowManyPointsItDraws) {
+  EXPECT_THAT(report_of({.rows = 4'000, .rich = false}), HasSubstr(" of 4000 points drawn)"));
+}
+
+TEST(Report, RefusesAFolderWithoutResults) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(make_report(folder.path()), InputError);
+}
+
+TEST(SlowReport, StaysLightOnLongMeasurements) {
+  const std::string html = report_of({.rows = 100'000, .rich = false});
+  EXPECT_LT(html.size(), 5u << 20);  // what a mail server takes and a browser opens at once
+}
+
+}  // namespace
+}  // namespace pliant

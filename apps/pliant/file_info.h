@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace pliant {
+
+/// What `pliant info` says about a file: the same facts for programs and for people.
+struct FileInfo {
+  nlohmann::ordered_json json;        ///< SI units; starts with `file` and `type`
+  std::vector<std::string> lines;     ///< in units that read well
+  std::vector<std::string> warnings;  ///< also in `json`
+};
+
+/// An empty description that starts with what the file is, e.g. "study/1".
+FileInfo begin_info(const std::filesystem::path& path, const std::string& type);
+
+/// A line of `lines`: a label and what it is, in two columns; `indent` 1 for what belongs to the
+/// entry above.
+std::string labelled(std::string_view label, std::string_view text, int indent = 0);
+
+/// Finds out what a file or directory is, reads all of it with the reader that the commands use,
+/// and describes it.
+/// @throws InputError where it is none of Pliant's files, or where its reader refuses it
+FileInfo describe_file(const std::filesystem::path& path);
+
+// The kinds of file, each as `describe_file`.
+FileInfo study_info(const std::filesystem::path& path);
+FileInfo lab_info(const std::filesystem::path& path);
+FileInfo material_info(const std::filesystem::path& path);
+FileInfo csv_info(const std::filesystem::path& path);
+FileInfo u3m_file_info(const std::filesystem::path& path);
+FileInfo results_file_info(const std::filesystem::path& path);
+FileInfo directory_info(const std::filesystem::path& path);
+
+}  // namespace pliant

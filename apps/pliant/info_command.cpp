@@ -1,0 +1,58 @@
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/schema_text.h"
+
+#include "apps/pliant/command.h"
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+struct InfoArguments {
+  std::string file;
+  std::string schema;
+};
+
+void print_info(const CommandContext& context, const std::filesystem::path& file) {
+  const FileInfo info = describe_file(file);
+  // File names and vendors' texts need not be UTF-8; what is not is replaced rather than refused.
+  context.print_json(
+      info.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  for (const std::string& warning : info.warnings) {
+    context.run.progress.message(Level::warning, warning);
+  }
+  // The description is the result of this command, not a message about one.
+  if (context.common.json || context.common.quiet) return;
+  for (const std::string& line : info.lines) std::cout << line << '\n';
+}
+
+}  // namespace
+
+void add_info(CommandRegistry& registry) {
+  CLI::App& command = registry.add(
+      "info", "Say what a file is, its sizes, units and ranges, and whether it is valid");
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::Option* file = command.add_option(
+      "FILE", arguments->file,
+      "A study, material, lab, CSV or instrument file, or the results of another command");
+  command
+      .add_option("--schema", arguments->schema,
+                  "Print the JSON schema of a type of document instead")
+      ->check(CLI::IsMember(schema_types()))
+      ->excludes(file);
+  registry.on(command, [arguments](CommandContext& context) {
+    if (!arguments->schema.empty()) {
+      std::cout << schema_text(arguments->schema);
+    } else if (arguments->file.empty()) {
+      throw InputError({}, "no file is given", "pliant info FILE, or pliant info --schema TYPE");
+    } else {
+      print_info(context, arguments->file);
+    }
+  });
+}
+
+}  // namespace pliant

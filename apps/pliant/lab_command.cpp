@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "pliant/experiment/virtual_lab.h"
+#include "pliant/io/result_directory.h"
+#include "pliant/material/material_file.h"
+
+#include "apps/pliant/command.h"
+
+namespace pliant {
+namespace {
+
+struct LabArguments {
+  std::string lab;
+  std::string output;
+};
+
+void run_lab(const CommandContext& context, const LabArguments& arguments) {
+  const VirtualLab lab = read_lab(arguments.lab);
+  ResultDirectory results(arguments.output, "lab");
+  const auto files = make_measurements(lab, context.run);
+  for (const auto& [name, content] : files) results.write(name, content);
+  results.write("truth.json", material_text(lab.material));
+  results.commit();
+  context.say(fmt::format("{} virtual measurements of {} (seed {}): {}", files.size() - 1,
+                          lab.material.name, context.common.seed,
+                          (std::filesystem::path(arguments.output) / "study.yaml").string()));
+}
+
+}  // namespace
+
+void add_lab(CommandRegistry& registry) {
+  CLI::App& command = registry.add(
+      "lab", "Make virtual measurements of a given material, in the formats that `fit` reads");
+  auto arguments = std::make_shared<LabArguments>();
+  command.add_option("LAB", arguments->lab, "lab.yaml: material, experiments, noise")->required();
+  command.add_option("-o,--output", arguments->output, "Directory for the study (DIR)")->required();
+  registry.on(command, [arguments](CommandContext& context) { run_lab(context, *arguments); });
+}
+
+}  // namespace pliant

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/experiment/virtual_lab.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+
+Dimension peak_dimension(const std::string& type) {
+  if (type == "hanging-weights") return Dimension::force;
+  return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
+}
+
+std::string peaks_text(const LabExperiment& experiment) {
+  std::vector<std::string> texts;
+  for (const double peak : experiment.peaks) {
+    texts.push_back(format_quantity(peak, peak_dimension(experiment.type), kDigits));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string noise_text(const LabExperiment& experiment) {
+  const Dimension force =
+      experiment.type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
+  const auto text = [](double value, Dimension dimension) {
+    return value > 0 ? format_quantity(value, dimension, kDigits) : std::string("none");
+  };
+  const Instrument& instrument = experiment.instrument;
+  return fmt::format("noise: force {}, length {}; resolution: force {}, length {}",
+                     text(instrument.force_noise, force),
+                     text(instrument.length_noise, Dimension::length),
+                     text(instrument.force_resolution, force),
+                     text(instrument.length_resolution, Dimension::length));
+}
+
+Json experiment_json(const LabExperiment& experiment) {
+  const Instrument& instrument = experiment.instrument;
+  return {{"name", experiment.name},
+          {"type", experiment.type},
+          {"direction", experiment.direction},
+          {"peaks", experiment.peaks},
+          {"repeats", experiment.repeats},
+          {"force_noise", instrument.force_noise},
+          {"length_noise", instrument.length_noise},
+          {"force_resolution", instrument.force_resolution},
+          {"length_resolution", instrument.length_resolution}};
+}
+
+void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  const bool shear = experiment.type == "shear-cycles";
+  lines.push_back(labelled(
+      experiment.name, shear ? experiment.type : experiment.type + ", " + experiment.direction));
+  if (!shear) {
+    lines.push_back(
+        labelled("strip",
+                 fmt::format("{} long, {} wide",
+                             format_quantity(experiment.length, Dimension::length, kDigits),
+                             format_quantity(experiment.width, Dimension::length, kDigits)),
+                 1));
+  }
+  lines.push_back(labelled("peaks",
+                           fmt::format("{}; {} repeat{}", peaks_text(experiment),
+                                       experiment.repeats, experiment.repeats == 1 ? "" : "s"),
+                           1));
+  lines.push_back(labelled("instrument", noise_text(experiment), 1));
+}
+
+}  // namespace
+
+FileInfo lab_info(const std::filesystem::path& path) {
+  const VirtualLab lab = read_lab(path);
+  FileInfo info = begin_info(path, "lab/1");
+  info.json["name"] = lab.name;
+  info.json["material"] = lab.material.name;
+  info.json["specimens"] = lab.specimens;
+  info.json["specimen_variation"] = lab.specimen_variation;
+  info.json["experiments"] = Json::array();
+  info.lines.push_back(labelled("name", lab.name));
+  info.lines.push_back(labelled("material", lab.material.name));
+  info.lines.push_back(
+      labelled("specimens",
+               fmt::format("{}, parameters vary by {}", lab.specimens,
+                           format_quantity(lab.specimen_variation, Dimension::fraction, kDigits))));
+  for (const LabExperiment& experiment : lab.experiments) {
+    info.json["experiments"].push_back(experiment_json(experiment));
+    add_lines(experiment, info.lines);
+  }
+  info.json["warnings"] = info.warnings;
+  return info;
+}
+
+}  // namespace pliant

@@ -1,0 +1,237 @@
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/material/material_file.h"
+
+#include "apps/pliant/component_facts.h"
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+
+/// Units of a component and its numbers as texts: bending and membrane differ in all of them.
+struct ComponentUnits {
+  bool bending = false;
+
+  std::string stiffness_unit() const { return bending ? "N m" : "N/m"; }
+  std::string stress_unit() const { return bending ? "N" : "N/m"; }
+  std::string strain_unit() const { return bending ? "1/m" : "1"; }
+
+  std::string stiffness(double value) const {
+    return format_quantity(
+        value, bending ? Dimension::bending_stiffness : Dimension::force_per_length, kDigits);
+  }
+  std::string stress(double value) const {
+    return format_quantity(value, bending ? Dimension::force : Dimension::force_per_length,
+                           kDigits);
+  }
+  /// Bending strain is three times the curvature ([T] 5.2.1), which is what people know.
+  std::string strain(double value) const {
+    const std::string number = format_number(value, kDigits);
+    if (!bending) return number;
+    return fmt::format("{} 1/m (curvature {} 1/m)", number, format_number(value / 3, kDigits));
+  }
+};
+
+std::string interval_text(const StrainInterval& interval, const ComponentUnits& units) {
+  const bool open = std::isinf(interval.to);
+  if (interval.from == 0)
+    return open ? "at every strain" : "below strain " + units.strain(interval.to);
+  if (open) return "above strain " + units.strain(interval.from);
+  return fmt::format("from strain {} to {}", units.strain(interval.from),
+                     units.strain(interval.to));
+}
+
+std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
+  const std::vector<double>& values = curve.values();
+  switch (curve.kind()) {
+    case CurveKind::constant:
+      return "constant, k = " + units.stiffness(values[0]);
+    case CurveKind::affine:
+      return fmt::format("affine, k1 = {}, k2 = {} {}", units.stiffness(values[0]),
+                         format_number(values[1], kDigits), units.bending ? "N m^2" : "N/m");
+    case CurveKind::hermite:
+      return fmt::format("hermite, {} control points at strains from {} to {}{}", values.size(),
+                         format_number(curve.knots().front(), kDigits),
+                         units.strain(curve.knots().back()),
+                         curve.even() ? ", mirrored for negative strains" : "");
+  }
+  return "";
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json stiffness_json(const StiffnessAt& at) {
+  return {{"strain", at.strain},
+          {"secant", at.secant},
+          {"tangent", at.tangent},
+          {"secant_loading", at.loading}};
+}
+
+std::string stiffness_text(const StiffnessAt& at, const ComponentUnits& units) {
+  std::string text =
+      fmt::format("secant {}, tangent {}", units.stiffness(at.secant), units.stiffness(at.tangent));
+  if (at.loading != at.secant) {
+    text += fmt::format(", secant with friction while loading {}", units.stiffness(at.loading));
+  }
+  return text;
+}
+
+Json friction_json(const FrictionFacts& facts) {
+  Json json{{"a", facts.dahl.a},
+            {"b", facts.dahl.b},
+            {"tau", facts.dahl.tau},
+            {"persistent_strain_linear", nullptr},
+            {"saturation_strain", nullptr},
+            {"persistent_strain", nullptr}};
+  if (facts.appearance) {
+    json["persistent_strain_linear"] = facts.appearance->persistent;
+    json["saturation_strain"] = facts.appearance->saturation;
+  }
+  if (facts.persistent_strain) json["persistent_strain"] = *facts.persistent_strain;
+  json["snaps_while_unloading"] = Json::array();
+  for (const StrainInterval& interval : facts.snapping) {
+    json["snaps_while_unloading"].push_back({interval.from, number_or_null(interval.to)});
+  }
+  return json;
+}
+
+void add_friction_lines(const std::string& label, const FrictionFacts& facts,
+                        const ComponentUnits& units, std::vector<std::string>& lines) {
+  lines.push_back(labelled(label,
+                           fmt::format("a = {}, b = {}, tau = {}", units.stress(facts.dahl.a),
+                                       units.stiffness(facts.dahl.b), units.strain(facts.dahl.tau)),
+                           1));
+  if (facts.appearance) {
+    lines.push_back(labelled("persistent strain",
+                             fmt::format("{} by a and the stiffness at zero",
+                                         units.strain(facts.appearance->persistent)),
+                             2));
+  }
+  lines.push_back(labelled(
+      facts.appearance ? "" : "persistent strain",
+      facts.persistent_strain
+          ? units.strain(*facts.persistent_strain) + " by the whole law, after saturated unloading"
+          : "by the whole law friction holds every strain of the range",
+      2));
+  if (facts.appearance) {
+    lines.push_back(labelled("saturation strain", units.strain(facts.appearance->saturation), 2));
+  }
+}
+
+/// Bending is a function of |curvature|, so one side speaks for both.
+void warn_of_snapping(const std::string& name, const FrictionFacts& facts,
+                      const ComponentUnits& units, FileInfo& info) {
+  for (const StrainInterval& interval : facts.snapping) {
+    info.warnings.push_back(fmt::format(
+        "{} is not monotone on unloading {}: b outweighs the elastic tangent k + k' strain there; "
+        "the material itself snaps, a released specimen jumps",
+        name, interval_text(interval, units)));
+  }
+}
+
+void add_measured(const std::string& name, const MaterialComponent& component, FileInfo& info,
+                  Json& json) {
+  const ComponentUnits units{is_bending(name)};
+  const ComponentFacts facts = facts_of(component);
+  json["units"] = {{"stiffness", units.stiffness_unit()},
+                   {"friction", units.stress_unit()},
+                   {"strain", units.strain_unit()}};
+  json["stiffness"] = {{"curve", name_of(component.stiffness->kind())},
+                       {"at_zero", stiffness_json(facts.at_zero)},
+                       {"at_end", facts.at_end ? stiffness_json(*facts.at_end) : Json(nullptr)}};
+  auto& lines = info.lines;
+  lines.push_back(labelled("stiffness", curve_text(*component.stiffness, units), 1));
+  lines.push_back(labelled("at zero strain", units.stiffness(facts.at_zero.secant), 2));
+  if (facts.at_end) {
+    lines.push_back(labelled("at strain " + format_number(facts.at_end->strain, kDigits),
+                             stiffness_text(*facts.at_end, units), 2));
+  }
+  if (!facts.friction) {
+    json["friction"] = nullptr;
+    lines.push_back(labelled("friction", "none", 1));
+    return;
+  }
+  const bool sided = facts.negative_friction.has_value();
+  json["friction"] = friction_json(*facts.friction);
+  add_friction_lines(sided ? "friction, positive" : "friction", *facts.friction, units, lines);
+  warn_of_snapping(name, *facts.friction, units, info);
+  if (!sided) return;
+  json["negative_friction"] = friction_json(*facts.negative_friction);
+  add_friction_lines("friction, negative", *facts.negative_friction, units, lines);
+  warn_of_snapping(name + " (negative strain)", *facts.negative_friction, units, info);
+}
+
+Json component_info(const std::string& name, const MaterialComponent& component, FileInfo& info) {
+  const ComponentUnits units{is_bending(name)};
+  Json json{{"status", name_of(component.status)}, {"range", nullptr}};
+  std::string text(name_of(component.status));
+  if (component.range) {
+    json["range"] = {component.range->first, component.range->second};
+    text += fmt::format(", strains from {} to {}", format_number(component.range->first, kDigits),
+                        units.strain(component.range->second));
+  } else if (component.stiffness) {
+    text += ", no range of strains stated";
+  }
+  info.lines.push_back(labelled(name, text));
+  if (component.stiffness) add_measured(name, component, info, json);
+  return json;
+}
+
+std::string status_counts(const Material& material) {
+  std::map<ComponentStatus, int> counts;
+  for (const auto& [name, component] : material.components) ++counts[component.status];
+  std::vector<std::string> texts;
+  for (const auto& [status, count] : counts) {
+    texts.push_back(fmt::format("{} {}", count, name_of(status)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+FileInfo material_info(const std::filesystem::path& path) {
+  const Material material = read_material(path);
+  FileInfo info = begin_info(path, "material/1");
+  info.json["name"] = material.name;
+  info.json["kind"] = "cloth";
+  info.json["density"] = material.density > 0 ? Json(material.density) : Json(nullptr);
+  info.json["membrane"] = name_of(material.membrane);
+  info.json["bending"] = material.bending;
+  info.json["bending_of"] = material.bending_of;
+  info.lines.push_back(labelled("name", material.name));
+  info.lines.push_back(
+      labelled("density", material.density > 0
+                              ? format_quantity(material.density, Dimension::area_density, kDigits)
+                              : "not stated"));
+  info.lines.push_back(
+      labelled("strain measures",
+               fmt::format("membrane {}, bending {} of the {}", name_of(material.membrane),
+                           material.bending, material.bending_of)));
+  info.lines.push_back(labelled("components", status_counts(material)));
+  Json components = Json::object();
+  for (const auto& [name, component] : material.components) {
+    components[name] = component_info(name, component, info);
+  }
+  info.json["components"] = std::move(components);
+  if (material.damping_fraction) info.json["damping_fraction"] = *material.damping_fraction;
+  for (const auto* texts : {&material.info, &material.provenance}) {
+    for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));
+  }
+  info.json["info"] = material.info;
+  info.json["provenance"] = material.provenance;
+  info.json["warnings"] = info.warnings;
+  return info;
+}
+
+}  // namespace pliant

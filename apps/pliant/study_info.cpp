@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/estimation/component_fit.h"
+#include "pliant/experiment/data_source.h"
+#include "pliant/experiment/loop_metrics.h"
+#include "pliant/experiment/make_experiment.h"
+#include "pliant/experiment/study.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Experiments = std::vector<std::unique_ptr<Experiment>>;
+
+constexpr int kDigits = 4;
+
+/// A file that is missing is an error of the study that names it, at its line; all of them are
+/// named at once.
+void refuse_missing_data(const Study& study) {
+  std::vector<std::string> missing;
+  std::optional<Location> first;
+  for (const ExperimentSpec& spec : study.experiments) {
+    for (const std::filesystem::path& file : spec.data.files) {
+      if (std::filesystem::exists(file)) continue;
+      if (!first) first = spec.data.where;
+      missing.push_back(quoted_value(file.string()));
+    }
+  }
+  if (missing.empty()) return;
+  throw InputError(
+      *first,
+      fmt::format("{} {} not exist", fmt::join(missing, ", "), missing.size() == 1 ? "does" : "do"),
+      "existing files, named relative to the study");
+}
+
+double peak_force(const MeasuredPath& path) {
+  double peak = 0;
+  for (const double force : path.force) peak = std::max(peak, std::abs(force));
+  return peak;
+}
+
+int count_reversals(const MeasuredPath& path) {
+  int reversals = 0;
+  for (std::size_t i = 1; i < path.direction.size(); ++i) {
+    const bool same_specimen = path.specimen[i] == path.specimen[i - 1];
+    if (same_specimen && path.direction[i] != path.direction[i - 1]) ++reversals;
+  }
+  return reversals;
+}
+
+Json file_names(const DataSource& data) {
+  Json names = Json::array();
+  for (const auto& file : data.files) names.push_back(file.string());
+  return names;
+}
+
+Json spec_json(const ExperimentSpec& spec) {
+  const auto or_null = [](double value) { return value > 0 ? Json(value) : Json(nullptr); };
+  return {{"name", spec.name},
+          {"type", spec.type},
+          {"direction", spec.direction},
+          {"role", spec.role == ExperimentRole::fit ? "fit" : "validate"},
+          {"data", file_names(spec.data)},
+          {"length", or_null(spec.length)},
+          {"width", or_null(spec.width)}};
+}
+
+std::string heading(const ExperimentSpec& spec) {
+  return spec.direction.empty() ? spec.type : spec.type + ", " + spec.direction;
+}
+
+std::string specimens_text(const std::vector<std::string>& names) {
+  return names.size() == 1 ? "1 specimen"
+                           : fmt::format("{} specimens ({})", names.size(), fmt::join(names, ", "));
+}
+
+void add_strip(const ExperimentSpec& spec, std::vector<std::string>& lines) {
+  if (spec.length == 0 || spec.width == 0) return;
+  lines.push_back(labelled(
+      "strip",
+      fmt::format("{} long, {} wide", format_quantity(spec.length, Dimension::length, kDigits),
+                  format_quantity(spec.width, Dimension::length, kDigits)),
+      1));
+}
+
+/// A type that this version does not use: its rows, where they stand in CSV files.
+void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
+  info.lines.push_back(labelled(spec.name, heading(spec)));
+  add_strip(spec, info.lines);
+  json["rows"] = nullptr;
+  const bool csv = spec.type != "session" && spec.type != "image-poses";
+  if (csv) {
+    const DataRows data(spec.data);
+    json["rows"] = data.rows();
+    info.lines.push_back(
+        labelled("data", fmt::format("{}: {} rows", spec.data.written, data.rows()), 1));
+  }
+  info.warnings.push_back(
+      fmt::format("experiment {} ({}) is left out of fits: this version does not use its type yet",
+                  spec.name, spec.type));
+}
+
+void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, FileInfo& info,
+                      Json& json) {
+  const ExperimentInfo& about = experiment.info();
+  const MeasuredPath& path = experiment.path();
+  const auto used = std::count(about.used.begin(), about.used.end(), 1);
+  const auto [low, high] = std::minmax_element(path.strain.begin(), path.strain.end());
+  const bool per_width = about.quantity.kind == "force per width";
+  const bool loop = unloads(path);
+  std::vector<std::string> along;
+  for (const NuisanceParameter& parameter : experiment.nuisance()) along.push_back(parameter.name);
+
+  json["component"] = about.component;
+  json["rows"] = experiment.rows();
+  json["used_rows"] = used;
+  json["specimens"] = about.specimens;
+  json["peak_force"] = peak_force(path);
+  json["peak_force_unit"] = per_width ? "N/m" : "N";
+  json["strain_range"] = {*low, *high};
+  json["unloads"] = loop;
+  json["reversals"] = count_reversals(path);
+  json["estimated_along"] = along;
+  json["handled"] = about.handled;
+
+  auto& lines = info.lines;
+  lines.push_back(labelled(
+      spec.name, fmt::format("{}, {} {}", heading(spec),
+                             spec.role == ExperimentRole::fit ? "fitted: determines"
+                                                              : "predicted, not fitted: needs",
+                             about.component)));
+  add_strip(spec, lines);
+  lines.push_back(labelled("data",
+                           fmt::format("{}: {} rows, {} used, {}", spec.data.written,
+                                       experiment.rows(), used, specimens_text(about.specimens)),
+                           1));
+  lines.push_back(
+      labelled("peak force",
+               format_quantity(peak_force(path),
+                               per_width ? Dimension::force_per_length : Dimension::force, kDigits),
+               1));
+  lines.push_back(labelled(
+      "strain",
+      fmt::format("{} to {}", format_number(*low, kDigits), format_number(*high, kDigits)), 1));
+  lines.push_back(labelled(
+      "unloads", fmt::format("{}; {} reversals", loop ? "yes" : "no", count_reversals(path)), 1));
+  if (!along.empty()) {
+    lines.push_back(labelled("estimated along", fmt::format("{}", fmt::join(along, ", ")), 1));
+  }
+  for (const std::string& text : about.handled) lines.push_back(labelled("", text, 1));
+  for (const std::string& warning : about.warnings) {
+    info.warnings.push_back(spec.name + ": " + warning);
+  }
+}
+
+Experiments add_experiments(const Study& study, FileInfo& info) {
+  Experiments experiments;
+  info.json["experiments"] = Json::array();
+  for (const ExperimentSpec& spec : study.experiments) {
+    Json json = spec_json(spec);
+    if (is_supported_type(spec.type)) {
+      experiments.push_back(make_experiment(spec, study.density, study.model.membrane));
+      add_measurements(spec, *experiments.back(), info, json);
+    } else {
+      add_unused(spec, info, json);
+    }
+    info.json["experiments"].push_back(std::move(json));
+  }
+  return experiments;
+}
+
+FrictionChoice friction_choice(const Study& study, const std::string& component) {
+  const auto found = study.model.components.find(component);
+  const bool own = found != study.model.components.end() && found->second.friction;
+  return own ? *found->second.friction : study.model.friction;
+}
+
+std::string friction_reason(FrictionChoice choice, bool data_unloads) {
+  if (choice == FrictionChoice::none) return "as the study says";
+  if (choice == FrictionChoice::automatic) {
+    return data_unloads ? "the data unloads"
+                        : "the data only loads, and friction shows when it unloads";
+  }
+  return data_unloads ? "as the study says"
+                      : "as the study says, but the data only loads and does not determine it";
+}
+
+/// What `fit` does with the experiments of one component.
+void add_plan(const Study& study, const std::string& component,
+              const std::vector<const Experiment*>& fitted, FileInfo& info) {
+  std::vector<std::string> notes;
+  const ComponentPlan plan = plan_component(study, fitted, notes);
+  const bool data_unloads =
+      std::any_of(fitted.begin(), fitted.end(),
+                  [](const Experiment* experiment) { return unloads(experiment->path()); });
+  const std::string reason = friction_reason(friction_choice(study, component), data_unloads);
+  const std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
+  std::vector<std::string> names;
+  for (const Experiment* experiment : fitted) names.push_back(experiment->info().name);
+
+  Json json{{"component", component},
+            {"experiments", names},
+            {"stiffness", name_of(plan.stiffness)},
+            {"friction", friction},
+            {"friction_because", reason}};
+  std::string stiffness = fmt::format("{} stiffness", name_of(plan.stiffness));
+  if (plan.stiffness == CurveKind::hermite) {
+    json["control_points"] = plan.fit.control_points;
+    const bool grows = plan.fit.estimator == EstimatorKind::path;
+    stiffness +=
+        fmt::format(" of {}{} control points", grows ? "up to " : "", plan.fit.control_points);
+  }
+  info.json["fit"]["components"].push_back(std::move(json));
+  info.lines.push_back(labelled(component,
+                                fmt::format("{}, friction {} ({}), from {}", stiffness, friction,
+                                            reason, fmt::join(names, ", ")),
+                                1));
+}
+
+void add_plans(const Study& study, const Experiments& experiments, FileInfo& info) {
+  const std::string estimator = study.fit.estimator == EstimatorKind::path ? "path" : "anchor";
+  info.json["fit"] = {{"estimator", estimator}, {"components", Json::array()}};
+  info.lines.push_back(labelled("fit", "estimator " + estimator));
+  for (const std::string& component : cloth_component_names()) {
+    std::vector<const Experiment*> fitted;
+    bool validated = false;
+    for (const auto& experiment : experiments) {
+      if (experiment->info().component != component) continue;
+      validated = validated || experiment->info().role == ExperimentRole::validate;
+      if (experiment->info().role == ExperimentRole::fit) fitted.push_back(experiment.get());
+    }
+    if (!fitted.empty()) {
+      add_plan(study, component, fitted, info);
+    } else if (validated) {
+      info.warnings.push_back(component + " has validation experiments alone: not fitted");
+    }
+  }
+  if (!info.json["fit"]["components"].empty()) return;
+  info.warnings.push_back("no experiment that this version can fit");
+  info.lines.push_back(labelled("", "nothing: no experiment that this version can fit", 1));
+}
+
+void add_head(const Study& study, FileInfo& info) {
+  info.json["name"] = study.name;
+  info.json["density"] = study.density > 0 ? Json(study.density) : Json(nullptr);
+  info.json["info"] = study.info;
+  info.json["conditions"] = study.conditions;
+  info.lines.push_back(labelled("name", study.name));
+  info.lines.push_back(
+      labelled("density", study.density > 0
+                              ? format_quantity(study.density, Dimension::area_density, kDigits)
+                              : "not stated"));
+  for (const auto* texts : {&study.info, &study.conditions}) {
+    for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));
+  }
+}
+
+}  // namespace
+
+FileInfo study_info(const std::filesystem::path& path) {
+  const Study study = read_study(path);
+  refuse_missing_data(study);
+  FileInfo info = begin_info(path, "study/1");
+  add_head(study, info);
+  const Experiments experiments = add_experiments(study, info);
+  add_plans(study, experiments, info);
+  info.json["warnings"] = info.warnings;
+  return info;
+}
+
+}  // namespace pliant

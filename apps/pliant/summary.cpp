@@ -1,0 +1,49 @@
+#include "apps/pliant/summary.h"
+
+#include <fmt/format.h>
+
+namespace pliant {
+namespace {
+
+std::string uncertainty_text(const ParameterEstimate& p) {
+  if (p.fixed) return "fixed";
+  if (p.at_bound) return "at its bound";
+  if (!p.identified) return "not determined";
+  return fmt::format("+- {:.2g}", *p.std_error);
+}
+
+std::string error_text(const ExperimentResult& e) {
+  std::string text = fmt::format("{:.2f} % of peak", e.rms_percent);
+  if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
+  if (e.elastic_percent && e.quantity.kind != "length") {
+    text += fmt::format(" (best elastic curve: {:.2f} %)", *e.elastic_percent);
+  }
+  return text;
+}
+
+}  // namespace
+
+void say_experiments(const CommandContext& context, const StudyResult& result) {
+  for (const ExperimentResult& e : result.experiments) {
+    context.say(fmt::format(
+        "{:<24} {:<9} {} rows, peak {:.3g} {}, strain to {:.3g}: error {}", e.name,
+        e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points, e.peak_force,
+        e.quantity.kind == "force per width" ? "N/m" : "N", e.strain_range.second, error_text(e)));
+  }
+  for (const std::string& warning : result.warnings) {
+    context.run.progress.message(Level::warning, warning);
+  }
+}
+
+void say_fit(const CommandContext& context, const StudyResult& result) {
+  say_experiments(context, result);
+  for (const ParameterEstimate& p : result.parameters) {
+    context.say(fmt::format("{:<32} {:>10.5g} {:<4} {}", p.name, p.value,
+                            p.unit == "1" ? "" : p.unit, uncertainty_text(p)));
+  }
+  for (const std::string& what : result.undetermined) {
+    context.run.progress.message(Level::warning, "not determined by the data: " + what);
+  }
+}
+
+}  // namespace pliant

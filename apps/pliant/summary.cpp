@@ -41,6 +41,17 @@ void say_fit(const CommandContext& context, const StudyResult& result) {
     context.say(fmt::format("{:<32} {:>10.5g} {:<4} {}", p.name, p.value,
                             p.unit == "1" ? "" : p.unit, uncertainty_text(p)));
   }
+  for (const ModelRank& m : result.models) {
+    context.say(fmt::format("{:<14} {:<32} {:.2f} % of peak, {} parameters, BIC {:+.1f}",
+                            m.component, m.name, m.rms_percent, m.parameters, m.delta_bic));
+  }
+  for (const Profile& p : result.profiles) {
+    const auto end = [](const std::optional<double>& value) {
+      return value ? fmt::format("{:.4g}", *value) : std::string("open");
+    };
+    context.say(fmt::format("{:<32} 95 % interval by its profile: {} to {} {}", p.parameter,
+                            end(p.lower), end(p.upper), p.unit == "1" ? "" : p.unit));
+  }
   for (const std::string& what : result.undetermined) {
     context.run.progress.message(Level::warning, "not determined by the data: " + what);
   }

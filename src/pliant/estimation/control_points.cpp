@@ -9,8 +9,9 @@
 namespace pliant {
 namespace {
 
-constexpr double kWorthwhileFall = 0.01;    // [T] 3.4.2
-constexpr double kOutlierShare = 0.001;     // of the strains, before the range is taken
+constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
+constexpr double kOutlierShare = 0.001;   // of the strains, before the range is taken
+constexpr double kFromZero = 0.05;        // of the range: data that begins below it begins at zero
 constexpr double kSmallestInterval = 0.02;  // of the range
 
 struct DataStrains {
@@ -33,7 +34,8 @@ DataStrains data_strains(const ComponentProblem& problem, bool even) {
   if (strains.sorted.empty()) strains.sorted.push_back(problem.largest_strain());
   const auto last = static_cast<double>(strains.sorted.size() - 1);
   strains.high = strains.sorted[static_cast<size_t>(std::floor(last * (1 - kOutlierShare)))];
-  strains.low = even ? 0 : strains.sorted[static_cast<size_t>(std::ceil(last * kOutlierShare))];
+  strains.low = strains.sorted[static_cast<size_t>(std::ceil(last * kOutlierShare))];
+  if (even || strains.low < kFromZero * strains.high) strains.low = 0;
   return strains;
 }
 

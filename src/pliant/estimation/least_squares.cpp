@@ -1,5 +1,6 @@
 #include "pliant/estimation/least_squares.h"
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -7,6 +8,9 @@
 
 namespace pliant {
 namespace {
+
+constexpr double kTouchShare = 1e-9;  // of the scale: nearer than this is at the bound
+constexpr int kBoundRounds = 10;
 
 // The free parameters in units of their scale.
 class ScaledParameters {
@@ -99,11 +103,9 @@ ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
   return solver;
 }
 
-}  // namespace
-
-LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
-                                        const Eigen::VectorXd& start,
-                                        const LeastSquaresOptions& options, const StopToken& stop) {
+LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
+                                    const Eigen::VectorXd& start,
+                                    const LeastSquaresOptions& options, const StopToken& stop) {
   stop.throw_if_requested();
   const ScaledParameters parameters(problem, start);
   std::vector<double> values = parameters.scaled();
@@ -143,6 +145,55 @@ LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
   summary.converged = report.termination_type == ceres::CONVERGENCE;
   summary.iterations = static_cast<int>(report.iterations.size());
   summary.message = report.message;
+  return summary;
+}
+
+// 1 for each free parameter at a bound against which the cost pushes it.
+std::vector<char> pressed_to_bounds(const LeastSquaresProblem& problem, const Eigen::VectorXd& p) {
+  std::vector<char> pressed(static_cast<size_t>(p.size()), 0);
+  Eigen::VectorXd residual(problem.residuals);
+  Eigen::MatrixXd jacobian;
+  if (!problem.evaluate(p, residual, &jacobian)) return pressed;
+  const Eigen::VectorXd gradient = jacobian.transpose() * residual;
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    if (problem.lower(i) == problem.upper(i)) continue;
+    const double touch = kTouchShare * problem.scale(i);
+    const bool below = p(i) - problem.lower(i) <= touch && gradient(i) > 0;
+    const bool above = problem.upper(i) - p(i) <= touch && gradient(i) < 0;
+    pressed[static_cast<size_t>(i)] = below || above;
+  }
+  return pressed;
+}
+
+LeastSquaresProblem with_held(LeastSquaresProblem problem, const Eigen::VectorXd& p,
+                              const std::vector<char>& held) {
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    if (!held[static_cast<size_t>(i)]) continue;
+    const bool at_lower = p(i) - problem.lower(i) < problem.upper(i) - p(i);
+    (at_lower ? problem.upper : problem.lower)(i) = (at_lower ? problem.lower : problem.upper)(i);
+  }
+  return problem;
+}
+
+}  // namespace
+
+LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
+                                        const Eigen::VectorXd& start,
+                                        const LeastSquaresOptions& options, const StopToken& stop) {
+  LeastSquaresSummary summary = solve_in_bounds(problem, start, options, stop);
+  if (!std::isfinite(summary.cost)) return summary;
+  // Ceres clips its steps to the bounds and can stall beside one: what is pressed to a bound is
+  // held there and the rest solved again, until a solution presses what was held for it.
+  std::vector<char> held(static_cast<size_t>(start.size()), 0);
+  for (int round = 0; round < kBoundRounds; ++round) {
+    const std::vector<char> pressed = pressed_to_bounds(problem, summary.parameters);
+    if (pressed == held) break;
+    held = pressed;
+    const int iterations = summary.iterations;
+    summary = solve_in_bounds(with_held(problem, summary.parameters, held), summary.parameters,
+                              options, stop);
+    summary.iterations += iterations;
+  }
   return summary;
 }
 

@@ -40,6 +40,20 @@ std::map<std::string, std::string> read_texts(Fields& fields, std::string_view k
   return texts;
 }
 
+// Free texts, but temperature and humidity are quantities that name their unit.
+std::map<std::string, std::string> read_conditions(Fields& fields) {
+  std::map<std::string, std::string> conditions;
+  if (auto node = fields.optional("conditions")) {
+    Fields inner = node->fields();
+    for (auto& [name, value] : inner.all()) {
+      if (name == "temperature") value.quantity(Dimension::temperature);
+      if (name == "humidity") value.quantity(Dimension::fraction);
+      conditions[name] = value.text();
+    }
+  }
+  return conditions;
+}
+
 Defaults read_defaults(Fields& fields) {
   Defaults defaults;
   const auto node = fields.optional("defaults");
@@ -336,7 +350,7 @@ Study read_study(const std::filesystem::path& path) {
     study.density = positive_quantity(*v, Dimension::area_density);
   }
   study.info = read_texts(fields, "info");
-  study.conditions = read_texts(fields, "conditions");
+  study.conditions = read_conditions(fields);
   const Defaults defaults = read_defaults(fields);
   study.experiments = read_experiments(fields.require("experiments"), defaults);
   study.model = read_model(fields);

@@ -38,8 +38,8 @@ struct Turn {
   double value = 0;
 };
 
-// At even speed the nearer neighbour of the extreme sample lies across the turn: when that is the sample before it, the
-// extreme sample itself came after the turn.
+// At even speed the nearer neighbour of the extreme sample lies across the turn: when that is the
+// sample before it, the extreme sample itself came after the turn.
 Turn turn_near(std::span<const double> path, int extreme, int direction) {
   const auto at = [&](int k) { return path[static_cast<size_t>(k)]; };
   const double s = direction;

@@ -16,12 +16,12 @@ struct Stretch {
 
 /// Splits a sampled path into monotone stretches.
 ///
-/// A reversal smaller than `threshold` is noise and does not count. The first stretch begins at sample 0, each
-/// other at the sample after the last one before its turning point.
+/// A reversal smaller than `threshold` is noise and does not count. The first stretch begins at
+/// sample 0, each other at the sample after the last one before its turning point.
 ///
-/// Where samples are dense the path turned between two of them: between the extreme sample e and its nearer neighbour n. For
-/// an even speed v a sample apart the turning value is (x[e] + x[n] + v) / 2 on a rise, never less than the
-/// extreme sample.
+/// Where samples are dense the path turned between two of them: between the extreme sample e and
+/// its nearer neighbour n. For an even speed v a sample apart the turning value is (x[e] + x[n] +
+/// v) / 2 on a rise, never less than the extreme sample.
 /// @param path  at least one value
 std::vector<Stretch> monotone_stretches(std::span<const double> path, double threshold);
 

@@ -35,7 +35,7 @@ bool is_even(std::string_view component) { return is_bending(component) || compo
 const std::vector<std::string>& cloth_component_names() {
   static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "stretch.bias",
                                               "shear",        "bend.weft",    "bend.warp",
-                                              "bend.bias",    "bend.diagonal"};
+                                              "bend.diagonal"};
   return names;
 }
 

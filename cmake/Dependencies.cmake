@@ -9,7 +9,6 @@ find_package(nlohmann_json QUIET)
 find_package(OpenSSL QUIET)
 find_package(Eigen3 QUIET)
 find_package(CLI11 QUIET)
-find_package(spdlog QUIET)
 
 # Ceres' own module for SuiteSparse lists every library it finds, QUIET or not.
 block(SCOPE_FOR VARIABLES)

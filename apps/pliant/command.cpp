@@ -5,6 +5,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace pliant {
 
@@ -22,6 +23,12 @@ void CommandContext::say(const std::string& line) const { run.progress.message(L
 
 void CommandContext::print_json(const std::string& text) const {
   if (common.json) std::cout << text << std::flush;
+}
+
+void CommandContext::print_written_json(const std::string& command,
+                                        const std::filesystem::path& file) const {
+  const nlohmann::ordered_json json{{"command", command}, {"written", file.string()}};
+  print_json(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 CLI::App& CommandRegistry::add(const std::string& name, const std::string& description) {

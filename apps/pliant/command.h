@@ -34,6 +34,8 @@ struct CommandContext {
   void say(const std::string& line) const;
   /// Prints a result summary on standard output when `--json` was given.
   void print_json(const std::string& text) const;
+  /// The same for a command whose result is a file: {"command": ..., "written": FILE}.
+  void print_written_json(const std::string& command, const std::filesystem::path& file) const;
 };
 
 /// A command of the program: its options, and what it does with them.

@@ -123,8 +123,9 @@ void add_other(const CsvTable& table, const std::string& header, FileInfo& info)
     text = "numbers, " + range_text(*numbers, "");
   } else {
     const std::set<std::string> different(cells.begin(), cells.end());
-    json["different_texts"] = different.size();
-    text = fmt::format("texts, {} different", different.size());
+    const bool empty = different.size() == 1 && different.begin()->empty();
+    json["different_texts"] = empty ? 0 : different.size();
+    text = empty ? "empty" : fmt::format("texts, {} different", different.size());
   }
   info.json["columns"].push_back(std::move(json));
   info.lines.push_back(labelled(header, text, 1));

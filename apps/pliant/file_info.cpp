@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLabelWidth = 20;
+constexpr int kLabelWidth = 28;
 
 enum class Syntax { yaml, json, csv };
 

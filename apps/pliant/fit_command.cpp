@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/study_fit.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/report/report.h"
@@ -20,8 +23,26 @@ struct FitArguments {
   std::string compare;
 };
 
-void fit_one(const CommandContext& context, const FitArguments& arguments,
-             const std::filesystem::path& study_file, const std::filesystem::path& output) {
+bool is_unknown(const StudyResult& result, const std::string& pattern) {
+  const auto named = [&](const ParameterEstimate& p) { return matches(pattern, p.name); };
+  return std::none_of(result.parameters.begin(), result.parameters.end(), named) &&
+         std::none_of(result.nuisance.begin(), result.nuisance.end(), named);
+}
+
+// Which parameters there are is known after the fit: a curve's control points are grown.
+void refuse_unknown_profiles(const std::vector<std::string>& patterns, const StudyResult& result) {
+  for (const std::string& pattern : patterns) {
+    if (!is_unknown(result, pattern)) continue;
+    std::vector<std::string> names;
+    for (const ParameterEstimate& p : result.parameters) names.push_back(p.name);
+    throw InputError({"--profile", 0, ""}, quoted_value(pattern) + " matches no parameter",
+                     fmt::format("{}, or a pattern with *", fmt::join(names, ", ")));
+  }
+}
+
+/// @return fit.json's text
+std::string fit_one(const CommandContext& context, const FitArguments& arguments,
+                    const std::filesystem::path& study_file, const std::filesystem::path& output) {
   ResultDirectory results(output, "fit");
   const StudyFile file = study_or_imported(context, study_file, results);
   Study study = read_study(file.path);
@@ -32,6 +53,7 @@ void fit_one(const CommandContext& context, const FitArguments& arguments,
   options.compare_friction = arguments.compare == "friction";
   options.profiles = arguments.profiles;
   const StudyResult result = fit_study(study, options, context.run);
+  refuse_unknown_profiles(options.profiles, result);
 
   const RunFacts facts = run_facts(context, study_file);
   for (const auto& [name, content] : fit_files(result, facts)) results.write(name, content);
@@ -41,7 +63,37 @@ void fit_one(const CommandContext& context, const FitArguments& arguments,
 
   say_fit(context, result);
   context.say(fmt::format("report: {}", (output / "report.html").string()));
-  context.print_json(summary_text(result, facts, true));
+  return summary_text(result, facts, true);
+}
+
+// Folders of the studies' results: DIR itself for one, else one in it for each.
+std::vector<std::filesystem::path> output_folders(const FitArguments& arguments) {
+  const std::filesystem::path directory = arguments.output;
+  if (arguments.studies.size() == 1) return {directory};
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& study : arguments.studies) {
+    const std::filesystem::path folder = directory / folder_name(study);
+    if (std::find(folders.begin(), folders.end(), folder) != folders.end()) {
+      throw InputError({study, 0, ""},
+                       "a second study whose results would go to " + quoted_value(folder.string()),
+                       "studies of different names, or one command for each");
+    }
+    folders.push_back(folder);
+  }
+  return folders;
+}
+
+void fit_all(const CommandContext& context, const FitArguments& arguments) {
+  const std::vector<std::filesystem::path> folders = output_folders(arguments);
+  std::string summaries;
+  for (size_t i = 0; i < folders.size(); ++i) {
+    const std::string summary = fit_one(context, arguments, arguments.studies[i], folders[i]);
+    if (i > 0) summaries += ",";
+    summaries += summary;
+  }
+  context.print_json(folders.size() == 1
+                         ? summaries
+                         : "{\"pliant\": \"fits/1\", \"fits\": [" + summaries + "]}\n");
 }
 
 }  // namespace
@@ -69,13 +121,7 @@ void add_fit(CommandRegistry& registry) {
       .add_option("--compare", arguments->compare,
                   "friction: fit its other parameterisations too and rank them by AIC and BIC")
       ->check(CLI::IsMember({"friction"}));
-  registry.on(command, [arguments](CommandContext& context) {
-    for (const std::string& study : arguments->studies) {
-      std::filesystem::path output = arguments->output;
-      if (arguments->studies.size() > 1) output /= folder_name(study);
-      fit_one(context, *arguments, study, output);
-    }
-  });
+  registry.on(command, [arguments](CommandContext& context) { fit_all(context, *arguments); });
 }
 
 }  // namespace pliant

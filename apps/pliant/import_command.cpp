@@ -49,6 +49,7 @@ void add_import(CommandRegistry& registry) {
     }
     context.say(fmt::format("study: {}",
                             (std::filesystem::path(arguments->output) / "study.yaml").string()));
+    context.print_written_json("import", std::filesystem::path(arguments->output) / "study.yaml");
   });
 }
 

@@ -30,6 +30,7 @@ void add_init(CommandRegistry& registry) {
         fmt::format("{} is ready: read PROTOCOL.md, fill in the CSV, then "
                     "`pliant fit {}/study.yaml -o RESULTS`",
                     *output, *output));
+    context.print_written_json("init", std::filesystem::path(*output) / "study.yaml");
   });
 }
 

@@ -24,6 +24,7 @@ void run_lab(const CommandContext& context, const LabArguments& arguments) {
   context.say(fmt::format("{} virtual measurements of {} (seed {}): {}", files.size() - 1,
                           lab.material.name, context.common.seed,
                           (std::filesystem::path(arguments.output) / "study.yaml").string()));
+  context.print_written_json("lab", std::filesystem::path(arguments.output) / "study.yaml");
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ std::string noise_text(const LabExperiment& experiment) {
                      text(instrument.length_resolution, Dimension::length));
 }
 
+std::string specimens_text(const VirtualLab& lab) {
+  if (lab.specimen_variation == 0) return fmt::format("{}", lab.specimens);
+  return fmt::format("{}, whose parameters vary by {}", lab.specimens,
+                     format_quantity(lab.specimen_variation, Dimension::fraction, kDigits));
+}
+
 Json experiment_json(const LabExperiment& experiment) {
   const Instrument& instrument = experiment.instrument;
   return {{"name", experiment.name},
@@ -85,10 +91,7 @@ FileInfo lab_info(const std::filesystem::path& path) {
   info.json["experiments"] = Json::array();
   info.lines.push_back(labelled("name", lab.name));
   info.lines.push_back(labelled("material", lab.material.name));
-  info.lines.push_back(
-      labelled("specimens",
-               fmt::format("{}, parameters vary by {}", lab.specimens,
-                           format_quantity(lab.specimen_variation, Dimension::fraction, kDigits))));
+  info.lines.push_back(labelled("specimens", specimens_text(lab)));
   for (const LabExperiment& experiment : lab.experiments) {
     info.json["experiments"].push_back(experiment_json(experiment));
     add_lines(experiment, info.lines);

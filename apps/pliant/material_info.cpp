@@ -37,7 +37,7 @@ struct ComponentUnits {
   }
   /// Bending strain is three times the curvature ([T] 5.2.1), which is what people know.
   std::string strain(double value) const {
-    const std::string number = format_number(value, kDigits);
+    std::string number = format_number(value, kDigits);
     if (!bending) return number;
     return fmt::format("{} 1/m (curvature {} 1/m)", number, format_number(value / 3, kDigits));
   }
@@ -112,24 +112,16 @@ void add_friction_lines(const std::string& label, const FrictionFacts& facts,
                            fmt::format("a = {}, b = {}, tau = {}", units.stress(facts.dahl.a),
                                        units.stiffness(facts.dahl.b), units.strain(facts.dahl.tau)),
                            1));
-  if (facts.appearance) {
-    lines.push_back(labelled("persistent strain",
-                             fmt::format("{} by a and the stiffness at zero",
-                                         units.strain(facts.appearance->persistent)),
-                             2));
-  }
-  lines.push_back(labelled(
-      facts.appearance ? "" : "persistent strain",
-      facts.persistent_strain
-          ? units.strain(*facts.persistent_strain) + " by the whole law, after saturated unloading"
-          : "by the whole law friction holds every strain of the range",
-      2));
-  if (facts.appearance) {
-    lines.push_back(labelled("saturation strain", units.strain(facts.appearance->saturation), 2));
-  }
+  lines.push_back(labelled("persistent strain",
+                           facts.persistent_strain ? units.strain(*facts.persistent_strain) +
+                                                         ", after saturated unloading"
+                                                   : "friction holds every strain of the range",
+                           2));
+  if (!facts.appearance) return;
+  lines.push_back(labelled("  by a and k(0) alone", units.strain(facts.appearance->persistent), 2));
+  lines.push_back(labelled("saturation strain", units.strain(facts.appearance->saturation), 2));
 }
 
-/// Bending is a function of |curvature|, so one side speaks for both.
 void warn_of_snapping(const std::string& name, const FrictionFacts& facts,
                       const ComponentUnits& units, FileInfo& info) {
   for (const StrainInterval& interval : facts.snapping) {
@@ -209,6 +201,7 @@ FileInfo material_info(const std::filesystem::path& path) {
   info.json["membrane"] = name_of(material.membrane);
   info.json["bending"] = material.bending;
   info.json["bending_of"] = material.bending_of;
+  if (!material.bending_mesh.empty()) info.json["bending_mesh"] = material.bending_mesh;
   info.lines.push_back(labelled("name", material.name));
   info.lines.push_back(
       labelled("density", material.density > 0
@@ -218,6 +211,9 @@ FileInfo material_info(const std::filesystem::path& path) {
       labelled("strain measures",
                fmt::format("membrane {}, bending {} of the {}", name_of(material.membrane),
                            material.bending, material.bending_of)));
+  if (!material.bending_mesh.empty()) {
+    info.lines.push_back(labelled("mesh of the hinges", material.bending_mesh));
+  }
   info.lines.push_back(labelled("components", status_counts(material)));
   Json components = Json::object();
   for (const auto& [name, component] : material.components) {

@@ -20,6 +20,7 @@ void add_report(CommandRegistry& registry) {
     }
     write_file_atomically(file, make_report(*directory));
     context.say(fmt::format("report: {}", file.string()));
+    context.print_written_json("report", file);
   });
 }
 

@@ -93,10 +93,11 @@ void add_strip(const ExperimentSpec& spec, std::vector<std::string>& lines) {
       1));
 }
 
-/// A type that this version does not use: its rows, where they stand in CSV files.
+/// A type that this version does not use: its fields, and its rows where they stand in CSV files.
 void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
-  info.lines.push_back(labelled(spec.name, heading(spec)));
-  add_strip(spec, info.lines);
+  info.lines.push_back(labelled(spec.name, spec.type));
+  for (const auto& [key, text] : spec.other_fields) info.lines.push_back(labelled(key, text, 1));
+  json["fields"] = spec.other_fields;
   json["rows"] = nullptr;
   const bool csv = spec.type != "session" && spec.type != "image-poses";
   if (csv) {
@@ -157,7 +158,7 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
   if (!along.empty()) {
     lines.push_back(labelled("estimated along", fmt::format("{}", fmt::join(along, ", ")), 1));
   }
-  for (const std::string& text : about.handled) lines.push_back(labelled("", text, 1));
+  for (const std::string& text : about.handled) lines.push_back(labelled("handled", text, 1));
   for (const std::string& warning : about.warnings) {
     info.warnings.push_back(spec.name + ": " + warning);
   }

@@ -15,12 +15,12 @@ using ::testing::HasSubstr;
 
 // Two values of three arguments with scales six orders of magnitude apart.
 Eigen::VectorXd values(const Eigen::VectorXd& x) {
-  return Eigen::Vector2d(x(0) * std::exp(x(1)), std::sin(x(1)) + 1e6 * x(2) * x(2));
+  return Eigen::Vector2d(x(0) * std::exp(x(1)), std::sin(x(1)) + 1e12 * x(2) * x(2));
 }
 
 Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) {
   Eigen::MatrixXd result(2, 3);
-  result << std::exp(x(1)), x(0) * std::exp(x(1)), 0, 0, std::cos(x(1)), 2e6 * x(2);
+  result << std::exp(x(1)), x(0) * std::exp(x(1)), 0, 0, std::cos(x(1)), 2e12 * x(2);
   return result;
 }
 
@@ -39,10 +39,10 @@ TEST(CheckDerivatives, PointsAtTheWrongEntry) {
   Eigen::MatrixXd wrong = jacobian(kPoint);
   wrong(1, 2) *= 1.001;
   const DerivativeCheck check = check_derivatives(values, wrong, kPoint, kScale);
-  EXPECT_GT(check.error, 1e-7);
+  EXPECT_GT(check.error, 1e-4);
   EXPECT_EQ(check.value, 1);
   EXPECT_EQ(check.argument, 2);
-  EXPECT_THAT(check.describe(), HasSubstr("d value[1] / d argument[2] is 6.006"));
+  EXPECT_THAT(check.describe(), HasSubstr("d value[1] / d argument[2] is 6006000,"));
 }
 
 TEST(CheckDerivatives, AValueThatIsNoNumberIsInfinitelyWrong) {

@@ -36,21 +36,23 @@ ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem
   return shape;
 }
 
-bool needs_noise_rounds(const ComponentProblem& problem) {
+bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
   const bool length_noise = std::any_of(
       problem.experiments().begin(), problem.experiments().end(), [](const Experiment* experiment) {
         return experiment->info().length_noise && experiment->info().quantity.kind != "length";
       });
-  return length_noise || problem.experiments().size() > 1;
+  // A prior is weighed against the noise of the data.
+  const bool prior = std::any_of(fit.limits.priors.begin(), fit.limits.priors.end(),
+                                 [](const auto& p) { return p.has_value(); });
+  return length_noise || prior || problem.experiments().size() > 1;
 }
 
 // Weights and solution depend on each other where several experiments or both channels carry noise.
 void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop) {
   for (int round = 0; round < kNoiseRounds; ++round) {
     const double change = problem.update_noise(fit.law, fit.nuisance);
-    if (!needs_noise_rounds(problem)) return;
-    fit = refit(problem, fit, stop);
-    if (change < kNoiseSettled) return;
+    fit = refit(problem, fit, stop);  // its cost is in units of the new noise from here on
+    if (change < kNoiseSettled || !needs_noise_rounds(problem, fit)) return;
   }
 }
 

@@ -10,7 +10,7 @@ namespace pliant {
 /// One step of growing a stiffness curve.
 struct GrowthStage {
   int control_points = 0;
-  double rms = 0;  ///< of the weighted residuals
+  double rms = 0;  ///< of the weighted residuals, per degree of freedom
   bool accepted = false;
 };
 

@@ -1,5 +1,6 @@
 #include "pliant/estimation/law_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,7 +55,9 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
   fit.solution = solution;
   fit.law = shape.with_parameters(solution.parameters);
   fit.nuisance = solution.parameters.tail(solution.parameters.size() - shape.parameter_count());
-  fit.rms = std::sqrt(2 * solution.cost / residuals);
+  const auto free = ((fit.limits.upper - fit.limits.lower).array() > 0).count();
+  fit.rms =
+      std::sqrt(2 * solution.cost / std::max<double>(residuals - static_cast<double>(free), 1));
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ struct LawFit {
   Eigen::VectorXd nuisance;
   ParameterLimits limits;
   LeastSquaresSummary solution;
-  double rms = 0;  ///< root mean square of the weighted residuals
+  double rms = 0;  ///< of the weighted residuals, per degree of freedom: a useless parameter does
+                   ///< not lower it
   int starts_tried = 0;
   int starts_reached = 0;  ///< starts that ended within 0.1 % of the best cost
 };

@@ -9,8 +9,9 @@
 namespace pliant {
 namespace {
 
-constexpr double kBoundShare = 1e-6;  // of the scale: nearer than this counts as at the bound
-constexpr double kRankShare = 1e-12;  // singular values below this share of the largest are zero
+constexpr double kBoundShare = 1e-6;   // of the scale: nearer than this counts as at the bound
+constexpr double kRankShare = 1e-12;   // singular values below this share of the largest are zero
+constexpr double kUnseenShare = 1e-6;  // of a unit vector
 constexpr double kIdentifiedShare = 0.05;  // of the scale
 
 bool is_at_bound(const LawFit& fit, Eigen::Index i) {
@@ -60,14 +61,75 @@ bool all_noise_is_stated(const ComponentProblem& problem) {
                      [](const RowNoise& noise) { return noise.stated; });
 }
 
+using Svd = Eigen::BDCSVD<Eigen::MatrixXd>;
+
+Uncertainty nothing_known(Eigen::Index count) {
+  Uncertainty result;
+  result.covariance = Eigen::MatrixXd::Zero(count, count);
+  result.std_error = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
+  result.half_width = result.std_error;
+  result.at_bound.assign(static_cast<size_t>(count), 0);
+  result.identified.assign(static_cast<size_t>(count), 0);
+  return result;
+}
+
+// Unknowns that are neither fixed nor at a bound; those at a bound are marked.
+std::vector<Eigen::Index> free_unknowns(const LawFit& fit, Uncertainty& result) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < fit.solution.parameters.size(); ++i) {
+    const auto index = static_cast<size_t>(i);
+    if (fit.limits.fixed[index]) continue;
+    result.at_bound[index] = is_at_bound(fit, i) ? 1 : 0;
+    if (!result.at_bound[index]) free.push_back(i);
+  }
+  return free;
+}
+
+// 1 / s^2 of the singular values that are not zero for rounding, else 0.
+Eigen::VectorXd inverse_squares(const Eigen::VectorXd& singular_values) {
+  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(singular_values.size());
+  for (Eigen::Index i = 0; i < inverse.size(); ++i) {
+    const double s = singular_values(i);
+    if (s > kRankShare * singular_values(0)) inverse(i) = 1 / (s * s);
+  }
+  return inverse;
+}
+
+// Whether the unknown takes part in a direction that the data does not see.
+bool is_unseen(const Svd& svd, const Eigen::VectorXd& inverse, Eigen::Index unknown) {
+  for (Eigen::Index k = 0; k < inverse.size(); ++k) {
+    if (inverse(k) == 0 && std::abs(svd.matrixV()(unknown, k)) > kUnseenShare) return true;
+  }
+  return false;
+}
+
+// How far the residuals scatter, and how many of them are independent. False where they cannot
+// tell: with as many unknowns as rows they vanish whatever the noise.
+bool measure_scatter(const ComponentProblem& problem, const Eigen::VectorXd& residual,
+                     size_t unknowns, bool noise_is_stated, Uncertainty& result) {
+  const double spare = static_cast<double>(residual.size()) - static_cast<double>(unknowns);
+  if (spare < 0 || (spare == 0 && !noise_is_stated)) return false;
+  result.degrees_of_freedom = std::max(spare, 1.0);
+  result.variance = residual.squaredNorm() / result.degrees_of_freedom;
+  if (noise_is_stated) result.variance = std::max(result.variance, 1.0);
+  result.correlation_length = correlation_length(problem, residual);
+  return true;
+}
+
+// Correlated rows leave fewer independent residuals to judge the noise by.
+double quantile_of(const Uncertainty& result) {
+  return student_quantile_95(std::max(result.degrees_of_freedom / result.correlation_length, 1.0));
+}
+
 }  // namespace
 
 double student_quantile_95(double degrees_of_freedom) {
   const double z = 1.959963984540054;
   const double n = std::max(degrees_of_freedom, 1.0);
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z, z9 = z7 * z * z;
   return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n) +
+         (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / (92160 * n * n * n * n);
 }
 
 Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
@@ -78,76 +140,35 @@ Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& 
 Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
                                    const ComponentProblem& problem, const LawFit& fit,
                                    bool noise_is_stated) {
-  const Eigen::Index count = fit.solution.parameters.size();
-  Uncertainty result;
-  result.covariance = Eigen::MatrixXd::Zero(count, count);
-  result.std_error = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
-  result.half_width = result.std_error;
-  result.at_bound.assign(static_cast<size_t>(count), 0);
-  result.identified.assign(static_cast<size_t>(count), 0);
-
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto index = static_cast<size_t>(i);
-    if (fit.limits.fixed[index]) continue;
-    if (is_at_bound(fit, i)) {
-      result.at_bound[index] = 1;
-    } else {
-      free.push_back(i);
-    }
-  }
+  Uncertainty result = nothing_known(fit.solution.parameters.size());
+  const std::vector<Eigen::Index> free = free_unknowns(fit, result);
   Eigen::VectorXd residual(least_squares.residuals);
   Eigen::MatrixXd jacobian;
   if (free.empty() || !least_squares.evaluate(fit.solution.parameters, residual, &jacobian)) {
     return result;
   }
-
-  Eigen::MatrixXd scaled = jacobian(Eigen::all, free);
   const Eigen::VectorXd scale = fit.limits.scale(free);
-  scaled = scaled * scale.asDiagonal();
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Svd svd(jacobian(Eigen::all, free) * scale.asDiagonal(),
+                Eigen::ComputeThinU | Eigen::ComputeThinV);
   result.singular_values = svd.singularValues();
+  if (!measure_scatter(problem, residual, free.size(), noise_is_stated, result)) return result;
 
-  result.degrees_of_freedom =
-      std::max<double>(least_squares.residuals - static_cast<double>(free.size()), 1);
-  result.variance = residual.squaredNorm() / result.degrees_of_freedom;
-  if (noise_is_stated) result.variance = std::max(result.variance, 1.0);
-  result.correlation_length = correlation_length(problem, residual);
-  // Correlated rows leave fewer independent residuals to judge the noise by.
-  const double independent = std::max(result.degrees_of_freedom / result.correlation_length, 1.0);
-
-  const double largest = result.singular_values(0);
-  Eigen::VectorXd inverse_square = Eigen::VectorXd::Zero(result.singular_values.size());
-  bool full_rank = true;
-  for (Eigen::Index i = 0; i < inverse_square.size(); ++i) {
-    const double s = result.singular_values(i);
-    if (s > kRankShare * largest) {
-      inverse_square(i) = 1 / (s * s);
-    } else {
-      full_rank = false;
-    }
-  }
-  const Eigen::MatrixXd covariance =
-      result.variance * result.correlation_length *
-      (svd.matrixV() * inverse_square.asDiagonal() * svd.matrixV().transpose());
-  const double quantile = student_quantile_95(independent);
+  const Eigen::VectorXd inverse = inverse_squares(result.singular_values);
+  const Eigen::MatrixXd inverse_normal =
+      svd.matrixV() * inverse.asDiagonal() * svd.matrixV().transpose();
+  result.covariance(free, free) = result.variance * result.correlation_length *
+                                  (scale.asDiagonal() * inverse_normal * scale.asDiagonal());
+  const double quantile = quantile_of(result);
   for (size_t i = 0; i < free.size(); ++i) {
+    const Eigen::Index unknown = free[i];
     const auto row = static_cast<Eigen::Index>(i);
-    // A direction that the data does not see makes every parameter in it unknown.
-    bool unseen = false;
-    for (Eigen::Index k = 0; !full_rank && k < inverse_square.size(); ++k) {
-      unseen = unseen || (inverse_square(k) == 0 && std::abs(svd.matrixV()(row, k)) > 1e-6);
-    }
-    for (size_t j = 0; j < free.size(); ++j) {
-      const auto column = static_cast<Eigen::Index>(j);
-      result.covariance(free[i], free[j]) = covariance(row, column) * scale(row) * scale(column);
-    }
-    if (unseen) continue;
-    result.std_error(free[i]) = std::sqrt(result.covariance(free[i], free[i]));
-    result.half_width(free[i]) = quantile * result.std_error(free[i]);
+    if (is_unseen(svd, inverse, row)) continue;
+    result.std_error(unknown) = std::sqrt(result.covariance(unknown, unknown));
+    result.half_width(unknown) = quantile * result.std_error(unknown);
     const double tolerated =
-        std::max(std::abs(fit.solution.parameters(free[i])), kIdentifiedShare * scale(row));
-    result.identified[static_cast<size_t>(free[i])] = result.half_width(free[i]) < tolerated;
+        std::max(std::abs(fit.solution.parameters(unknown)), kIdentifiedShare * scale(row));
+    result.identified[static_cast<size_t>(unknown)] =
+        result.half_width(unknown) < tolerated ? 1 : 0;
   }
   return result;
 }

@@ -27,6 +27,8 @@ struct Uncertainty {
 /// stated), L the integrated autocorrelation of the residuals along the path, so that densely
 /// sampled model error does not count as independent noise. Intervals use Student's t.
 ///
+/// Without a stated noise, as many rows as unknowns determine nothing: all standard errors are NaN.
+///
 /// A parameter is identified when its 95 % interval excludes zero or is narrower than 5 % of its
 /// scale in the data, and it is neither fixed nor at a bound.
 Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit);
@@ -39,7 +41,8 @@ Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
                                    const ComponentProblem& problem, const LawFit& fit,
                                    bool noise_is_stated);
 
-/// Two-sided 95 % quantile of Student's t (expansion in 1 / degrees of freedom; 1e-3 from 5 on).
+/// Two-sided 95 % quantile of Student's t (expansion in 1 / degrees of freedom; within
+/// 1e-3 from 4 on, 1 % at 2, 11 % too small at 1).
 double student_quantile_95(double degrees_of_freedom);
 
 }  // namespace pliant

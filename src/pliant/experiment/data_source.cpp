@@ -1,6 +1,7 @@
 #include "pliant/experiment/data_source.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace pliant {
@@ -28,6 +29,29 @@ std::vector<fs::path> find_files(const Value& value, const std::string& written)
   if (files.empty())
     value.fail(quoted_value(written) + " matches no file", "an existing file or pattern");
   return files;
+}
+
+int row_count(const CsvTable& table) { return static_cast<int>(table.rows()); }
+
+// Runs of equal values in the column `specimen`.
+std::vector<SpecimenRows> specimens_of_column(const CsvTable& table, int first) {
+  const std::vector<std::string> names = table.texts("specimen");
+  std::vector<SpecimenRows> specimens;
+  std::set<std::string> seen;
+  for (int i = 0; i < row_count(table); ++i) {
+    const std::string& name = names[static_cast<size_t>(i)];
+    if (!specimens.empty() && name == specimens.back().name) {
+      ++specimens.back().count;
+      continue;
+    }
+    if (!seen.insert(name).second) {
+      throw InputError({table.file(), table.line(static_cast<size_t>(i)), "specimen"},
+                       "specimen " + quoted_value(name) + " comes a second time",
+                       "the rows of a specimen one after the other, as measured");
+    }
+    specimens.push_back({name, first + i, 1});
+  }
+  return specimens;
 }
 
 }  // namespace
@@ -104,30 +128,22 @@ std::optional<std::vector<std::string>> DataRows::optional_texts(std::string_vie
 
 std::vector<SpecimenRows> DataRows::specimens() const {
   std::vector<SpecimenRows> specimens;
+  std::map<std::string, int> times;
   int first = 0;
   for (const CsvTable& table : tables_) {
     const std::string file = fs::path(table.file()).stem().string();
-    const int count = static_cast<int>(table.rows());
-    if (!table.has("specimen")) {
-      specimens.push_back({file, first, count});
-    } else {
-      const std::vector<std::string> names = table.texts("specimen");
-      std::set<std::string> seen;
-      for (int i = 0; i < count; ++i) {
-        const std::string& name = names[static_cast<size_t>(i)];
-        if (i > 0 && name == names[static_cast<size_t>(i - 1)]) {
-          ++specimens.back().count;
-          continue;
-        }
-        if (!seen.insert(name).second) {
-          throw InputError({table.file(), table.line(static_cast<size_t>(i)), "specimen"},
-                           "specimen " + quoted_value(name) + " comes a second time",
-                           "the rows of a specimen one after the other, as measured");
-        }
-        specimens.push_back({name, first + i, 1});
-      }
-    }
-    first += count;
+    const std::vector<SpecimenRows> own =
+        table.has("specimen") ? specimens_of_column(table, first)
+                              : std::vector<SpecimenRows>{{file, first, row_count(table)}};
+    for (const SpecimenRows& specimen : own) ++times[specimen.name];
+    specimens.insert(specimens.end(), own.begin(), own.end());
+    first += row_count(table);
+  }
+  // Files that number their specimens alike: the file's name tells them apart.
+  for (SpecimenRows& specimen : specimens) {
+    if (times[specimen.name] == 1) continue;
+    const std::string file = fs::path(location(specimen.first, "").file).stem().string();
+    specimen.name = file + "." + specimen.name;
   }
   return specimens;
 }

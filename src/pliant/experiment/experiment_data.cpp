@@ -55,7 +55,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
 void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least) {
   for (const SpecimenRows& specimen : specimens) {
     if (specimen.count >= least) continue;
-    Location where = data.location(specimen.first, "");
+    const Location where = data.location(specimen.first, "");
     throw InputError(where,
                      fmt::format("specimen {} has {} row{}", quoted_value(specimen.name),
                                  specimen.count, specimen.count == 1 ? "" : "s"),

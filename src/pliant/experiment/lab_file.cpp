@@ -1,3 +1,6 @@
+#include <set>
+
+#include "pliant/experiment/experiment_name.h"
 #include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
@@ -40,10 +43,11 @@ Dimension peak_dimension(const std::string& type) {
   return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
 }
 
-LabExperiment read_experiment(const Value& node) {
+LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   Fields fields = node.fields();
   LabExperiment experiment;
-  experiment.name = fields.require("name").text();
+  experiment.where = node.location();
+  experiment.name = read_experiment_name(fields.require("name"), names);
   experiment.type =
       fields.require("type").choice({"hanging-weights", "tensile-cycles", "shear-cycles"});
   const bool shear = experiment.type == "shear-cycles";
@@ -96,9 +100,10 @@ VirtualLab read_lab(const std::filesystem::path& path) {
   if (auto v = fields.optional("specimen_variation")) {
     lab.specimen_variation = at_least_zero(*v, Dimension::fraction);
   }
+  std::set<std::string> names;
   const Value list = fields.require("experiments");
   for (const Value& node : list.items()) {
-    LabExperiment experiment = read_experiment(node);
+    LabExperiment experiment = read_experiment(node, names);
     if (!law_of(lab.material,
                 experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction)) {
       node.fail("needs a component that the material " + quoted_value(lab.material.name) +

@@ -78,12 +78,13 @@ bool unloads(const MeasuredPath& path) {
 std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path,
                                         double width, double length) {
   const std::vector<Branch> branches = branches_of(series, path);
+  const double range = series.abscissa.maxCoeff() - series.abscissa.minCoeff();
   const Branch* load = nullptr;
   const Branch* unload = nullptr;
   for (size_t i = 0; i + 1 < branches.size(); ++i) {
     const Branch &up = branches[i], &down = branches[i + 1];
     if (up.direction != 1 || down.direction != -1 || up.specimen != down.specimen) continue;
-    if (down.reach() < kUnloadingShare * up.reach()) continue;
+    if (down.reach() < kUnloadingShare * range) continue;
     if (load != nullptr && down.reach() <= unload->reach()) continue;
     load = &up;
     unload = &down;

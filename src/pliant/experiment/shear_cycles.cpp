@@ -41,9 +41,10 @@ void ShearCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& s
   specimen.rows = rows;
   specimen.rested = spec.initial_friction == InitialFriction::rest;
   specimen.first_nuisance = static_cast<int>(nuisance_.size());
-  const std::span<const double> strains(strain_.data() + rows.first,
-                                        static_cast<size_t>(rows.count));
-  specimen.stretches = monotone_stretches(strains, reversal_threshold(strains, 0));
+  // The machine moves the angle at even speed, not its sine.
+  const std::span<const double> angles(angle_.data() + rows.first, static_cast<size_t>(rows.count));
+  specimen.stretches = monotone_stretches(angles, reversal_threshold(angles, 0));
+  for (Stretch& stretch : specimen.stretches) stretch.turn = std::sin(stretch.turn);
 
   const size_t number = specimens_.size();
   const double peak = measured_.segment(rows.first, rows.count).cwiseAbs().maxCoeff();

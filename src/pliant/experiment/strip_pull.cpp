@@ -27,7 +27,9 @@ class StripWalk {
 
   bool start(double length) {
     const double strain = strain_at(geometry_, length);
-    slack_ = strain < 0;
+    // A strip cannot push: where the stress at the start would, it is slack as well.
+    slack_ = strain < 0 ||
+             law_.elastic_stress(strain) + setup_.initial_friction * law_.max_friction(strain) < 0;
     const auto point = slack_ ? slack_start() : taut_start(strain, strain_gradient(length));
     if (!point) return false;
     path_ = FrictionPath(law_, *point);

@@ -5,13 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/data_source.h"
+#include "pliant/experiment/experiment_name.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 
 namespace pliant {
 namespace {
+
+constexpr long kMostRows = 1'000'000'000;
 
 // Defaults of `defaults:`; zero where nothing was said.
 struct Defaults {
@@ -70,18 +74,15 @@ ExcludedRows read_excluded_rows(const Value& node) {
   ExcludedRows rows;
   const Value range = fields.require("rows");
   const std::string text = range.text();
-  const size_t dash = text.find('-');
-  try {
-    rows.first = std::stoi(text);
-    rows.last = dash == std::string::npos ? rows.first : std::stoi(text.substr(dash + 1));
-  } catch (const std::exception&) {
+  const size_t dash = std::min(text.find('-'), text.size());
+  const auto first = parse_integer(text.substr(0, dash));
+  const auto last = dash == text.size() ? first : parse_integer(text.substr(dash + 1));
+  if (!first || !last || *first < 1 || *last < *first || *last > kMostRows) {
     range.fail(quoted_value(text) + " is no range of rows",
                "FIRST-LAST, counted from 1, e.g. 12-18");
   }
-  if (rows.first < 1 || rows.last < rows.first) {
-    range.fail(quoted_value(text) + " is no range of rows",
-               "FIRST-LAST, counted from 1, e.g. 12-18");
-  }
+  rows.first = static_cast<int>(*first);
+  rows.last = static_cast<int>(*last);
   rows.reason = fields.require("reason").text();
   fields.finish();
   return rows;
@@ -111,42 +112,21 @@ std::string read_type(const Value& value) {
   return value.choice(views);
 }
 
-bool is_stretch_type(const std::string& type) {
-  return type == "hanging-weights" || type == "tensile-cycles";
-}
-
-void read_geometry(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
+void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   const auto read = [&](std::string_view key, double fallback) {
     if (auto v = fields.optional(key)) return positive_quantity(*v, Dimension::length);
-    if (fallback == 0 && is_stretch_type(spec.type)) fields.require(key);
+    if (fallback == 0) fields.require(key);
     return fallback;
   };
+  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
   spec.length = read("length", defaults.length);
   spec.width = read("width", defaults.width);
 }
 
-void read_stretch_fields(Fields& fields, ExperimentSpec& spec) {
-  if (auto v = fields.optional("clip_mass")) {
-    spec.clip_mass = quantity_from_zero(*v, Dimension::mass);
-  }
-  if (auto v = fields.optional("pretension")) {
-    spec.pretension = quantity_from_zero(*v, Dimension::force);
-  }
-  if (auto v = fields.optional("apparatus_friction")) {
-    spec.apparatus_friction = quantity_from_zero(*v, Dimension::force);
-  }
-  if (auto v = fields.optional("precondition_cycles")) {
-    spec.precondition_cycles = v->integer(0, 1000);
-  }
-}
-
-InitialFriction read_initial_friction(Fields& fields, const std::string& type) {
-  const bool unknown_by_default = type == "tensile-cycles" || type == "shear-cycles";
-  if (auto v = fields.optional("initial_friction")) {
-    return v->choice({"unknown", "rest"}) == "rest" ? InitialFriction::rest
-                                                    : InitialFriction::unknown;
-  }
-  return unknown_by_default ? InitialFriction::unknown : InitialFriction::rest;
+InitialFriction read_initial_friction(Fields& fields) {
+  const auto v = fields.optional("initial_friction");
+  const bool rest = v && v->choice({"unknown", "rest"}) == "rest";
+  return rest ? InitialFriction::rest : InitialFriction::unknown;
 }
 
 RestLength read_rest_length(Fields& fields, double pretension) {
@@ -156,30 +136,62 @@ RestLength read_rest_length(Fields& fields, double pretension) {
   return pretension > 0 ? RestLength::unknown : RestLength::known;
 }
 
-std::string read_direction(Fields& fields, const std::string& type) {
-  if (is_stretch_type(type)) return fields.require("direction").choice({"warp", "weft", "bias"});
-  if (auto v = fields.optional("direction")) return v->choice({"warp", "weft", "bias"});
-  return "";
+void read_hanging_weights(Fields& fields, ExperimentSpec& spec) {
+  if (auto v = fields.optional("clip_mass")) {
+    spec.clip_mass = quantity_from_zero(*v, Dimension::mass);
+  }
+  if (auto v = fields.optional("rested")) spec.rested = v->flag();
 }
 
-ExperimentSpec read_experiment(const Value& node, const Defaults& defaults) {
-  Fields fields = node.fields();
-  ExperimentSpec spec;
-  spec.where = node.location();
-  spec.name = fields.require("name").text();
-  spec.type = read_type(fields.require("type"));
-  spec.direction = read_direction(fields, spec.type);
-  if (auto v = fields.optional("standard")) spec.standard = v->text();
-  if (auto v = fields.optional("side")) spec.side = v->choice({"up", "down"});
-  spec.data = read_data_source(fields.require("data"));
-  read_geometry(fields, defaults, spec);
-  read_stretch_fields(fields, spec);
+void read_tensile_cycles(Fields& fields, ExperimentSpec& spec) {
+  if (auto v = fields.optional("pretension")) {
+    spec.pretension = quantity_from_zero(*v, Dimension::force);
+  }
+  if (auto v = fields.optional("apparatus_friction")) {
+    spec.apparatus_friction = quantity_from_zero(*v, Dimension::force);
+  }
+  if (auto v = fields.optional("precondition_cycles")) {
+    spec.precondition_cycles = v->integer(0, 1000);
+  }
+  spec.initial_friction = read_initial_friction(fields);
+  spec.rest_length = read_rest_length(fields, spec.pretension);
+}
+
+void read_shear_cycles(Fields& fields, ExperimentSpec& spec) {
   if (auto v = fields.optional("transverse_tension")) {
     spec.transverse_tension = quantity_from_zero(*v, Dimension::force_per_length);
   }
-  if (auto v = fields.optional("rested")) spec.rested = v->flag();
-  spec.initial_friction = read_initial_friction(fields, spec.type);
-  if (spec.type == "tensile-cycles") spec.rest_length = read_rest_length(fields, spec.pretension);
+  spec.initial_friction = read_initial_friction(fields);
+}
+
+// The fields that belong to the type; those of types for later are kept as they are.
+void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
+  if (spec.type == "hanging-weights") {
+    read_strip(fields, defaults, spec);
+    read_hanging_weights(fields, spec);
+  } else if (spec.type == "tensile-cycles") {
+    read_strip(fields, defaults, spec);
+    read_tensile_cycles(fields, spec);
+  } else if (spec.type == "shear-cycles") {
+    read_shear_cycles(fields, spec);
+  } else {
+    for (auto& [key, value] : fields.all()) {
+      if (!value.is_scalar()) continue;
+      if (key != "name" && key != "type" && key != "data") spec.other_fields[key] = value.text();
+    }
+  }
+}
+
+ExperimentSpec read_experiment(const Value& node, const Defaults& defaults,
+                               std::set<std::string>& names) {
+  Fields fields = node.fields();
+  ExperimentSpec spec;
+  spec.where = node.location();
+  spec.name = read_experiment_name(fields.require("name"), names);
+  spec.type = read_type(fields.require("type"));
+  spec.data = read_data_source(fields.require("data"));
+  read_type_fields(fields, defaults, spec);
+  if (auto v = fields.optional("standard")) spec.standard = v->text();
   if (auto v = fields.optional("noise")) spec.noise = read_noise(*v, spec.type);
   if (auto v = fields.optional("exclude")) {
     for (const Value& rows : v->items()) spec.excluded.push_back(read_excluded_rows(rows));
@@ -188,28 +200,10 @@ ExperimentSpec read_experiment(const Value& node, const Defaults& defaults) {
   return spec;
 }
 
-void refuse_unsafe_name(const Value& node, const std::string& name) {
-  const bool safe =
-      !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-        return std::isalnum(c) || c == '-' || c == '_' || c == '.' || c >= 128;
-      });
-  if (!safe) {
-    node.fail(quoted_value(name) + " is no name for an experiment",
-              "letters, digits, `-`, `_` and `.`: results are files of that name");
-  }
-}
-
 std::vector<ExperimentSpec> read_experiments(const Value& list, const Defaults& defaults) {
   std::vector<ExperimentSpec> specs;
   std::set<std::string> names;
-  for (const Value& node : list.items()) {
-    ExperimentSpec spec = read_experiment(node, defaults);
-    refuse_unsafe_name(node, spec.name);
-    if (!names.insert(spec.name).second) {
-      node.fail("a second experiment is called " + quoted_value(spec.name), "a name of its own");
-    }
-    specs.push_back(std::move(spec));
-  }
+  for (const Value& node : list.items()) specs.push_back(read_experiment(node, defaults, names));
   if (specs.empty()) list.fail("has no experiment", "at least one");
   return specs;
 }
@@ -242,12 +236,15 @@ ModelOptions read_model(Fields& study) {
   Fields fields = node->fields();
   if (auto v = fields.optional("kind")) v->choice({"cloth"});
   if (auto v = fields.optional("membrane")) {
-    model.membrane = v->choice({"stvk", "soft-constraint"}) == "stvk"
-                         ? MembraneMeasure::stvk
-                         : MembraneMeasure::soft_constraint;
+    model.membrane = membrane_measure(v->choice({"stvk", "soft-constraint", "spring"}));
   }
   if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells"});
-  if (auto v = fields.optional("variant")) v->choice({"nonlinear-orthotropic"});
+  // Components are fitted one by one here: the isotropic variants have nothing to share.
+  if (auto v = fields.optional("variant")) {
+    if (v->choice({"nonlinear-orthotropic", "linear-orthotropic"}) == "linear-orthotropic") {
+      model.stiffness = CurveKind::constant;
+    }
+  }
   if (auto v = fields.optional("stiffness")) model.stiffness = read_curve_kind(*v);
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
@@ -327,15 +324,23 @@ bool is_supported_type(std::string_view type) {
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() == '*') {
-    for (size_t skip = 0; skip <= name.size(); ++skip) {
-      if (matches(pattern.substr(1), name.substr(skip))) return true;
+  size_t p = 0, n = 0;
+  size_t star = std::string_view::npos, resume = 0;  // the last `*`, and where its text may end
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
     }
-    return false;
   }
-  return !name.empty() && pattern.front() == name.front() &&
-         matches(pattern.substr(1), name.substr(1));
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 Study read_study(const std::filesystem::path& path) {

@@ -52,7 +52,6 @@ struct ExperimentSpec {
   std::string type;
   std::string direction;  ///< warp, weft, bias; empty where the type has none
   std::string standard;
-  std::string side;  ///< buckling-bend: up or down
   DataSource data;
   double length = 0;  ///< gauge length
   double width = 0;
@@ -67,6 +66,7 @@ struct ExperimentSpec {
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   ExperimentRole role = ExperimentRole::fit;
+  std::map<std::string, std::string> other_fields;  ///< of types that this version does not use
   Location where;
 };
 

@@ -1,15 +1,15 @@
 #include <yaml-cpp/yaml.h>
 
+#include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/study.h"
 
 namespace pliant {
 namespace {
 
-constexpr int kDigits = 15;
-
+// In the SI unit, with the digits that read back to the same number.
 std::string text_of(double si, Dimension dimension) {
-  return format_quantity(si, dimension, kDigits);
+  return format_number(si) + " " + si_unit(dimension);
 }
 
 std::string_view name_of(FrictionChoice choice) {
@@ -59,31 +59,44 @@ YAML::Node noise_node(const StatedNoise& noise, bool shear) {
   return node;
 }
 
-YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::path& directory) {
-  const bool stretch = spec.type == "hanging-weights" || spec.type == "tensile-cycles";
-  YAML::Node node;
-  node["name"] = spec.name;
-  node["type"] = spec.type;
-  if (!spec.direction.empty()) node["direction"] = spec.direction;
-  if (!spec.side.empty()) node["side"] = spec.side;
-  if (!spec.standard.empty()) node["standard"] = spec.standard;
-  node["data"] = data_node(spec.data, directory);
-  if (spec.length > 0) node["length"] = text_of(spec.length, Dimension::length);
-  if (spec.width > 0) node["width"] = text_of(spec.width, Dimension::length);
-  if (stretch) {
+void add_strip(const ExperimentSpec& spec, YAML::Node& node) {
+  node["direction"] = spec.direction;
+  node["length"] = text_of(spec.length, Dimension::length);
+  node["width"] = text_of(spec.width, Dimension::length);
+}
+
+void add_initial_friction(const ExperimentSpec& spec, YAML::Node& node) {
+  const bool rest = spec.initial_friction == InitialFriction::rest;
+  node["initial_friction"] = rest ? "rest" : "unknown";
+}
+
+void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
+  if (spec.type == "hanging-weights") {
+    add_strip(spec, node);
     node["clip_mass"] = text_of(spec.clip_mass, Dimension::mass);
+    node["rested"] = spec.rested;
+  } else if (spec.type == "tensile-cycles") {
+    add_strip(spec, node);
     node["pretension"] = text_of(spec.pretension, Dimension::force);
     node["apparatus_friction"] = text_of(spec.apparatus_friction, Dimension::force);
     node["precondition_cycles"] = spec.precondition_cycles;
-  }
-  if (spec.type == "shear-cycles") {
-    node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
-  }
-  node["rested"] = spec.rested;
-  node["initial_friction"] = spec.initial_friction == InitialFriction::rest ? "rest" : "unknown";
-  if (spec.type == "tensile-cycles") {
     node["rest_length"] = spec.rest_length == RestLength::known ? "known" : "unknown";
+    add_initial_friction(spec, node);
+  } else if (spec.type == "shear-cycles") {
+    node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
+    add_initial_friction(spec, node);
+  } else {
+    for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }
+}
+
+YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::path& directory) {
+  YAML::Node node;
+  node["name"] = spec.name;
+  node["type"] = spec.type;
+  node["data"] = data_node(spec.data, directory);
+  add_type_fields(spec, node);
+  if (!spec.standard.empty()) node["standard"] = spec.standard;
   if (spec.noise.force || spec.noise.length) {
     node["noise"] = noise_node(spec.noise, spec.type == "shear-cycles");
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
@@ -170,6 +171,27 @@ std::string shear(const LabExperiment& experiment, const ComponentLaw& law, Rand
   return csv.text();
 }
 
+constexpr int kFewestRows = 9;  // of a half cycle: with fewer, its reversals cannot be found again
+
+// Rows of the shortest way between two reversals.
+double rows_of_shortest_leg(const LabExperiment& experiment) {
+  const auto [least, most] = std::minmax_element(experiment.peaks.begin(), experiment.peaks.end());
+  const bool shear = experiment.type == "shear-cycles";
+  const double slack = shear ? 0 : experiment.slack / experiment.length;
+  const double reach = shear ? 2 * *most : *most + slack;
+  return (*least + slack) / reach * (experiment.samples - 1);
+}
+
+void require_rows_between_reversals(const LabExperiment& experiment) {
+  if (experiment.type == "hanging-weights") return;
+  const double rows = rows_of_shortest_leg(experiment);
+  if (rows >= kFewestRows) return;
+  throw InputError(
+      {experiment.where.file, experiment.where.line, experiment.where.field + ".samples"},
+      fmt::format("the shortest half cycle would have {:.0f} rows", rows),
+      fmt::format("at least {}: more `samples`, or no such small peak", kFewestRows));
+}
+
 std::string measure(const LabExperiment& experiment, const ComponentLaw& law, const VirtualLab& lab,
                     RandomStream& random) {
   if (experiment.type == "hanging-weights") return hang(experiment, law, lab, random);
@@ -177,20 +199,40 @@ std::string measure(const LabExperiment& experiment, const ComponentLaw& law, co
   return shear(experiment, law, random);
 }
 
+// A text as YAML reads it back, whatever is in it: JSON's quotes are YAML's.
+std::string yaml_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::string study_entry(const LabExperiment& e, const std::string& data) {
-  std::string text =
-      fmt::format("  - name: {}\n    type: {}\n    data: {}\n", e.name, e.type, data);
+  std::string text = fmt::format("  - name: {}\n    type: {}\n    data: {}\n", yaml_text(e.name),
+                                 e.type, yaml_text(data));
   if (e.type == "shear-cycles") {
     if (e.transverse_tension > 0) {
       text += fmt::format("    transverse_tension: {} N/m\n", e.transverse_tension);
     }
     return text + "    initial_friction: rest\n";
   }
-  text += fmt::format("    direction: {}\n    length: {} mm\n    width: {} mm\n", e.direction,
-                      e.length * 1e3, e.width * 1e3);
+  text += fmt::format("    direction: {}\n    length: {} m\n    width: {} m\n", e.direction,
+                      e.length, e.width);
   if (e.type == "tensile-cycles") return text + "    initial_friction: rest\n";
-  if (e.clip_mass > 0) text += fmt::format("    clip_mass: {} g\n", e.clip_mass * 1e3);
+  if (e.clip_mass > 0) text += fmt::format("    clip_mass: {} kg\n", e.clip_mass);
   return text;
+}
+
+std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
+  const std::string source =
+      fmt::format("virtual measurements of the material {}, seed {}", lab.material.name, seed);
+  std::string study = fmt::format("pliant: study/1\nname: {}\n", yaml_text(lab.name));
+  if (lab.material.density > 0) study += fmt::format("density: {} kg/m^2\n", lab.material.density);
+  study += fmt::format("info:\n  source: {}\nexperiments:\n", yaml_text(source));
+  for (const LabExperiment& experiment : lab.experiments) {
+    study += study_entry(experiment, experiment.name + (lab.specimens == 1 ? ".csv" : "-*.csv"));
+  }
+  study += fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
+  if (!lab.validate.empty()) study += "validate:\n";
+  for (const std::string& pattern : lab.validate) study += "  - " + yaml_text(pattern) + "\n";
+  return study;
 }
 
 }  // namespace
@@ -198,12 +240,9 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
 std::vector<std::pair<std::string, std::string>> make_measurements(const VirtualLab& lab,
                                                                    const RunContext& context) {
   std::vector<std::pair<std::string, std::string>> files;
-  std::string study = fmt::format(
-      "pliant: study/1\nname: {}\ndensity: {} kg/m^2\ninfo:\n"
-      "  source: virtual measurements of the material {}, seed {}\nexperiments:\n",
-      lab.name, lab.material.density, lab.material.name, context.seed);
   RandomStream root(context.seed);
   for (const LabExperiment& experiment : lab.experiments) {
+    require_rows_between_reversals(experiment);
     const std::string component =
         experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction;
     const ComponentLaw law = *law_of(lab.material, component);
@@ -216,12 +255,8 @@ std::vector<std::pair<std::string, std::string>> make_measurements(const Virtual
                                    : fmt::format("{}-{:02}.csv", experiment.name, specimen);
       files.emplace_back(name, measure(experiment, own, lab, random));
     }
-    study += study_entry(experiment, experiment.name + (lab.specimens == 1 ? ".csv" : "-*.csv"));
   }
-  study += fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
-  if (!lab.validate.empty()) study += "validate:\n";
-  for (const std::string& pattern : lab.validate) study += fmt::format("  - \"{}\"\n", pattern);
-  files.emplace_back("study.yaml", study);
+  files.emplace_back("study.yaml", study_text(lab, context.seed));
   return files;
 }
 

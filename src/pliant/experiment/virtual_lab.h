@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/base/errors.h"
 #include "pliant/base/run_context.h"
 #include "pliant/material/material.h"
 
@@ -31,6 +32,7 @@ struct LabExperiment {
   int samples = 100;  ///< rows of a half cycle of the largest amplitude
   double slack = 0;   ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
   double transverse_tension = 0;
+  Location where;
 };
 
 /// Content of a lab/1 file (docs/formats.md).
@@ -51,7 +53,8 @@ VirtualLab read_lab(const std::filesystem::path& path);
 /// Makes the measurements: study.yaml and a CSV for each experiment (and specimen), in the formats
 /// that `fit` reads.
 /// @return names and contents; the same for the same seed
-/// @throws InputError when the material lacks a component; SolverError when it cannot carry a load
+/// @throws InputError when a half cycle would have too few rows to find its reversals again;
+/// SolverError when it cannot carry a load
 std::vector<std::pair<std::string, std::string>> make_measurements(const VirtualLab& lab,
                                                                    const RunContext& context);
 

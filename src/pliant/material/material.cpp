@@ -28,6 +28,14 @@ std::string_view name_of(MembraneMeasure measure) {
   return "";
 }
 
+MembraneMeasure membrane_measure(std::string_view name) {
+  for (const MembraneMeasure measure :
+       {MembraneMeasure::soft_constraint, MembraneMeasure::spring}) {
+    if (name == name_of(measure)) return measure;
+  }
+  return MembraneMeasure::stvk;
+}
+
 bool is_bending(std::string_view component) { return component.substr(0, 5) == "bend."; }
 
 bool is_even(std::string_view component) { return is_bending(component) || component == "shear"; }

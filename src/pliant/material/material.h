@@ -26,6 +26,9 @@ enum class MembraneMeasure {
 
 std::string_view name_of(MembraneMeasure measure);
 
+/// The measure of a name that `name_of` gives.
+MembraneMeasure membrane_measure(std::string_view name);
+
 /// Dahl friction that may differ between positive and negative strain ([P] 4.1).
 struct ComponentFriction {
   DahlParameters positive;
@@ -46,7 +49,8 @@ struct Material {
   double density = 0;  ///< kg/m^2; 0 = not known
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
-  std::string bending_of = "sheet";
+  std::string bending_of = "sheet";  ///< sheet, or hinges of the mesh `bending_mesh`
+  std::string bending_mesh;
   std::map<std::string, MaterialComponent> components;
   std::optional<double> damping_fraction;
   std::map<std::string, std::string> info;

@@ -12,13 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double not_negative(Value value) {
+double not_negative(const Value& value) {
   const double number = value.number();
   if (number < 0) value.fail("is negative", "a number of at least 0");
   return number;
 }
 
-double positive(Value value) {
+double positive(const Value& value) {
   const double number = value.number();
   if (number <= 0) value.fail("is not positive", "a number above 0");
   return number;
@@ -42,7 +42,7 @@ ScalarCurve read_hermite(Fields& fields, bool even_component) {
   return ScalarCurve::hermite(std::move(knots), std::move(values), even);
 }
 
-ScalarCurve read_curve(Value node, bool even_component) {
+ScalarCurve read_curve(const Value& node, bool even_component) {
   Fields fields = node.fields();
   const std::string kind = fields.require("curve").choice({"constant", "affine", "hermite"});
   const auto read = [&]() -> ScalarCurve {
@@ -66,7 +66,7 @@ DahlParameters read_dahl(Fields& fields) {
   return dahl;
 }
 
-ComponentFriction read_friction(Value node) {
+ComponentFriction read_friction(const Value& node) {
   Fields fields = node.fields();
   fields.require("law").choice({"dahl"});
   ComponentFriction friction;
@@ -84,7 +84,7 @@ ComponentFriction read_friction(Value node) {
   return friction;
 }
 
-ComponentStatus read_status(Value value) {
+ComponentStatus read_status(const Value& value) {
   const std::string name = value.choice({"measured", "assumed", "unmeasured"});
   for (const ComponentStatus status :
        {ComponentStatus::measured, ComponentStatus::assumed, ComponentStatus::unmeasured}) {
@@ -93,14 +93,14 @@ ComponentStatus read_status(Value value) {
   return ComponentStatus::measured;
 }
 
-std::pair<double, double> read_range(Value value) {
+std::pair<double, double> read_range(const Value& value) {
   const std::vector<double> ends = value.numbers();
   if (ends.size() != 2 || ends[0] > ends[1])
     value.fail("is no range", "[smallest, largest] strain");
   return {ends[0], ends[1]};
 }
 
-MaterialComponent read_component(Value node, bool even) {
+MaterialComponent read_component(const Value& node, bool even) {
   Fields fields = node.fields();
   MaterialComponent component;
   const std::optional<Value> stiffness = fields.optional("stiffness");
@@ -119,18 +119,12 @@ MaterialComponent read_component(Value node, bool even) {
   return component;
 }
 
-std::map<std::string, std::string> read_texts(std::optional<Value> node) {
+std::map<std::string, std::string> read_texts(const std::optional<Value>& node) {
   std::map<std::string, std::string> texts;
   if (!node) return texts;
   Fields fields = node->fields();
   for (auto& [key, value] : fields.all()) texts[key] = value.text();
   return texts;
-}
-
-MembraneMeasure read_measure(Value value) {
-  const std::string name = value.choice({"stvk", "soft-constraint", "spring"});
-  if (name == "spring") return MembraneMeasure::spring;
-  return name == "stvk" ? MembraneMeasure::stvk : MembraneMeasure::soft_constraint;
 }
 
 Json curve_json(const ScalarCurve& curve) {
@@ -186,13 +180,15 @@ Material read_material(const std::filesystem::path& path) {
   material.name = fields.require("name").text();
   fields.require("kind").choice({"cloth"});
   if (auto density = fields.optional("density")) material.density = positive(*density);
-  if (auto membrane = fields.optional("membrane")) material.membrane = read_measure(*membrane);
+  if (auto membrane = fields.optional("membrane"))
+    material.membrane = membrane_measure(membrane->choice({"stvk", "soft-constraint", "spring"}));
   if (auto bending = fields.optional("bending")) {
     material.bending = bending->choice({"discrete-shells", "spring"});
   }
   if (auto of = fields.optional("bending_of")) {
     material.bending_of = of->choice({"sheet", "hinges"});
   }
+  if (auto mesh = fields.optional("bending_mesh")) material.bending_mesh = mesh->text();
   Fields components = fields.require("components").fields();
   for (const std::string& name : cloth_component_names()) {
     if (auto component = components.optional(name)) {
@@ -219,6 +215,7 @@ std::string material_text(const Material& material) {
             {"membrane", name_of(material.membrane)},
             {"bending", material.bending},
             {"bending_of", material.bending_of}};
+  if (!material.bending_mesh.empty()) json["bending_mesh"] = material.bending_mesh;
   Json& components = json["components"] = Json::object();
   for (const std::string& name : cloth_component_names()) {
     const auto found = material.components.find(name);

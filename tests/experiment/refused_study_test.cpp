@@ -1,0 +1,147 @@
+// Studies that cannot be used are refused with file, line and field.
+
+#include <ostream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/study.h"
+
+#include "experiment/study_text.h"
+#include "io/input_error_of.h"
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::input_error_of;
+using test::kWeights;
+using test::TemporaryFolder;
+using test::with_experiment;
+using test::with_more;
+using ::testing::HasSubstr;
+
+struct Refusal {
+  const char* what;
+  std::string text;
+  int line;
+  const char* field;
+  const char* message;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.what; }
+
+class StudyRefusal : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(StudyRefusal, NamesFileLineAndField) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("study.yaml", GetParam().text);
+  const InputError error = input_error_of([&] { read_study(path); });
+  if (HasFailure()) return;
+  EXPECT_EQ(error.where().file, path.string());
+  EXPECT_EQ(error.where().line, GetParam().line);
+  EXPECT_EQ(error.where().field, GetParam().field);
+  EXPECT_THAT(std::string(error.what()), HasSubstr(GetParam().message));
+}
+
+/// A hanging-weights experiment with further fields on line 5.
+std::string with_field(const std::string& field) {
+  return with_experiment("{name: w, type: hanging-weights, direction: warp, data: w.csv,\n     " +
+                         field + "}");
+}
+
+const Refusal kRefusals[] = {
+    {"UnknownVersion", "pliant: study/2\nname: x\n", 1, "pliant", "unknown version \"2\""},
+    {"AnotherDocument", "pliant: scene/1\nname: x\n", 1, "pliant", "study/1"},
+    {"NoType", "name: x\n", 1, "pliant", "is missing"},
+    {"NoName", "pliant: study/1\nexperiments: []\n", 1, "name", "is missing"},
+    {"NoExperiments", "pliant: study/1\nname: x\n", 1, "experiments", "is missing"},
+    {"EmptyExperiments", "pliant: study/1\nname: x\nexperiments: []\n", 3, "experiments",
+     "has no experiment"},
+    {"UnknownKey", with_more("densty: 1 kg/m^2\n"), 5, "densty", "did you mean \"density\"?"},
+    {"RepeatedKey", with_more("name: y\n"), 5, "name", "name"},
+    {"UnknownKeyOfAnExperiment", with_field("length: 1 m, width: 1 m, clip_mas: 2 g"), 5,
+     "experiments[0].clip_mas", "did you mean \"clip_mass\"?"},
+    {"UnknownKeyOfTheModel", with_more("model: {frictoin: dahl}\n"), 5, "model.frictoin",
+     "did you mean \"friction\"?"},
+    {"UnknownKeyOfTheFit", with_more("fit: {estimater: path}\n"), 5, "fit.estimater",
+     "did you mean \"estimator\"?"},
+    {"UnknownKeyOfTheDefaults", with_more("defaults: {lenght: 1 m}\n"), 5, "defaults.lenght",
+     "did you mean \"length\"?"},
+    {"UnknownExperimentType",
+     with_experiment("{name: w, type: hanging-weight, direction: warp, data: w.csv}"), 4,
+     "experiments[0].type", "did you mean \"hanging-weights\"?"},
+    {"UnknownEstimator", with_more("fit: {estimator: anchors}\n"), 5, "fit.estimator",
+     "did you mean \"anchor\"?"},
+    {"UnknownMeasure", with_more("model: {membrane: stvkk}\n"), 5, "model.membrane",
+     "did you mean \"stvk\"?"},
+    {"UnknownComponent", with_more("model: {components: {stretch.wrap: {friction: none}}}\n"), 5,
+     "model.components.stretch.wrap", "did you mean \"stretch.warp\"?"},
+    {"UnknownDirection",
+     with_experiment("{name: w, type: hanging-weights, direction: wrap, data: w.csv}"), 4,
+     "experiments[0].direction", "expected \"warp\", \"weft\" or \"bias\""},
+    {"NoDirection", with_experiment("{name: w, type: tensile-cycles, data: w.csv}"), 4,
+     "experiments[0].direction", "is missing"},
+    {"NoData", with_experiment("{name: w, type: shear-cycles}"), 4, "experiments[0].data",
+     "is missing"},
+    {"NoLength", with_field("width: 1 m"), 4, "experiments[0].length", "is missing"},
+    {"DensityWithoutUnit", with_more("density: 0.157\n"), 5, "density", "kg/m^2"},
+    {"LengthWithoutUnit", with_field("length: 100, width: 1 m"), 5, "experiments[0].length", "mm"},
+    {"ClipMassInNewtons", with_field("length: 1 m, width: 1 m, clip_mass: 1 N"), 5,
+     "experiments[0].clip_mass", "kg"},
+    {"UnknownUnit", with_field("length: 3 furlongs, width: 1 m"), 5, "experiments[0].length",
+     "furlongs"},
+    {"NegativeLength", with_field("length: -1 m, width: 1 m"), 5, "experiments[0].length",
+     "is not positive"},
+    {"ZeroDensity", with_more("density: 0 kg/m^2\n"), 5, "density", "is not positive"},
+    {"NegativeClipMass", with_field("length: 1 m, width: 1 m, clip_mass: -2 g"), 5,
+     "experiments[0].clip_mass", "is negative"},
+    {"NegativePreconditioning",
+     with_experiment("{name: w, type: tensile-cycles, direction: warp, data: w.csv, length: 1 m, "
+                     "width: 1 m, precondition_cycles: -1}"),
+     4, "experiments[0].precondition_cycles", "-1"},
+    {"RangeOfRowsBackwards",
+     with_field("length: 1 m, width: 1 m, exclude: [{rows: 5-3, reason: x}]"), 5,
+     "experiments[0].exclude[0].rows", "no range of rows"},
+    {"RowsCountedFromZero",
+     with_field("length: 1 m, width: 1 m, exclude: [{rows: 0-3, reason: x}]"), 5,
+     "experiments[0].exclude[0].rows", "no range of rows"},
+    {"RowsWithTextBehind",
+     with_field("length: 1 m, width: 1 m, exclude: [{rows: 3-5x, reason: x}]"), 5,
+     "experiments[0].exclude[0].rows", "no range of rows"},
+    {"ExclusionWithoutReason", with_field("length: 1 m, width: 1 m, exclude: [{rows: 3-5}]"), 5,
+     "experiments[0].exclude[0].reason", "is missing"},
+    {"TheSameNameTwice", with_experiment(std::string(kWeights) + "\n  - " + kWeights), 5,
+     "experiments[1].name", "called \"w\""},
+    {"ANameThatIsNoFileName", with_experiment("{name: ../w, type: shear-cycles, data: w.csv}"), 4,
+     "experiments[0].name", "no name for an experiment"},
+    {"ValidationOfNothing", with_more("validate:\n  - \"w*\"\n  - \"*-2cm\"\n"), 7, "validate[1]",
+     "\"*-2cm\" matches no experiment"},
+    {"APatternWithoutFiles", with_experiment("{name: w, type: shear-cycles, data: \"none-*.csv\"}"),
+     4, "experiments[0].data", "matches no file"},
+    {"BoundsBackwards", with_more("fit: {bounds: {\"*.k1\": [2, 1]}}\n"), 5, "fit.bounds.*.k1",
+     "is no interval"},
+    {"PriorWithoutSpread", with_more("fit: {priors: {\"*.k1\": {mean: 1, sd: 0}}}\n"), 5,
+     "fit.priors.*.k1.sd", "is not positive"},
+    {"TextForAFlag", with_field("length: 1 m, width: 1 m, rested: maybe"), 5,
+     "experiments[0].rested", "true or false"},
+    // Nothing is ignored silently: a field that means nothing to the type is refused.
+    {"TransverseTensionOfAStrip", with_field("length: 1 m, width: 1 m, transverse_tension: 9 N/m"),
+     5, "experiments[0].transverse_tension", "transverse_tension"},
+    {"ClipOfShear",
+     with_experiment("{name: s, type: shear-cycles, data: s.csv,\n  clip_mass: 2 g}"), 5,
+     "experiments[0].clip_mass", "clip_mass"},
+    {"ApparatusFrictionOfWeights", with_field("length: 1 m, width: 1 m, apparatus_friction: 0.1 N"),
+     5, "experiments[0].apparatus_friction", "apparatus_friction"},
+    {"UnknownInitialFrictionOfWeights",
+     with_field("length: 1 m, width: 1 m, initial_friction: unknown"), 5,
+     "experiments[0].initial_friction", "initial_friction"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, StudyRefusal, ::testing::ValuesIn(kRefusals),
+                         [](const auto& instance) { return instance.param.what; });
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,212 @@
+// Fits of real measurements; skipped where PLIANT_TEST_DATA does not hold them. The tables they
+// print are those of the documentation.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+
+namespace pliant::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+std::filesystem::path measurement(const std::string& name) {
+  const char* folder = std::getenv("PLIANT_TEST_DATA");
+  return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder) / name;
+}
+
+#define SKIP_WITHOUT(path) \
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "PLIANT_TEST_DATA does not hold " << path
+
+std::string cell(const json& value, const char* format = "{:.2f}") {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
+}
+
+std::string pair_of(const json& loop, const char* metric) {
+  if (!loop.is_object()) return "-";
+  return cell(loop["measured"][metric]) + " / " + cell(loop["predicted"][metric]);
+}
+
+/// Errors and loops of all experiments of a fit, one line each.
+void print_table(const json& fit) {
+  fmt::print("{:<20} {:<9} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}\n", "experiment", "role", "RMS %",
+             "elastic", "ratio", "hysteresis m / p", "loop loss m / p", "seconds");
+  for (const json& e : fit["experiments"]) {
+    const json& rms = e["rms_percent_of_peak"];
+    const json& elastic = e["rms_elastic_percent_of_peak"];
+    const std::string ratio =
+        elastic.is_number() ? cell(elastic.get<double>() / rms.get<double>(), "{:.1f}") : "-";
+    fmt::print("{:<20} {:<9} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}\n", e["name"].get<std::string>(),
+               e["role"].get<std::string>(), cell(rms), cell(elastic), ratio,
+               pair_of(e["loop"], "hysteresis_ratio"), pair_of(e["loop"], "loop_loss"),
+               cell(fit["seconds"]));
+  }
+}
+
+json experiment_named(const json& fit, const std::string& name) {
+  for (const json& e : fit["experiments"]) {
+    if (e["name"] == name) return e;
+  }
+  ADD_FAILURE() << "no experiment " << name;
+  return {};
+}
+
+struct RealFit {
+  ProgramRun run;
+  json fit;
+};
+
+RealFit fit_file(const TemporaryFolder& folder, const std::filesystem::path& study) {
+  RealFit real;
+  real.run = run_program({"fit", study.string(), "-o", (folder.path() / "fit").string(), "--json"});
+  EXPECT_EQ(real.run.status, 0) << real.run.err;
+  real.fit = json::parse(real.run.out, nullptr, false);
+  return real;
+}
+
+// The bounds are the project's, from a trial with five stiffness values and three of
+// friction: 1.1, 1.3 and 1.4 %.
+TEST(RealFab, FourNestedCyclesAreOneLaw) {
+  const auto record = measurement("cloth_hysteresis_fab/fab_knit_cotton_300gsm.json");
+  SKIP_WITHOUT(record);
+  const TemporaryFolder folder;
+  const RealFit real = fit_file(folder, record);
+  print_table(real.fit);
+  fmt::print("peak memory {} MB, {:.2f} s with import and report\n", real.run.peak_memory_kb / 1024,
+             real.run.seconds);
+  const std::map<std::string, double> highest{{"warp", 1.2}, {"weft", 1.4}, {"bias", 1.5}};
+  for (const auto& [direction, percent] : highest) {
+    const json long_strip = experiment_named(real.fit, direction + "-stretch-8cm");
+    EXPECT_EQ(long_strip["role"], "fit");
+    EXPECT_LE(long_strip["rms_percent_of_peak"], percent) << direction;
+    // What friction explains and no elastic curve can.
+    EXPECT_GT(long_strip["rms_elastic_percent_of_peak"], 3 * percent) << direction;
+    EXPECT_EQ(experiment_named(real.fit, direction + "-stretch-2cm")["role"], "validate");
+  }
+  EXPECT_LT(real.run.peak_memory_kb, 200 * 1024);
+}
+
+// An acrylic elastomer, not a cloth: it is viscoelastic, and what Dahl friction leaves of its loop
+// is told, not judged.
+TEST(RealElastomer, FileOfATesterWithChineseHeadersIsFitted) {
+  const auto folder_of_data = measurement("elastomer_cyclic_vhb4910");
+  SKIP_WITHOUT(folder_of_data);
+  for (const auto& [file, rate] : std::map<std::string, std::string>{
+           {"vhb4910_0d01_2d0.csv", "0.01 1/s"}, {"vhb4910_0d05_2d0.csv", "0.05 1/s"}}) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(folder_of_data / file, folder.path() / file);
+    const auto study = folder.write(
+        "study.yaml",
+        fmt::format(
+            "pliant: study/1\nname: VHB 4910\ninfo: {{strain rate: {}, note: viscoelastic}}\n"
+            "experiments:\n  - name: stretch\n    type: tensile-cycles\n    direction: warp\n"
+            "    length: 80 mm\n    width: 22 mm\n"
+            "    data: {{file: {}, encoding: gbk, columns: {{time: \u65f6\u95f4, "
+            "extension: \u4f4d\u79fb, force: \u529b}}}}\n",
+            rate, file));
+    const RealFit real = fit_file(folder, study);
+    fmt::print("VHB 4910 at {} (viscoelastic)\n", rate);
+    print_table(real.fit);
+    const json e = experiment_named(real.fit, "stretch");
+    EXPECT_LT(e["rms_percent_of_peak"], e["rms_elastic_percent_of_peak"]);
+  }
+}
+
+void expect_no_friction(const json& fit) {
+  std::string said;
+  for (const json& sentence : fit["undetermined"]) said += sentence.get<std::string>() + "\n";
+  EXPECT_THAT(said, HasSubstr("friction"));
+  for (const json& p : fit["parameters"]) {
+    EXPECT_THAT(p["name"].get<std::string>(), ::testing::Not(HasSubstr("friction")));
+  }
+}
+
+// Hand-knitted swatches, loaded only, the distance of the clamps from a video; repeats are
+// specimens' rows in one file.
+TEST(RealKnit, LoadingOnlyIsFittedElastically) {
+  const auto record = measurement("cloth_knit_uniaxial/knit_acrylic_garter_x.csv");
+  SKIP_WITHOUT(record);
+  const TemporaryFolder folder;
+  // The clamps' distance is the difference of two columns: the first repeat alone, computed here.
+  std::ifstream in(record);
+  std::string line, csv = "force_N,length_mm\n";
+  double shortest = 1e9;
+  while (std::getline(in, line)) {
+    if (line.rfind("1,", 0) != 0) continue;
+    std::vector<double> cells;
+    std::istringstream texts(line);
+    for (std::string text; std::getline(texts, text, ',');)
+      cells.push_back(std::atof(text.c_str()));
+    const double length = std::hypot(cells[13] - cells[15], cells[14] - cells[16]);
+    shortest = std::min(shortest, length);
+    csv += fmt::format("{},{}\n", cells[2], length);
+  }
+  folder.write("stretch.csv", csv);
+  const auto study = folder.write(
+      "study.yaml",
+      fmt::format("pliant: study/1\nname: garter stitch\nexperiments:\n"
+                  "  - {{name: stretch, type: tensile-cycles, direction: weft, data: stretch.csv, "
+                  "length: {:.3f} mm, width: 35 mm, rest_length: unknown}}\n",
+                  shortest));
+  const RealFit real = fit_file(folder, study);
+  print_table(real.fit);
+  expect_no_friction(real.fit);
+}
+
+/// Adds the header that a file lacks, and fits what it holds.
+RealFit fit_loading(const TemporaryFolder& folder, const std::filesystem::path& data,
+                    const std::string& header, const std::string& geometry) {
+  std::string rows = content_of(data);
+  if (header.empty()) {
+    rows.replace(0, rows.find('\n'), "extension_mm,force_N");
+  } else {
+    rows = header + "\n" + rows;
+  }
+  folder.write("data.csv", rows);
+  return fit_file(folder,
+                  folder.write("study.yaml", "pliant: study/1\nname: " + data.stem().string() +
+                                                 "\nexperiments:\n  - {name: stretch, type: "
+                                                 "tensile-cycles, data: data.csv, " +
+                                                 geometry + "}\n"));
+}
+
+TEST(RealOffAxis, LoadingOnlyIsFittedElastically) {
+  for (const char* angle : {"00", "30", "60", "90"}) {
+    const auto data =
+        measurement(fmt::format("cloth_offaxis_uniaxial/nylon_strips_{}deg.csv", angle));
+    SKIP_WITHOUT(data);
+    const TemporaryFolder folder;
+    const RealFit real = fit_loading(folder, data, "extension_mm,force_N",
+                                     "direction: warp, length: 97 mm, width: 27 mm");
+    fmt::print("nylon strips at {} degrees\n", angle);
+    print_table(real.fit);
+    expect_no_friction(real.fit);
+  }
+}
+
+TEST(RealBiasExtension, LoadingOnlyIsFittedElastically) {
+  const auto data = measurement("cloth_bias_extension/glass_plain_150_450.csv");
+  SKIP_WITHOUT(data);
+  const TemporaryFolder folder;
+  const RealFit real =
+      fit_loading(folder, data, "", "direction: bias, length: 450 mm, width: 150 mm");
+  print_table(real.fit);
+  expect_no_friction(real.fit);
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,195 @@
+#include "schema/documents.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pliant/estimation/result_files.h"
+#include "pliant/estimation/study_evaluation.h"
+#include "pliant/estimation/study_fit.h"
+#include "pliant/experiment/study.h"
+#include "pliant/experiment/u3m_import.h"
+#include "pliant/experiment/virtual_lab.h"
+#include "pliant/io/digest.h"
+#include "pliant/io/text_file.h"
+
+namespace pliant::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kSource = PLIANT_SOURCE_DIR;
+const fs::path kDocuments = kSource / "tests" / "schema" / "documents";
+
+NamedDocument named(const std::string& name, const Document& document) {
+  const Json json = json_of(document.root);
+  const std::string type = json.at("pliant");
+  return {name, {type.substr(0, type.find('/')), json}};
+}
+
+NamedDocument from_yaml(const std::string& name, const std::string& text) {
+  return named(name, parse_yaml(text, name));
+}
+
+NamedDocument from_json(const std::string& name, const std::string& text) {
+  return named(name, parse_json(text, name));
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The fenced blocks of a Markdown page that are documents of Pliant.
+std::vector<NamedDocument> fenced_documents(const fs::path& page) {
+  std::vector<NamedDocument> documents;
+  const std::string text = read_text_file(page);
+  for (std::size_t at = text.find("\n```"); at != std::string::npos;) {
+    const std::size_t begin = text.find('\n', at + 1) + 1;
+    const std::size_t end = text.find("\n```", begin - 1);
+    const std::string language = text.substr(at + 4, begin - at - 5);
+    const std::string block = text.substr(begin, end + 1 - begin);
+    const std::string name = page.filename().string() + ": " + block.substr(0, block.find('\n'));
+    if (language == "yaml" && block.starts_with("pliant:"))
+      documents.push_back(from_yaml(name, block));
+    if (language == "json" && block.find("\"pliant\"") != std::string::npos) {
+      documents.push_back(from_json(name, block));
+    }
+    at = text.find("\n```", end + 4);
+  }
+  return documents;
+}
+
+/// A document with one value replaced; a pointer to nothing adds it.
+NamedDocument changed(const std::string& what, SchemaCase document, const char* pointer,
+                      Json value) {
+  document.document[Json::json_pointer(pointer)] = std::move(value);
+  return {document.type + ": " + what, std::move(document)};
+}
+
+NamedDocument without(const std::string& what, SchemaCase document, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  document.document.at(at.parent_pointer()).erase(at.back());
+  return {document.type + ": " + what, std::move(document)};
+}
+
+}  // namespace
+
+DocumentFolder::DocumentFolder() {
+  for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
+  Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
+  spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
+  write("spandex.json", spandex.dump());
+}
+
+std::vector<NamedDocument> full_documents() {
+  return {named("study", read_yaml(kDocuments / "full_study.yaml")),
+          named("lab", read_yaml(kDocuments / "full_lab.yaml")),
+          named("material", read_json(kDocuments / "full_material.json"))};
+}
+
+std::vector<NamedDocument> shipped_documents() {
+  std::vector<NamedDocument> documents{
+      named("published study", read_yaml(kDocuments / "published_study.yaml")),
+      named("published material", read_json(kDocuments / "published_material.json"))};
+  for (const fs::path& file : files_in(kSource / "materials")) {
+    documents.push_back(named(file.filename().string(), read_json(file)));
+  }
+  NamedDocument lab = named("demo's lab", read_yaml(kSource / "examples" / "demo" / "lab.yaml"));
+  lab.document.document["material"] = "spandex.json";  // where it stands while it is read here
+  documents.push_back(std::move(lab));
+  for (NamedDocument& example : fenced_documents(kSource / "docs" / "formats.md")) {
+    documents.push_back(std::move(example));
+  }
+  return documents;
+}
+
+std::vector<NamedDocument> written_documents() {
+  const DocumentFolder folder;
+  const VirtualLab lab =
+      read_lab(folder.write("lab.yaml", read_text_file(kDocuments / "full_lab.yaml")));
+  for (const auto& [name, content] : make_measurements(lab, {})) folder.write(name, content);
+  const Study study = read_study(folder.path() / "study.yaml");
+  const RunFacts facts{"pliant fit", "2024-01-01T00:00:00Z", "0",
+                       "study.yaml", sha256_of(""),          "material.json"};
+
+  std::vector<NamedDocument> documents{
+      named("study of lab", read_yaml(folder.path() / "study.yaml")),
+      from_yaml("resolved study", resolved_study_text(study, folder.path()))};
+  StudyFitOptions options;
+  options.compare_friction = true;
+  options.profiles = {"shear.k*"};
+  const StudyResult fit = fit_study(study, options, {});
+  const StudyResult evaluation = evaluate_study(study, lab.material, {});
+  for (const auto& files : {fit_files(fit, facts), evaluation_files(evaluation, facts)}) {
+    for (const auto& [name, content] : files) {
+      if (name.ends_with(".json")) documents.push_back(from_json(name, content));
+    }
+  }
+  const fs::path record = kSource / "tests" / "corpus" / "u3m" / "two_directions.json";
+  documents.push_back(from_yaml("study of a U3M file", import_u3m(record).study_yaml));
+  return documents;
+}
+
+std::vector<NamedDocument> broken_documents() {
+  const std::vector<NamedDocument> full = full_documents();
+  const SchemaCase &study = full[0].document, &lab = full[1].document, &material = full[2].document;
+  return {
+      changed("unknown version", study, "/pliant", "study/2"),
+      changed("another type", study, "/pliant", "lab/1"),
+      changed("density without unit", study, "/density", 0.157),
+      changed("density of no size", study, "/density", "0 gsm"),
+      changed("negative length", study, "/experiments/0/length", "-100 mm"),
+      changed("length in kilograms", study, "/experiments/0/length", "100 kg"),
+      changed("decimal comma", study, "/experiments/0/length", "10,5 cm"),
+      changed("unknown experiment type", study, "/experiments/0/type", "hanging-weight"),
+      changed("unknown direction", study, "/experiments/0/direction", "wrap"),
+      changed("no experiments", study, "/experiments", Json::array()),
+      changed("a name that is no file name", study, "/experiments/0/name", "../up"),
+      changed("a hidden name", study, "/experiments/0/name", ".hidden"),
+      changed("rows that are no range", study, "/experiments/0/exclude/0/rows", "from 12"),
+      changed("row 0", study, "/experiments/0/exclude/0/rows", "0-3"),
+      changed("an exclusion without reason", study, "/experiments/0/exclude/0", {{"rows", "3-4"}}),
+      changed("rest length of hanging weights", study, "/experiments/0/rest_length", "known"),
+      changed("shear's tension of a strip", study, "/experiments/1/transverse_tension", "1 N/m"),
+      changed("a direction of shear", study, "/experiments/2/direction", "warp"),
+      changed("shear noise in newtons", study, "/experiments/2/noise/force", "1 N"),
+      changed("tensile noise per width", study, "/experiments/1/noise/force", "1 N/m"),
+      changed("negative pretension", study, "/experiments/1/pretension", "-1 N"),
+      changed("2.5 cycles", study, "/experiments/1/precondition_cycles", 2.5),
+      changed("unknown stiffness", study, "/model/stiffness", "quadratic"),
+      changed("unknown friction", study, "/model/friction", "coulomb"),
+      changed("unknown component", study, "/model/components/stretch.wrap", Json::object()),
+      changed("unknown estimator", study, "/fit/estimator", "anchors"),
+      changed("no control points", study, "/fit/control_points", 0),
+      changed("one bound", study, "/fit/bounds/shear.k", {1}),
+      changed("prior without spread", study, "/fit/priors/shear.k", {{"mean", 1}, {"sd", 0}}),
+      without("no data", study, "/experiments/0/data"),
+      without("no direction", study, "/experiments/0/direction"),
+      without("no width anywhere", study, "/defaults/width"),
+      changed("no specimens", lab, "/specimens", 0),
+      changed("variation without unit", lab, "/specimen_variation", 0.05),
+      changed("peaks in the wrong unit", lab, "/experiments/0/peaks/0", "10 %"),
+      changed("strain peaks without unit", lab, "/experiments/1/peaks/0", 0.2),
+      changed("no peaks", lab, "/experiments/2/peaks", Json::array()),
+      changed("a direction of shear", lab, "/experiments/2/direction", "warp"),
+      changed("samples of weights", lab, "/experiments/0/samples", 10),
+      changed("a type that the lab lacks", lab, "/experiments/0/type", "pure-bending"),
+      without("no direction", lab, "/experiments/0/direction"),
+      changed("another kind", material, "/kind", "solid"),
+      changed("no density", material, "/density", 0),
+      changed("negative a", material, "/components/stretch.warp/friction/a", -1),
+      changed("tau of zero", material, "/components/stretch.warp/friction/tau", 0),
+      changed("unknown law", material, "/components/stretch.warp/friction/law", "coulomb"),
+      changed("unknown curve", material, "/components/stretch.warp/stiffness/curve", "linear"),
+      changed("a curve's keys mixed", material, "/components/stretch.warp/stiffness/value", 1),
+      changed("measured without stiffness", material, "/components/bend.warp/status", "measured"),
+      changed("a range of one number", material, "/components/stretch.weft/range", {0.2}),
+      without("one side of friction", material, "/components/stretch.weft/friction/negative"),
+      without("no control points", material, "/components/stretch.weft/stiffness/strain"),
+  };
+}
+
+}  // namespace pliant::test

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/temporary_folder.h"
+#include "schema/schema_judge.h"
+
+namespace pliant::test {
+
+/// A document with a name for messages.
+struct NamedDocument {
+  std::string name;
+  SchemaCase document;
+};
+
+/// A folder with the files that the documents here name.
+class DocumentFolder : public TemporaryFolder {
+ public:
+  DocumentFolder();
+};
+
+/// One document of each input type in which every key that the type has stands, as far as keys go
+/// together; and the other variants.
+std::vector<NamedDocument> full_documents();
+
+/// What users find: the examples of docs/formats.md, the materials that come with the program, the
+/// demo's lab.
+std::vector<NamedDocument> shipped_documents();
+
+/// What the program itself writes from a virtual lab: study, resolved study, material, fit and
+/// evaluation.
+std::vector<NamedDocument> written_documents();
+
+/// Documents that every reader must refuse, with what is wrong with them as a name.
+std::vector<NamedDocument> broken_documents();
+
+}  // namespace pliant::test

@@ -1,0 +1,102 @@
+#include "schema/schema_judge.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
+#include "pliant/experiment/study.h"
+#include "pliant/experiment/virtual_lab.h"
+#include "pliant/io/schema_text.h"
+#include "pliant/material/material_file.h"
+
+#include "io/temporary_folder.h"
+
+namespace pliant::test {
+namespace {
+
+using Json = nlohmann::json;
+
+int run(const std::string& command) { return std::system(command.c_str()); }
+
+Json scalar_of(const Node& node) {
+  if (node.quoted) return node.text;
+  if (node.text == "true" || node.text == "false") return node.text == "true";
+  if (const auto integer = parse_integer(node.text)) return *integer;
+  if (const auto number = parse_number(node.text)) return *number;
+  return node.text;
+}
+
+void read_as(const std::string& type, const std::filesystem::path& file) {
+  if (type == "study") {
+    read_study(file);
+  } else if (type == "lab") {
+    read_lab(file);
+  } else {
+    read_material(file);
+  }
+}
+
+}  // namespace
+
+bool can_judge_schemas() { return run("python3 -c 'import jsonschema' >/dev/null 2>&1") == 0; }
+
+std::vector<std::optional<std::string>> judge_by_schema(const std::vector<SchemaCase>& cases) {
+  Json request;
+  for (const std::string& type : schema_types()) {
+    request["schemas"][type] = Json::parse(schema_text(type));
+  }
+  request["cases"] = Json::array();
+  for (const SchemaCase& one : cases) {
+    request["cases"].push_back({{"type", one.type}, {"document", one.document}});
+  }
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("request.json", request.dump());
+  const std::filesystem::path answer = folder.path() / "answer.json";
+  const int status = run("python3 '" PLIANT_SOURCE_DIR "/tests/schema/validate.py' '" +
+                         file.string() + "' > '" + answer.string() + "'");
+  std::vector<std::optional<std::string>> verdicts(cases.size());
+  EXPECT_EQ(status, 0) << "validate.py failed: see above";
+  if (status != 0) return verdicts;
+  const Json answers = Json::parse(content_of(answer));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!answers.at(i).is_null()) verdicts[i] = answers.at(i).get<std::string>();
+  }
+  return verdicts;
+}
+
+std::optional<std::string> judge_by_reader(const SchemaCase& document,
+                                           const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "judged.json";  // JSON is YAML too
+  std::filesystem::remove(file);  // some file systems flush a file that is overwritten: slow
+  std::ofstream(file, std::ios::binary) << document.document.dump();
+  try {
+    read_as(document.type, file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+Json json_of(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::null:
+      return nullptr;
+    case Node::Kind::scalar:
+      return scalar_of(node);
+    case Node::Kind::sequence: {
+      Json list = Json::array();
+      for (const Node& item : node.items) list.push_back(json_of(item));
+      return list;
+    }
+    case Node::Kind::mapping:
+      break;
+  }
+  Json object = Json::object();
+  for (const auto& [key, value] : node.fields) object[key] = json_of(value);
+  return object;
+}
+
+}  // namespace pliant::test

@@ -1,0 +1,282 @@
+// The JSON schemas of docs/schema agree with the readers of the program: what one accepts, the
+// other accepts. jsonschema for Python judges by the schemas, which proves them independently of
+// our own code.
+
+#include <regex>
+#include <set>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/quantity.h"
+#include "pliant/io/schema_text.h"
+#include "pliant/io/text_file.h"
+
+#include "schema/documents.h"
+#include "schema/schema_judge.h"
+
+namespace pliant::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::filesystem::path kSource = PLIANT_SOURCE_DIR;
+
+class Schema : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!can_judge_schemas()) GTEST_SKIP() << "needs python3 with jsonschema (python3-jsonschema)";
+  }
+
+  /// Both judges, or a test failure that names the document on which they differ.
+  /// @return how many of the documents both accept
+  int expect_agreement(const std::vector<NamedDocument>& documents) {
+    std::vector<SchemaCase> cases;
+    for (const NamedDocument& one : documents) cases.push_back(one.document);
+    const auto by_schema = judge_by_schema(cases);
+    int accepted = 0;
+    for (std::size_t i = 0; i < documents.size(); ++i) {
+      const auto by_reader = judge_by_reader(documents[i].document, folder_.path());
+      EXPECT_EQ(by_reader.has_value(), by_schema[i].has_value())
+          << documents[i].name << "\n  reader: " << by_reader.value_or("accepts")
+          << "\n  schema: " << by_schema[i].value_or("accepts");
+      if (!by_reader && !by_schema[i]) ++accepted;
+    }
+    return accepted;
+  }
+
+  DocumentFolder folder_;
+};
+
+using SlowSchema = Schema;  // thousands of documents
+
+bool is_input(const NamedDocument& document) {
+  return document.document.type != "fit" && document.document.type != "evaluation";
+}
+
+/// Every property's name in a schema, at any depth.
+void collect_properties(const Json& schema, std::set<std::string>& names) {
+  if (schema.is_object()) {
+    for (const auto& [key, value] : schema.items()) {
+      if (key == "properties") {
+        for (const auto& [name, property] : value.items()) names.insert(name);
+      }
+      collect_properties(value, names);
+    }
+  } else if (schema.is_array()) {
+    for (const Json& item : schema) collect_properties(item, names);
+  }
+}
+
+std::set<std::string> properties_of(const std::string& type) {
+  std::set<std::string> names;
+  collect_properties(Json::parse(schema_text(type)), names);
+  return names;
+}
+
+/// The texts in quotes of the readers' sources: every key they can ask for, and more.
+std::set<std::string> words_of_readers() {
+  static const std::regex kWord("\"([a-z_.]+)\"");
+  std::set<std::string> words;
+  for (const char* file :
+       {"experiment/study.cpp", "experiment/data_source.cpp", "experiment/lab_file.cpp",
+        "material/material_file.cpp", "material/material.cpp"}) {
+    const std::string text = read_text_file(kSource / "src" / "pliant" / file);
+    for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
+      words.insert((*word)[1]);
+    }
+  }
+  return words;
+}
+
+/// Pointers to every object within a document.
+void collect_objects(const Json& value, const Json::json_pointer& at,
+                     std::vector<Json::json_pointer>& objects) {
+  if (value.is_object()) {
+    objects.push_back(at);
+    for (const auto& [key, inner] : value.items()) collect_objects(inner, at / key, objects);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) collect_objects(value[i], at / i, objects);
+  }
+}
+
+std::vector<Json::json_pointer> objects_of(const Json& document) {
+  std::vector<Json::json_pointer> objects;
+  collect_objects(document, Json::json_pointer(), objects);
+  return objects;
+}
+
+NamedDocument mutated(const SchemaCase& document, const Json::json_pointer& object,
+                      const std::string& key, const std::string& how, Json value) {
+  SchemaCase copy = document;
+  copy.document[object][key] = std::move(value);
+  return {document.type + object.to_string() + "/" + key + " " + how, std::move(copy)};
+}
+
+TEST(SchemaText, IsTheTextInDocs) {
+  const std::vector<std::string> types = schema_types();
+  EXPECT_EQ(types, (std::vector<std::string>{"evaluation", "fit", "lab", "material", "study"}));
+  for (const std::string& type : types) {
+    EXPECT_EQ(schema_text(type),
+              read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));
+  }
+}
+
+TEST(SchemaText, IsEmptyForAnUnknownType) { EXPECT_TRUE(schema_text("studies").empty()); }
+
+TEST_F(Schema, AcceptsWhatComesWithTheProgram) {
+  const std::vector<NamedDocument> documents = shipped_documents();
+  EXPECT_GT(documents.size(), 10u) << "the examples of docs/formats.md are among them";
+  std::vector<SchemaCase> cases;
+  for (const NamedDocument& one : documents) cases.push_back(one.document);
+  const auto verdicts = judge_by_schema(cases);
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    EXPECT_FALSE(verdicts[i].has_value()) << documents[i].name << ": " << *verdicts[i];
+    if (!is_input(documents[i])) continue;
+    const auto error = judge_by_reader(documents[i].document, folder_.path());
+    EXPECT_FALSE(error.has_value()) << documents[i].name << ": " << *error;
+  }
+}
+
+TEST_F(Schema, AcceptsWhatTheProgramWrites) {
+  const std::vector<NamedDocument> documents = written_documents();
+  std::vector<SchemaCase> cases;
+  for (const NamedDocument& one : documents) cases.push_back(one.document);
+  const auto verdicts = judge_by_schema(cases);
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    EXPECT_FALSE(verdicts[i].has_value()) << documents[i].name << ": " << *verdicts[i];
+  }
+}
+
+// Free texts have keys of their own, which no schema names.
+std::set<std::string> keys_written(Json document) {
+  document.erase("info");
+  document.erase("conditions");
+  std::set<std::string> keys;
+  for (const Json::json_pointer& object : objects_of(document)) {
+    for (const auto& [key, value] : document[object].items()) keys.insert(key);
+  }
+  return keys;
+}
+
+TEST(SchemaKeys, OfResultsAreExactlyThoseWritten) {
+  for (const NamedDocument& written : written_documents()) {
+    if (is_input(written)) continue;
+    std::set<std::string> keys = keys_written(written.document.document);
+    keys.insert({"info", "conditions"});
+    EXPECT_EQ(keys, properties_of(written.document.type)) << written.name;
+  }
+}
+
+TEST_F(Schema, RefusesBrokenDocumentsAsTheReadersDo) {
+  EXPECT_EQ(expect_agreement(broken_documents()), 0) << "documents that neither refuses";
+}
+
+TEST_F(SlowSchema, KnowsExactlyTheKeysThatTheReadersAskFor) {
+  const std::set<std::string> words = words_of_readers();
+  for (const NamedDocument& full : full_documents()) {
+    const std::set<std::string> properties = properties_of(full.document.type);
+    std::set<std::string> candidates = words;
+    candidates.insert(properties.begin(), properties.end());
+    candidates.insert("made_up");
+    std::vector<NamedDocument> documents{full};
+    for (const Json::json_pointer& object : objects_of(full.document.document)) {
+      for (const std::string& key : candidates) {
+        if (full.document.document[object].contains(key)) continue;
+        // A key without value counts as not given: it is refused only where it is not known.
+        NamedDocument added = mutated(full.document, object, key, "added", nullptr);
+        const bool decided = !properties.contains(key) && key != "made_up" &&
+                             judge_by_reader(added.document, folder_.path()).has_value();
+        if (!decided) documents.push_back(std::move(added));
+      }
+    }
+    EXPECT_GT(expect_agreement(documents), 5) << "keys that can be added to the " << full.name;
+  }
+}
+
+TEST_F(Schema, AgreesWithTheReadersOnMissingAndMisshapenValues) {
+  std::vector<NamedDocument> documents;
+  for (const NamedDocument& full : full_documents()) {
+    const Json& whole = full.document.document;
+    for (const Json::json_pointer& object : objects_of(whole)) {
+      for (const auto& [key, value] : whole[object].items()) {
+        NamedDocument dropped = mutated(full.document, object, key, "dropped", nullptr);
+        dropped.document.document[object].erase(key);
+        documents.push_back(std::move(dropped));
+        documents.push_back(mutated(full.document, object, key, "null", nullptr));
+        documents.push_back(mutated(full.document, object, key, "a mapping", {{"made_up", "1 N"}}));
+        documents.push_back(
+            mutated(full.document, object, key, "a list of lists", Json::array({Json::array()})));
+        // The name of a file that is there: whether it is one, no schema can tell.
+        documents.push_back(mutated(full.document, object, key, "a text", "spandex.json"));
+      }
+    }
+  }
+  const int accepted = expect_agreement(documents);
+  EXPECT_GT(accepted, 50);
+  EXPECT_LT(accepted, static_cast<int>(documents.size()) / 2);
+}
+
+/// A place in a full document that takes a quantity of one dimension.
+struct QuantityPlace {
+  std::size_t document;  // of full_documents()
+  const char* pointer;
+  const char* unit;
+};
+
+constexpr QuantityPlace kQuantityPlaces[] = {
+    {0, "/conditions/temperature", "degC"},
+    {0, "/conditions/humidity", "%"},
+    {0, "/density", "gsm"},
+    {0, "/experiments/0/length", "mm"},  // above 0
+    {0, "/experiments/0/clip_mass", "g"},
+    {0, "/experiments/1/pretension", "N"},
+    {0, "/experiments/2/transverse_tension", "N/m"},
+    {1, "/experiments/1/slack", "mm"},  // from 0
+    {1, "/experiments/1/peaks/0", "%"},
+    {1, "/experiments/2/peaks/0", "deg"},
+};
+
+NamedDocument with_quantity(const std::vector<NamedDocument>& full, const QuantityPlace& place,
+                            const std::string& text) {
+  SchemaCase document = full[place.document].document;
+  document.document[Json::json_pointer(place.pointer)] = text;
+  return {fmt::format("{} = {}", place.pointer, text), std::move(document)};
+}
+
+TEST_F(Schema, TakesTheUnitsThatTheReadersTake) {
+  std::vector<std::string> units{"N m/m",     "gf cm/cm", "°C",    "C",     "℃",         "N_per_m",
+                                 "gf_per_cm", "N / m",    "kg/m2", "kg/m²", "kg_per_m2", "µm",
+                                 "μN",        "°",        "ounce", "metre", "MM",        ""};
+  for (int d = 0; d <= static_cast<int>(Dimension::fraction); ++d) {
+    for (const std::string& unit : units_of(static_cast<Dimension>(d))) units.push_back(unit);
+  }
+  const std::vector<NamedDocument> full = full_documents();
+  std::vector<NamedDocument> documents;
+  for (const QuantityPlace& place : kQuantityPlaces) {
+    for (const std::string& unit : units) {
+      documents.push_back(with_quantity(full, place, fmt::format("1 {}", unit)));
+    }
+  }
+  EXPECT_GT(expect_agreement(documents), 40) << "every unit at its place";
+}
+
+TEST_F(Schema, TakesTheNumbersThatTheReadersTake) {
+  const std::vector<NamedDocument> full = full_documents();
+  std::vector<NamedDocument> documents;
+  for (const QuantityPlace& place : kQuantityPlaces) {
+    for (const char* number : {"1", "+1", "-1", "0", "-1.5", "0.0", ".5", "5.", "1e-3", "1E+3",
+                               "1e", "1,5", "", "1 000", "nan", "inf", ".", "--1"}) {
+      for (const char* form : {"{} {}", " {}{} ", "{} {} 2"}) {
+        const std::string text = fmt::format(fmt::runtime(form), number, place.unit);
+        documents.push_back(with_quantity(full, place, text));
+      }
+    }
+    documents.push_back(with_quantity(full, place, "1"));
+    documents.push_back(with_quantity(full, place, fmt::format("{} 1", place.unit)));
+  }
+  EXPECT_GT(expect_agreement(documents), 80) << "the numbers of each place";
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -109,7 +109,9 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
       result.warnings.push_back(name + " is at its bound");
       result.undetermined.push_back(name + " (the data pushes it to its bound)");
     } else if (!fit.uncertainty.identified[index] && !fit.fit.limits.fixed[index]) {
-      result.undetermined.push_back(name + " (its 95 % interval includes zero)");
+      const bool interval = std::isfinite(fit.uncertainty.std_error(i));
+      result.undetermined.push_back(
+          name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
     }
   }
   if (fit.uncertainty.correlation_length > 1.5) {

@@ -1,0 +1,209 @@
+// Facts that every strain measure must show, over random states: derivatives against finite
+// differences, symmetric Hessians, no change under rigid motion. One registry holds them all, and a
+// test compares it with the folder of the measures: a new one cannot be forgotten.
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "pliant/base/assert.h"
+#include "pliant/base/random.h"
+#include "pliant/material/strain/discrete_shells.h"
+#include "pliant/material/strain/soft_constraint_membrane.h"
+#include "pliant/material/strain/spring.h"
+#include "pliant/material/strain/stvk_membrane.h"
+#include "pliant/math/check_derivatives.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kSize = 0.1;  // m, of the stencils
+
+/// A measure at one rest shape, as functions of a vector of unknowns.
+struct Measure {
+  std::string header;
+  int unknowns = 0;
+  int strains = 0;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> strain;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> gradient;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&, const Eigen::VectorXd&)> weighted_hessian;
+};
+
+template <class M>
+Measure measure(const std::string& header, const typename M::Rest& rest) {
+  const auto positions = [](const Eigen::VectorXd& q) {
+    return typename M::Positions(Eigen::Map<const typename M::Positions>(q.data()));
+  };
+  return {header,
+          M::kUnknowns,
+          M::kStrains,
+          [=](const Eigen::VectorXd& q) { return M::strain(rest, positions(q)); },
+          [=](const Eigen::VectorXd& q) { return M::gradient(rest, positions(q)); },
+          [=](const Eigen::VectorXd& q, const Eigen::VectorXd& y) {
+            return M::weighted_hessian(rest, positions(q), y);
+          }};
+}
+
+MembraneRest skewed_triangle() {
+  Eigen::Matrix<double, 2, 3> corners;
+  corners << 0, 1.1, 0.2, 0, 0.1, 0.9;
+  return membrane_rest(kSize * corners);
+}
+
+std::vector<Measure> registry() {
+  return {measure<StvkMembrane>("stvk_membrane", skewed_triangle()),
+          measure<SoftConstraintMembrane>("soft_constraint_membrane", skewed_triangle()),
+          measure<Spring>("spring", {0.7 * kSize}),
+          measure<DiscreteShells>("discrete_shells", {0.3, 0.5 * kSize, 0.3})};
+}
+
+Eigen::VectorXd random_vector(RandomStream& random, int size, double scale) {
+  Eigen::VectorXd v(size);
+  for (double& x : v) x = scale * random.normal();
+  return v;
+}
+
+Eigen::VectorXd moved(const Eigen::VectorXd& q, const Eigen::Matrix3d& rotation,
+                      const Eigen::Vector3d& shift) {
+  Eigen::VectorXd result(q.size());
+  for (Eigen::Index i = 0; i < q.size(); i += 3) {
+    result.segment<3>(i) = rotation * q.segment<3>(i) + shift;
+  }
+  return result;
+}
+
+TEST(StrainMeasures, AreAllRegistered) {
+  const std::set<std::string> helpers{"strain_measure", "membrane_rest"};
+  std::set<std::string> headers, registered;
+  const std::filesystem::path folder =
+      std::filesystem::path(PLIANT_SOURCE_DIR) / "src/pliant/material/strain";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".h" && !helpers.contains(name)) headers.insert(name);
+  }
+  for (const Measure& m : registry()) registered.insert(m.header);
+  EXPECT_EQ(headers, registered);
+}
+
+TEST(StrainMeasures, GradientsAndHessiansAreThoseOfDifferences) {
+  RandomStream random(7);
+  for (const Measure& m : registry()) {
+    for (int trial = 0; trial < 50; ++trial) {
+      const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+      const Eigen::VectorXd y = random_vector(random, m.strains, 1);
+      const Eigen::VectorXd scale = Eigen::VectorXd::Constant(m.unknowns, 0.1 * kSize);
+      const DerivativeCheck first = check_derivatives(m.strain, m.gradient(q), q, scale);
+      const auto force = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+        return m.gradient(x).transpose() * y;
+      };
+      const DerivativeCheck second = check_derivatives(force, m.weighted_hessian(q, y), q, scale);
+      // Extrapolated differences are good to about 1e-10; near-degenerate stencils lose some of it.
+      EXPECT_LT(first.error, 1e-7) << m.header << ": " << first.describe();
+      EXPECT_LT(second.error, 1e-7) << m.header << ": " << second.describe();
+    }
+  }
+}
+
+TEST(StrainMeasures, HessiansAreSymmetric) {
+  RandomStream random(8);
+  for (const Measure& m : registry()) {
+    const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+    const Eigen::MatrixXd hessian = m.weighted_hessian(q, random_vector(random, m.strains, 1));
+    EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-12 * hessian.norm()) << m.header;
+  }
+}
+
+TEST(StrainMeasures, DoNotSeeRigidMotions) {
+  RandomStream random(9);
+  for (const Measure& m : registry()) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+      const Eigen::Vector3d axis = random_vector(random, 3, 1);
+      const Eigen::Matrix3d rotation =
+          Eigen::AngleAxisd(random.uniform(0, 3), axis.normalized()).toRotationMatrix();
+      const Eigen::VectorXd there = moved(q, rotation, random_vector(random, 3, 1));
+      // Rounding of positions at a distance of 1 m, on stencils of 0.1 m.
+      EXPECT_TRUE(m.strain(there).isApprox(m.strain(q), 1e-11)) << m.header;
+      const Eigen::VectorXd y = random_vector(random, m.strains, 1);
+      const Eigen::VectorXd force = m.gradient(q).transpose() * y;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero(), moment = sum;
+      for (Eigen::Index i = 0; i < q.size(); i += 3) {
+        sum += force.segment<3>(i);
+        moment += q.segment<3>(i).cross(force.segment<3>(i));
+      }
+      EXPECT_LT(sum.norm(), 1e-12 * force.norm()) << m.header;
+      EXPECT_LT(moment.norm(), 1e-12 * force.norm() * q.norm()) << m.header;
+    }
+  }
+}
+
+TEST(MembraneMeasures, MeasureStretchAndShearOfTheWeftAndWarp) {
+  Eigen::Matrix<double, 2, 3> corners;
+  corners << 0, 1, 0, 0, 0, 1;
+  const MembraneRest rest = membrane_rest(corners);
+  StvkMembrane::Positions stretched;  // u by 1.2, v by 0.9, sheared by 0.1
+  stretched << 0, 1.2, 0.1, 0, 0, 0.9, 0, 0, 0;
+  EXPECT_TRUE(StvkMembrane::strain(rest, stretched)
+                  .isApprox(Eigen::Vector3d((1.44 - 1) / 2, (0.82 - 1) / 2, 0.12), 1e-14));
+  EXPECT_TRUE(SoftConstraintMembrane::strain(rest, stretched)
+                  .isApprox(Eigen::Vector3d(0.2, std::sqrt(0.82) - 1, 0.12), 1e-14));
+}
+
+TEST(MembraneMeasures, RefuseATriangleThatLiesTheWrongWayRound) {
+  Eigen::Matrix<double, 2, 3> corners;
+  corners << 0, 0, 1, 0, 1, 0;
+  EXPECT_THROW(membrane_rest(corners), AssertionError);
+}
+
+DiscreteShells::Positions folded(double angle) {
+  DiscreteShells::Positions x;
+  x.col(0) << 0, 0, 0;
+  x.col(1) << 0, 1, 0;
+  x.col(2) << -1, 0.3, 0;
+  x.col(3) << std::cos(angle), 0.6, std::sin(angle);
+  return x;
+}
+
+TEST(DiscreteShells, MeasuresTheAngleBetweenTheNormals) {
+  for (const double angle : {-3.0, -1.2, -0.01, 0.0, 0.4, 2.0, 3.1}) {
+    EXPECT_NEAR(std::abs(dihedral_angle(folded(angle))), std::abs(angle), 1e-14);
+  }
+  EXPECT_LT(dihedral_angle(folded(0.4)) * dihedral_angle(folded(-0.4)), 0);
+}
+
+TEST(DiscreteShells, GoesOnThroughAHalfTurn) {
+  const double before = dihedral_angle(folded(3.1));
+  DiscreteShells::Rest rest{0, 0.3, before};
+  const double here = DiscreteShells::strain(rest, folded(3.1))(0);
+  const double beyond = DiscreteShells::strain(rest, folded(3.2))(0);
+  EXPECT_NEAR(std::abs(beyond - here), 3 * 0.1 / 0.3, 1e-12);
+}
+
+TEST(DiscreteShells, OfACylinderIsThreeTimesItsCurvature) {
+  // Two flat strips of width h inscribed in a circle: theta / h tends to the curvature with h^2.
+  const double radius = 0.05;
+  double last_error = 0;
+  for (const double half : {0.1, 0.05, 0.025}) {  // half the angle that a strip spans
+    const auto on_circle = [&](double turns) {
+      return Eigen::Vector3d(radius * std::sin(turns * half), 0, radius * std::cos(turns * half));
+    };
+    DiscreteShells::Positions x;
+    x << on_circle(0), on_circle(0) + Eigen::Vector3d(0, 0.01, 0), on_circle(-2), on_circle(2);
+    const double width = 2 * radius * std::sin(half);
+    const DiscreteShells::Rest rest{0, width, 0};
+    const double error = std::abs(std::abs(DiscreteShells::strain(rest, x)(0)) - 3 / radius);
+    if (last_error > 0) {
+      EXPECT_NEAR(last_error / error, 4, 0.1);  // second order
+    }
+    last_error = error;
+  }
+}
+
+}  // namespace
+}  // namespace pliant

@@ -9,18 +9,6 @@
 namespace pliant {
 namespace {
 
-double at_least_zero(const Value& value, Dimension dimension) {
-  const double number = value.quantity(dimension);
-  if (number < 0) value.fail("is negative", "a value of at least 0");
-  return number;
-}
-
-double positive(const Value& value, Dimension dimension) {
-  const double number = value.quantity(dimension);
-  if (number <= 0) value.fail("is not positive", "a value above 0");
-  return number;
-}
-
 struct InstrumentPart {
   double force = 0;
   double length = 0;
@@ -32,8 +20,8 @@ InstrumentPart read_part(Fields& fields, std::string_view key, bool shear) {
   if (!node) return part;
   Fields inner = node->fields();
   const Dimension force = shear ? Dimension::force_per_length : Dimension::force;
-  if (auto v = inner.optional("force")) part.force = at_least_zero(*v, force);
-  if (auto v = inner.optional("length")) part.length = at_least_zero(*v, Dimension::length);
+  if (auto v = inner.optional("force")) part.force = v->quantity_from_zero(force);
+  if (auto v = inner.optional("length")) part.length = v->quantity_from_zero(Dimension::length);
   inner.finish();
   return part;
 }
@@ -53,28 +41,31 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   const bool shear = experiment.type == "shear-cycles";
   if (!shear) {
     experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-    if (auto v = fields.optional("length")) experiment.length = positive(*v, Dimension::length);
-    if (auto v = fields.optional("width")) experiment.width = positive(*v, Dimension::length);
+    if (auto v = fields.optional("length"))
+      experiment.length = v->positive_quantity(Dimension::length);
+    if (auto v = fields.optional("width"))
+      experiment.width = v->positive_quantity(Dimension::length);
   }
   if (experiment.type == "hanging-weights") {
     if (auto v = fields.optional("clip_mass")) {
-      experiment.clip_mass = at_least_zero(*v, Dimension::mass);
+      experiment.clip_mass = v->quantity_from_zero(Dimension::mass);
     }
-    if (auto v = fields.optional("step")) experiment.step = positive(*v, Dimension::force);
+    if (auto v = fields.optional("step")) experiment.step = v->positive_quantity(Dimension::force);
   } else {
     if (auto v = fields.optional("samples")) experiment.samples = v->integer(3, 1000000);
   }
   if (experiment.type == "tensile-cycles") {
-    if (auto v = fields.optional("slack")) experiment.slack = at_least_zero(*v, Dimension::length);
+    if (auto v = fields.optional("slack"))
+      experiment.slack = v->quantity_from_zero(Dimension::length);
   }
   if (shear) {
     if (auto v = fields.optional("transverse_tension")) {
-      experiment.transverse_tension = at_least_zero(*v, Dimension::force_per_length);
+      experiment.transverse_tension = v->quantity_from_zero(Dimension::force_per_length);
     }
   }
   const Value peaks = fields.require("peaks");
   for (const Value& peak : peaks.items()) {
-    experiment.peaks.push_back(positive(peak, peak_dimension(experiment.type)));
+    experiment.peaks.push_back(peak.positive_quantity(peak_dimension(experiment.type)));
   }
   if (experiment.peaks.empty()) peaks.fail("is empty", "at least one peak");
   if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
@@ -98,7 +89,7 @@ VirtualLab read_lab(const std::filesystem::path& path) {
   if (auto v = fields.optional("name")) lab.name = v->text();
   if (auto v = fields.optional("specimens")) lab.specimens = v->integer(1, 1000);
   if (auto v = fields.optional("specimen_variation")) {
-    lab.specimen_variation = at_least_zero(*v, Dimension::fraction);
+    lab.specimen_variation = v->quantity_from_zero(Dimension::fraction);
   }
   std::set<std::string> names;
   const Value list = fields.require("experiments");

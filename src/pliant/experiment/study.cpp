@@ -23,18 +23,6 @@ struct Defaults {
   double width = 0;
 };
 
-double positive_quantity(const Value& value, Dimension dimension) {
-  const double number = value.quantity(dimension);
-  if (number <= 0) value.fail("is not positive", "a value above 0");
-  return number;
-}
-
-double quantity_from_zero(const Value& value, Dimension dimension) {
-  const double number = value.quantity(dimension);
-  if (number < 0) value.fail("is negative", "a value of at least 0");
-  return number;
-}
-
 std::map<std::string, std::string> read_texts(Fields& fields, std::string_view key) {
   std::map<std::string, std::string> texts;
   if (auto node = fields.optional(key)) {
@@ -63,8 +51,8 @@ Defaults read_defaults(Fields& fields) {
   const auto node = fields.optional("defaults");
   if (!node) return defaults;
   Fields inner = node->fields();
-  if (auto v = inner.optional("length")) defaults.length = positive_quantity(*v, Dimension::length);
-  if (auto v = inner.optional("width")) defaults.width = positive_quantity(*v, Dimension::length);
+  if (auto v = inner.optional("length")) defaults.length = v->positive_quantity(Dimension::length);
+  if (auto v = inner.optional("width")) defaults.width = v->positive_quantity(Dimension::length);
   inner.finish();
   return defaults;
 }
@@ -92,8 +80,8 @@ StatedNoise read_noise(const Value& node, const std::string& type) {
   Fields fields = node.fields();
   StatedNoise noise;
   const Dimension force = type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
-  if (auto v = fields.optional("force")) noise.force = positive_quantity(*v, force);
-  if (auto v = fields.optional("length")) noise.length = positive_quantity(*v, Dimension::length);
+  if (auto v = fields.optional("force")) noise.force = v->positive_quantity(force);
+  if (auto v = fields.optional("length")) noise.length = v->positive_quantity(Dimension::length);
   fields.finish();
   return noise;
 }
@@ -114,7 +102,7 @@ std::string read_type(const Value& value) {
 
 void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   const auto read = [&](std::string_view key, double fallback) {
-    if (auto v = fields.optional(key)) return positive_quantity(*v, Dimension::length);
+    if (auto v = fields.optional(key)) return v->positive_quantity(Dimension::length);
     if (fallback == 0) fields.require(key);
     return fallback;
   };
@@ -138,17 +126,17 @@ RestLength read_rest_length(Fields& fields, double pretension) {
 
 void read_hanging_weights(Fields& fields, ExperimentSpec& spec) {
   if (auto v = fields.optional("clip_mass")) {
-    spec.clip_mass = quantity_from_zero(*v, Dimension::mass);
+    spec.clip_mass = v->quantity_from_zero(Dimension::mass);
   }
   if (auto v = fields.optional("rested")) spec.rested = v->flag();
 }
 
 void read_tensile_cycles(Fields& fields, ExperimentSpec& spec) {
   if (auto v = fields.optional("pretension")) {
-    spec.pretension = quantity_from_zero(*v, Dimension::force);
+    spec.pretension = v->quantity_from_zero(Dimension::force);
   }
   if (auto v = fields.optional("apparatus_friction")) {
-    spec.apparatus_friction = quantity_from_zero(*v, Dimension::force);
+    spec.apparatus_friction = v->quantity_from_zero(Dimension::force);
   }
   if (auto v = fields.optional("precondition_cycles")) {
     spec.precondition_cycles = v->integer(0, 1000);
@@ -159,7 +147,7 @@ void read_tensile_cycles(Fields& fields, ExperimentSpec& spec) {
 
 void read_shear_cycles(Fields& fields, ExperimentSpec& spec) {
   if (auto v = fields.optional("transverse_tension")) {
-    spec.transverse_tension = quantity_from_zero(*v, Dimension::force_per_length);
+    spec.transverse_tension = v->quantity_from_zero(Dimension::force_per_length);
   }
   spec.initial_friction = read_initial_friction(fields);
 }
@@ -352,7 +340,7 @@ Study read_study(const std::filesystem::path& path) {
   study.file = path.string();
   study.name = fields.require("name").text();
   if (auto v = fields.optional("density")) {
-    study.density = positive_quantity(*v, Dimension::area_density);
+    study.density = v->positive_quantity(Dimension::area_density);
   }
   study.info = read_texts(fields, "info");
   study.conditions = read_conditions(fields);

@@ -66,6 +66,18 @@ double Value::quantity(Dimension dimension) const {
   }
 }
 
+double Value::positive_quantity(Dimension dimension) const {
+  const double si = quantity(dimension);
+  if (si <= 0) fail("is not positive", "a value above 0");
+  return si;
+}
+
+double Value::quantity_from_zero(Dimension dimension) const {
+  const double si = quantity(dimension);
+  if (si < 0) fail("is negative", "a value of at least 0");
+  return si;
+}
+
 bool Value::flag() const {
   const std::string& text = scalar("true or false");
   if (text != "true" && text != "false") fail(quoted_value(text), "true or false");

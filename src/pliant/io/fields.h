@@ -37,6 +37,9 @@ class Value {
   double number() const;
   /// A number with a unit of `dimension`, in SI.
   double quantity(Dimension dimension) const;
+  /// The same above zero, or not below it.
+  double positive_quantity(Dimension dimension) const;
+  double quantity_from_zero(Dimension dimension) const;
   /// `true` or `false`.
   bool flag() const;
   /// A whole number in [low, high].

@@ -1,10 +1,10 @@
 #include "pliant/base/parallel.h"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <stdexcept>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace pliant {
 namespace {

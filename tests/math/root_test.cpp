@@ -1,9 +1,9 @@
 #include "pliant/math/root.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 namespace pliant {
 namespace {

@@ -1,9 +1,9 @@
 #include "pliant/math/scalar_curve.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "pliant/base/assert.h"
 
@@ -85,8 +85,8 @@ TEST(ScalarCurve, WeightsAreTheDerivativesWithRespectToTheControlValues) {
         EXPECT_NEAR(other.value(x) - curve.value(x), curve.weights(x)(i), 1e-12);
         EXPECT_NEAR(other.slope(x) - curve.slope(x), curve.slope_weights(x)(i), 1e-11);
         EXPECT_NEAR(other.integral(x) - curve.integral(x), curve.integral_weights(x)(i), 1e-12);
-        EXPECT_NEAR(other.first_moment(x) - curve.first_moment(x),
-                    curve.first_moment_weights(x)(i), 1e-12);
+        EXPECT_NEAR(other.first_moment(x) - curve.first_moment(x), curve.first_moment_weights(x)(i),
+                    1e-12);
       }
     }
   }

@@ -15,6 +15,14 @@
 
 namespace pliant::test {
 
+/// Sanitizers make a program several times slower and larger: limits of time and memory are those
+/// of the plain build, times this.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int kSanitizerFactor = 5;
+#else
+inline constexpr int kSanitizerFactor = 1;
+#endif
+
 /// What became of a run of the program.
 struct ProgramRun {
   int status = -1;  ///< exit status; -signal when a signal ended it

@@ -73,7 +73,8 @@ TEST(DataSource, AFileThatIsNotThereIsRefusedWhenRead) {
   const TemporaryFolder folder;
   const DataSource source = source_of(folder, "none.csv");
   const InputError error = input_error_of([&] { const DataRows rows(source); });
-  EXPECT_THAT(error.where().file, HasSubstr("none.csv"));
+  EXPECT_THAT(error.problem(), HasSubstr("none.csv"));
+  EXPECT_EQ(error.where().field, "data");  // where the study asks for it
 }
 
 TEST(DataSource, MapsColumnsAndSkipsAPreamble) {

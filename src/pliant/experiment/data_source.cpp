@@ -80,6 +80,10 @@ DataSource read_data_source(const Value& value) {
 
 DataRows::DataRows(const DataSource& source) {
   for (const fs::path& file : source.files) {
+    if (!fs::exists(file)) {
+      throw InputError(source.where, "the file " + quoted_value(file.string()) + " does not exist",
+                       "a data file, relative to the study");
+    }
     tables_.push_back(read_csv(file, source.csv));
     rows_ += static_cast<int>(tables_.back().rows());
   }

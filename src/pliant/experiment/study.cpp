@@ -23,15 +23,6 @@ struct Defaults {
   double width = 0;
 };
 
-std::map<std::string, std::string> read_texts(Fields& fields, std::string_view key) {
-  std::map<std::string, std::string> texts;
-  if (auto node = fields.optional(key)) {
-    Fields inner = node->fields();
-    for (auto& [name, value] : inner.all()) texts[name] = value.text();
-  }
-  return texts;
-}
-
 // Free texts, but temperature and humidity are quantities that name their unit.
 std::map<std::string, std::string> read_conditions(Fields& fields) {
   std::map<std::string, std::string> conditions;
@@ -342,7 +333,7 @@ Study read_study(const std::filesystem::path& path) {
   if (auto v = fields.optional("density")) {
     study.density = v->positive_quantity(Dimension::area_density);
   }
-  study.info = read_texts(fields, "info");
+  study.info = fields.texts("info");
   study.conditions = read_conditions(fields);
   const Defaults defaults = read_defaults(fields);
   study.experiments = read_experiments(fields.require("experiments"), defaults);

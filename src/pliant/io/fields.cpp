@@ -162,6 +162,15 @@ std::vector<std::string> Fields::keys() const {
   return keys;
 }
 
+std::map<std::string, std::string> Fields::texts(std::string_view key) {
+  std::map<std::string, std::string> texts;
+  const std::optional<Value> node = optional(key);
+  if (!node) return texts;
+  Fields inner = node->fields();
+  for (const auto& [name, value] : inner.all()) texts[name] = value.text();
+  return texts;
+}
+
 std::vector<std::pair<std::string, Value>> Fields::all() {
   std::vector<std::pair<std::string, Value>> values;
   for (const auto& [key, node] : mapping_.node_->fields) {

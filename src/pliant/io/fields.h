@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -78,6 +79,9 @@ class Fields {
   /// The value of a key that must be there.
   Value require(std::string_view key);
   std::optional<Value> optional(std::string_view key);
+
+  /// The scalars of a mapping of free texts, by their keys; empty where `key` is not given.
+  std::map<std::string, std::string> texts(std::string_view key);
 
   /// Every key and value, also null ones; all count as asked for.
   std::vector<std::pair<std::string, Value>> all();

@@ -119,14 +119,6 @@ MaterialComponent read_component(const Value& node, bool even) {
   return component;
 }
 
-std::map<std::string, std::string> read_texts(const std::optional<Value>& node) {
-  std::map<std::string, std::string> texts;
-  if (!node) return texts;
-  Fields fields = node->fields();
-  for (auto& [key, value] : fields.all()) texts[key] = value.text();
-  return texts;
-}
-
 Json curve_json(const ScalarCurve& curve) {
   Json json{{"curve", name_of(curve.kind())}};
   switch (curve.kind()) {
@@ -201,8 +193,8 @@ Material read_material(const std::filesystem::path& path) {
     material.damping_fraction = not_negative(inner.require("fraction"));
     inner.finish();
   }
-  material.info = read_texts(fields.optional("info"));
-  material.provenance = read_texts(fields.optional("provenance"));
+  material.info = fields.texts("info");
+  material.provenance = fields.texts("provenance");
   fields.finish();
   return material;
 }

@@ -56,9 +56,19 @@ void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop)
   }
 }
 
+size_t specimen_count(const ComponentProblem& problem) {
+  size_t count = 0;
+  for (const Experiment* experiment : problem.experiments()) {
+    count += experiment->info().specimens.size();
+  }
+  return count;
+}
+
 std::vector<std::optional<double>> spread_between_specimens(const ComponentProblem& problem,
                                                             const LawFit& fit,
                                                             const StopToken& stop) {
+  std::vector<std::optional<double>> spread(static_cast<size_t>(fit.law.parameter_count()));
+  if (specimen_count(problem) < 2) return spread;
   std::vector<Eigen::VectorXd> fits;
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
     const auto specimens = problem.experiments()[e]->info().specimens.size();
@@ -68,7 +78,6 @@ std::vector<std::optional<double>> spread_between_specimens(const ComponentProbl
       fits.push_back(refit(one, fit, stop).law.parameters());
     }
   }
-  std::vector<std::optional<double>> spread(static_cast<size_t>(fit.law.parameter_count()));
   if (fits.size() < 2) return spread;
   const auto count = static_cast<double>(fits.size());
   for (size_t i = 0; i < spread.size(); ++i) {

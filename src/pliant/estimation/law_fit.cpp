@@ -71,15 +71,6 @@ LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
                const std::vector<ComponentLaw>& extra) {
   LawFit fit;
   fit.limits = limits_of(problem, shape, options);
-  // Without friction the initial friction state means nothing.
-  if (shape.friction_law == FrictionLaw::none) {
-    for (size_t i = 0; i < fit.limits.names.size(); ++i) {
-      if (!fit.limits.names[i].ends_with(".initial_friction")) continue;
-      fit.limits.lower(static_cast<Eigen::Index>(i)) = 0;
-      fit.limits.upper(static_cast<Eigen::Index>(i)) = 0;
-      fit.limits.fixed[i] = 1;
-    }
-  }
   const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
   std::vector<double> costs;
   LeastSquaresSummary best;

@@ -37,6 +37,19 @@ void law_limits(const ComponentLaw& shape, const DataScale& data, ParameterLimit
       (has_tau ? 0.1 * data.strain : stiffness);
 }
 
+// Without friction the state of friction means nothing.
+void hold_friction_nuisance(const ComponentLaw& shape,
+                            const std::vector<NuisanceParameter>& nuisance,
+                            ParameterLimits& limits) {
+  for (size_t i = 0; i < nuisance.size(); ++i) {
+    if (!nuisance[i].of_friction) continue;
+    const size_t index = static_cast<size_t>(shape.parameter_count()) + i;
+    limits.lower(static_cast<Eigen::Index>(index)) = 0;
+    limits.upper(static_cast<Eigen::Index>(index)) = 0;
+    limits.fixed[index] = 1;
+  }
+}
+
 }  // namespace
 
 ParameterLimits parameter_limits(const ComponentLaw& shape, const std::string& component,
@@ -74,6 +87,7 @@ ParameterLimits parameter_limits(const ComponentLaw& shape, const std::string& c
     }
     limits.priors[i] = find_option(options.priors, limits.names[i]);
   }
+  if (shape.friction_law == FrictionLaw::none) hold_friction_nuisance(shape, nuisance, limits);
   return limits;
 }
 

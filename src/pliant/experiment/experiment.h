@@ -29,7 +29,8 @@ struct NuisanceParameter {
   double start = 0;
   double lower = 0;
   double upper = 0;
-  double scale = 1;  ///< a change that matters
+  double scale = 1;          ///< a change that matters
+  bool of_friction = false;  ///< means nothing for a law without friction
 };
 
 /// Predicted values of the measured quantity, one per row.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "pliant/experiment/data_source.h"
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/study.h"
+#include "pliant/experiment/turning_points.h"
 
 namespace pliant {
 
@@ -28,6 +31,20 @@ void require_change(const std::vector<double>& values, const DataRows& data,
 /// Name of a specimen's nuisance parameter: EXPERIMENT.NAME, or EXPERIMENT.SPECIMEN.NAME where
 /// there are several.
 std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name);
+
+/// What the material carries at a row: strain, force, and force per stress.
+struct CarriedLoad {
+  double strain = 0;
+  double force = 0;
+  double factor = 1;
+};
+
+/// Appends the rows of a specimen to a measured path; each stretch is anchored at the last row of
+/// the one before.
+/// @param load  of a row of the experiment, and the direction in which the path moves there
+void append_stretches(const SpecimenRows& rows, int specimen, std::span<const Stretch> stretches,
+                      const std::function<CarriedLoad(int row, int direction)>& load,
+                      MeasuredPath& path);
 
 /// A length as it reads in a sentence, e.g. 0.0123 -> "12.3 mm".
 std::string millimetres(double metres);

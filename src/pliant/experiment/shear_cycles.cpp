@@ -51,23 +51,16 @@ void ShearCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& s
   nuisance_.push_back({nuisance_name(info_, number, "force_offset"), "N/m", 0, -0.2 * peak,
                        0.2 * peak, 0.01 * peak});
   if (!specimen.rested) {
-    nuisance_.push_back({nuisance_name(info_, number, "initial_friction"), "1", 0, -1, 1, 0.5});
+    nuisance_.push_back(
+        {nuisance_name(info_, number, "initial_friction"), "1", 0, -1, 1, 0.5, true});
   }
 
-  int anchor = rows.first;
-  for (const Stretch& stretch : specimen.stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
-      const auto row = static_cast<size_t>(rows.first + i);
-      path_.strain.push_back(strain_[row]);
-      path_.force.push_back(measured_(rows.first + i) -
-                            transverse_tension_ * std::tan(angle_[row]));
-      path_.factor.push_back(1);
-      path_.direction.push_back(stretch.direction);
-      path_.anchor.push_back(anchor);
-      path_.specimen.push_back(static_cast<int>(number));
-    }
-    anchor = rows.first + stretch.last;
-  }
+  const auto load = [this](int row, int) {
+    const auto index = static_cast<size_t>(row);
+    return CarriedLoad{strain_[index],
+                       measured_(row) - transverse_tension_ * std::tan(angle_[index]), 1};
+  };
+  append_stretches(rows, static_cast<int>(number), specimen.stretches, load, path_);
   specimens_.push_back(std::move(specimen));
 }
 

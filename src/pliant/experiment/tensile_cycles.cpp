@@ -94,23 +94,17 @@ void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const Experi
     const bool slack = length_[static_cast<size_t>(specimen.rows.first)] < geometry_.gauge_length;
     specimen.nuisance.initial_friction =
         add("initial_friction", "1", slack ? -0.1 : 0.0, -1, slack ? 0 : 1, 0.5);
+    nuisance_.back().of_friction = true;
   }
 }
 
 void TensileCycles::read_path(const Specimen& specimen, int number) {
-  int anchor = specimen.rows.first;
-  for (const Stretch& stretch : specimen.stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
-      const int row = specimen.rows.first + i;
-      path_.strain.push_back(strain_at(geometry_, length_[static_cast<size_t>(row)]));
-      path_.force.push_back(measured_(row) - stretch.direction * apparatus_friction_);
-      path_.factor.push_back(force_factor(geometry_, path_.strain.back()));
-      path_.direction.push_back(stretch.direction);
-      path_.anchor.push_back(anchor);
-      path_.specimen.push_back(number);
-    }
-    anchor = specimen.rows.first + stretch.last;
-  }
+  const auto load = [this](int row, int direction) {
+    const double strain = strain_at(geometry_, length_[static_cast<size_t>(row)]);
+    return CarriedLoad{strain, measured_(row) - direction * apparatus_friction_,
+                       force_factor(geometry_, strain)};
+  };
+  append_stretches(specimen.rows, number, specimen.stretches, load, path_);
 }
 
 void TensileCycles::describe(const ExperimentSpec& spec) {

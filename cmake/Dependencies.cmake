@@ -9,11 +9,19 @@ find_package(nlohmann_json QUIET)
 find_package(OpenSSL QUIET)
 find_package(Eigen3 QUIET)
 find_package(CLI11 QUIET)
+find_package(PNG QUIET)
+find_package(embree 3 QUIET)
 
 # Ceres' own module for SuiteSparse lists every library it finds, QUIET or not.
 block(SCOPE_FOR VARIABLES)
   set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
   find_package(Ceres QUIET)
+endblock()
+
+# Optional within src/pliant/geometry. Its configuration talks, QUIET or not.
+block(SCOPE_FOR VARIABLES)
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+  find_package(CGAL QUIET)
 endblock()
 
 # By pkg-config: Debian's libzip-config.cmake refuses to load without the zipcmp, zipmerge and

@@ -8,9 +8,12 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/u3m_file.h"
+#include "pliant/geometry/polygon_mesh.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/text_file.h"
+
+#include "apps/pliant/mesh_info.h"
 
 namespace pliant {
 namespace {
@@ -42,7 +45,7 @@ Syntax syntax_of(const fs::path& path) {
 }
 
 FileInfo document_info(const fs::path& path, const Document& document) {
-  const std::string expected = "study/1, lab/1, material/1, fit/1 or evaluation/1";
+  const std::string expected = "study/1, lab/1, scene/1, material/1, fit/1 or evaluation/1";
   const std::optional<std::string> type = document_type(document);
   if (!type) {
     throw InputError({document.file, document.root.line, "pliant"}, "is missing",
@@ -52,6 +55,7 @@ FileInfo document_info(const fs::path& path, const Document& document) {
   const std::string name = type->substr(0, type->find('/'));
   if (name == "study") return study_info(path);
   if (name == "lab") return lab_info(path);
+  if (name == "scene") return scene_info(path);
   if (name == "material") return material_info(path);
   if (name == "fit" || name == "evaluation") return results_file_info(path);
   throw InputError({document.file, document.root.line, "pliant"},
@@ -74,6 +78,7 @@ std::string labelled(std::string_view label, std::string_view text, int indent) 
 
 FileInfo describe_file(const fs::path& path) {
   if (fs::is_directory(path)) return directory_info(path);
+  if (is_mesh_file(path)) return mesh_info(path);
   if (is_u3m(path)) return u3m_file_info(path);
   switch (syntax_of(path)) {
     case Syntax::yaml:

@@ -33,6 +33,7 @@ FileInfo describe_file(const std::filesystem::path& path);
 // The kinds of file, each as `describe_file`.
 FileInfo study_info(const std::filesystem::path& path);
 FileInfo lab_info(const std::filesystem::path& path);
+FileInfo scene_info(const std::filesystem::path& path);
 FileInfo material_info(const std::filesystem::path& path);
 FileInfo csv_info(const std::filesystem::path& path);
 FileInfo u3m_file_info(const std::filesystem::path& path);

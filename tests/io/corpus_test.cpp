@@ -10,6 +10,8 @@
 #include "pliant/base/errors.h"
 #include "pliant/io/csv.h"
 #include "pliant/io/document.h"
+#include "pliant/io/obj.h"
+#include "pliant/io/ply.h"
 
 namespace pliant {
 namespace {
@@ -60,6 +62,14 @@ TEST(Corpus, YamlFilesAreReadOrRefused) {
 
 TEST(Corpus, JsonFilesAreReadOrRefused) {
   EXPECT_GT(count_accepted("json", [](const fs::path& file) { read_json(file); }), 0);
+}
+
+TEST(Corpus, PlyFilesAreReadOrRefused) {
+  EXPECT_GT(count_accepted("ply", [](const fs::path& file) { read_ply(file); }), 0);
+}
+
+TEST(Corpus, ObjFilesAreReadOrRefused) {
+  EXPECT_GT(count_accepted("obj", [](const fs::path& file) { read_obj(file); }), 0);
 }
 
 }  // namespace

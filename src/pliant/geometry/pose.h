@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace pliant {
+
+/// Where a rigid body is: x = rotation * local + translation.
+struct Pose {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of unit length
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();         ///< m
+
+  Eigen::Vector3d apply(const Eigen::Vector3d& local) const {
+    return rotation * local + translation;
+  }
+};
+
+}  // namespace pliant

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/io/mesh_data.h"
+
+namespace pliant {
+
+/// VTK's numbers of the shapes of cells.
+enum class VtkCell : std::uint8_t { triangle = 5, tetrahedron = 10, hexahedron = 12 };
+
+/// A named field: `components` numbers for each point or cell, point by point.
+struct VtuArray {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+};
+
+/// A mesh of cells of one shape with fields on it.
+struct VtuGrid {
+  std::vector<Point3> points;
+  VtkCell cell = VtkCell::triangle;
+  std::vector<int> corners;  ///< points of each cell, one cell after the other, in VTK's order
+  std::vector<VtuArray> point_data;
+  std::vector<VtuArray> cell_data;
+};
+
+enum class VtuEncoding {
+  appended_raw,  ///< smallest and fastest; the file is no well-formed XML
+  base64,        ///< well-formed XML
+};
+
+struct VtuOptions {
+  VtuEncoding encoding = VtuEncoding::appended_raw;
+  bool single_precision = false;  ///< of points and fields: half the size
+};
+
+/// A VTK unstructured grid file (.vtu), as ParaView reads it.
+std::string write_vtu(const VtuGrid& grid, const VtuOptions& options = {});
+
+/// One moment of a series.
+struct PvdFrame {
+  double time = 0;   ///< s
+  std::string file;  ///< relative to the .pvd file
+};
+
+/// A ParaView data file (.pvd) that opens a series of files with their times.
+std::string write_pvd(std::span<const PvdFrame> frames);
+
+}  // namespace pliant

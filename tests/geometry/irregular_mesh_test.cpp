@@ -1,0 +1,112 @@
+#include "pliant/geometry/irregular_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/assert.h"
+#include "pliant/base/errors.h"
+#include "pliant/geometry/mesh_quality.h"
+#include "pliant/geometry/topology.h"
+
+namespace pliant {
+namespace {
+
+struct Rectangle {
+  double width, height, edge_length;
+};
+
+class IrregularRectangle : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_irregular_meshes()) GTEST_SKIP() << "built without CGAL";
+  }
+};
+
+TEST_F(IrregularRectangle, IsAGoodMeshOfTheWholeRectangle) {
+  for (const auto& [width, height, edge] :
+       {Rectangle{0.1, 0.1, 0.004}, {0.31, 0.07, 0.004}, {0.1, 0.1, 0.013}, {3, 1, 0.1}}) {
+    const TriangleMesh mesh = irregular_rectangle(width, height, edge);
+    EXPECT_TRUE(find_mesh_problems(mesh).empty());
+    EXPECT_NEAR(rest_area(mesh), width * height, 1e-12 * width * height);  // rounding
+    const MeshQuality quality = mesh_quality(mesh);
+    EXPECT_GT(quality.smallest_angle, 25 * std::numbers::pi / 180);
+    EXPECT_LT(quality.longest_edge, 1.7 * edge);
+    EXPECT_GT(quality.shortest_edge, 0.5 * edge);
+    EXPECT_NEAR(quality.mean_edge, edge, 0.06 * edge);  // as its header promises
+  }
+}
+
+TEST_F(IrregularRectangle, HasAnOutlineOfEqualEdgesExactlyOnItsSides) {
+  const double width = 0.31, height = 0.07;
+  const TriangleMesh mesh = irregular_rectangle(width, height, 0.01);
+  int boundary_edges = 0;
+  std::set<int> corners;
+  for (const MeshEdge& edge : find_edges(mesh.triangles)) {
+    if (!edge.is_boundary()) continue;
+    ++boundary_edges;
+    const auto [a, b] = edge.vertices;
+    EXPECT_NEAR((mesh.positions.col(a) - mesh.positions.col(b)).norm(), 0.01, 1e-15);
+    for (const int vertex : {a, b}) {
+      const double x = mesh.positions(0, vertex), y = mesh.positions(1, vertex);
+      const bool left_or_right = x == 0 || x == width, low_or_high = y == 0 || y == height;
+      EXPECT_TRUE(left_or_right || low_or_high);
+      if (left_or_right && low_or_high) corners.insert(vertex);
+    }
+  }
+  EXPECT_EQ(boundary_edges, 2 * (31 + 7));
+  EXPECT_EQ(corners.size(), 4u);
+}
+
+// A sheet of it must be as stiff in one direction as in another.
+TEST_F(IrregularRectangle, HasEdgesOfAllDirectionsAlike) {
+  const TriangleMesh mesh = irregular_rectangle(0.2, 0.2, 0.004);
+  std::array<double, 6> parts{};
+  double count = 0;
+  for (const MeshEdge& edge : find_edges(mesh.triangles)) {
+    if (edge.is_boundary()) continue;
+    const Eigen::Vector3d d =
+        mesh.positions.col(edge.vertices[1]) - mesh.positions.col(edge.vertices[0]);
+    const double turn = std::atan2(d.y(), d.x()) / std::numbers::pi + 1;  // in [0, 2]
+    ++parts[static_cast<std::size_t>(turn * 6) % 6];
+    ++count;
+  }
+  // About 7000 edges: 1200 a part, three standard deviations of 32 each are 8 %; the rows along
+  // the outline favour its directions a little.
+  for (const double part : parts) EXPECT_NEAR(part / count, 1.0 / 6, 0.15 / 6);
+}
+
+TEST_F(IrregularRectangle, IsTheSameForTheSameArguments) {
+  const TriangleMesh first = irregular_rectangle(0.2, 0.1, 0.005);
+  const TriangleMesh second = irregular_rectangle(0.2, 0.1, 0.005);
+  EXPECT_TRUE(first.positions == second.positions);
+  EXPECT_TRUE(first.triangles == second.triangles);
+}
+
+TEST_F(IrregularRectangle, NumbersNeighboursNearToEachOther) {
+  const TriangleMesh mesh = irregular_rectangle(0.2, 0.1, 0.002);
+  int widest = 0;
+  for (const MeshEdge& edge : find_edges(mesh.triangles)) {
+    widest = std::max(widest, edge.vertices[1] - edge.vertices[0]);
+  }
+  // A strip holds about 0.2 / 0.002 * 1.15 vertices; an edge leads at most to the second next.
+  EXPECT_LT(widest, 3 * 115);
+}
+
+TEST_F(IrregularRectangle, MayBeAsCoarseAsTwoTriangles) {
+  EXPECT_TRUE(find_mesh_problems(irregular_rectangle(1, 1, 5)).empty());
+  EXPECT_THROW(irregular_rectangle(0, 1, 0.1), AssertionError);
+  EXPECT_THROW(irregular_rectangle(1, 1, 0), AssertionError);
+}
+
+TEST(IrregularRectangleWithoutCgal, SaysWhatIsMissing) {
+  if (has_irregular_meshes()) GTEST_SKIP() << "built with CGAL";
+  EXPECT_THROW(irregular_rectangle(1, 1, 0.1), InputError);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,6 +1,7 @@
 // Facts that every strain measure must show, over random states: derivatives against finite
-// differences, symmetric Hessians, no change under rigid motion. One registry holds them all, and a
-// test compares it with the folder of the measures: a new one cannot be forgotten.
+// differences, symmetric Hessians with convex stand-ins, no change under rigid motion. One registry
+// holds them all, and a test compares it with the folder of the measures: a new one cannot be
+// forgotten.
 
 #include <cmath>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -33,6 +35,7 @@ struct Measure {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> strain;
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> gradient;
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&, const Eigen::VectorXd&)> weighted_hessian;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&, const Eigen::VectorXd&)> convex_hessian;
 };
 
 template <class M>
@@ -47,6 +50,9 @@ Measure measure(const std::string& header, const typename M::Rest& rest) {
           [=](const Eigen::VectorXd& q) { return M::gradient(rest, positions(q)); },
           [=](const Eigen::VectorXd& q, const Eigen::VectorXd& y) {
             return M::weighted_hessian(rest, positions(q), y);
+          },
+          [=](const Eigen::VectorXd& q, const Eigen::VectorXd& y) {
+            return M::convex_weighted_hessian(rest, positions(q), y);
           }};
 }
 
@@ -139,6 +145,77 @@ TEST(StrainMeasures, DoNotSeeRigidMotions) {
       }
       EXPECT_LT(sum.norm(), 1e-12 * force.norm()) << m.header;
       EXPECT_LT(moment.norm(), 1e-12 * force.norm() * q.norm()) << m.header;
+    }
+  }
+}
+
+double least_eigenvalue(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()(0);
+}
+
+/// Stresses of all signs; every second one vanishes, since shear alone is never convex.
+Eigen::VectorXd random_stress(RandomStream& random, int strains) {
+  Eigen::VectorXd y = random_vector(random, strains, 1);
+  for (double& stress : y) {
+    if (random.uniform() < 0.5) stress = 0;
+  }
+  return y;
+}
+
+TEST(StrainMeasures, ConvexHessiansAreSymmetricAndPositiveSemidefinite) {
+  RandomStream random(11);
+  for (const Measure& m : registry()) {
+    for (int trial = 0; trial < 200; ++trial) {
+      const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+      const Eigen::VectorXd y =
+          trial % 2 == 0 ? random_vector(random, m.strains, 1) : random_stress(random, m.strains);
+      const Eigen::MatrixXd hessian = m.convex_hessian(q, y);
+      EXPECT_LE((hessian - hessian.transpose()).norm(), 1e-14 * hessian.norm()) << m.header;
+      EXPECT_GE(least_eigenvalue(hessian), -1e-13 * hessian.norm()) << m.header;
+    }
+  }
+}
+
+TEST(StrainMeasures, ConvexHessiansAreTheExactOnesWhereTheseAreConvex) {
+  RandomStream random(12);
+  for (const Measure& m : registry()) {
+    int convex = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+      const Eigen::VectorXd y = random_stress(random, m.strains);
+      const Eigen::MatrixXd exact = m.weighted_hessian(q, y);
+      if (exact.norm() == 0 || least_eigenvalue(exact) < -1e-12 * exact.norm()) continue;
+      ++convex;
+      EXPECT_LT((m.convex_hessian(q, y) - exact).norm(), 1e-12 * exact.norm()) << m.header;
+    }
+    // A hinge's exact Hessian never is: its forces turn with the hinge.
+    if (m.header == "discrete_shells") {
+      EXPECT_EQ(convex, 0);
+    } else {
+      EXPECT_GT(convex, 20) << m.header;
+    }
+  }
+}
+
+TEST(StrainMeasures, ConvexHessianOfAHingeVanishes) {
+  RandomStream random(13);
+  const Measure hinge = measure<DiscreteShells>("discrete_shells", {0.3, 0.5 * kSize, 0.3});
+  const Eigen::VectorXd q = random_vector(random, hinge.unknowns, kSize);
+  EXPECT_EQ(hinge.convex_hessian(q, Eigen::VectorXd::Ones(1)).norm(), 0);
+}
+
+// Over all weights of the strains the stand-in lies nowhere below the exact Hessian for the
+// measures that take the positive part of all of it.
+TEST(StrainMeasures, ConvexHessiansOfMembranesAndSpringsMajoriseTheExactOnes) {
+  RandomStream random(14);
+  for (const Measure& m : registry()) {
+    if (m.header == "discrete_shells") continue;
+    for (int trial = 0; trial < 100; ++trial) {
+      const Eigen::VectorXd q = random_vector(random, m.unknowns, kSize);
+      const Eigen::VectorXd y = random_vector(random, m.strains, 1);
+      const Eigen::MatrixXd added = m.convex_hessian(q, y) - m.weighted_hessian(q, y);
+      EXPECT_GE(least_eigenvalue(added), -1e-12 * m.weighted_hessian(q, y).norm()) << m.header;
     }
   }
 }

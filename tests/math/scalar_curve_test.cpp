@@ -92,6 +92,20 @@ TEST(ScalarCurve, WeightsAreTheDerivativesWithRespectToTheControlValues) {
   }
 }
 
+TEST(ScalarCurve, FirstMomentIsTheSumOfItsWeights) {
+  for (const ScalarCurve& curve : curves()) {
+    const Eigen::Map<const Eigen::VectorXd> values(curve.values().data(), curve.size());
+    std::vector<double> points = curve.knots();
+    for (int i = -60; i <= 60; ++i) points.push_back(0.025 * i);
+    for (const double x : points) {
+      const double expected = curve.first_moment_weights(x).dot(values);
+      // Rounding of a handful of terms of the size of the curve times x^2, 1.5 at most.
+      EXPECT_NEAR(curve.first_moment(x), expected, 1e-13 * 40)
+          << name_of(curve.kind()) << " at " << x;
+    }
+  }
+}
+
 TEST(ScalarCurve, RefusesKnotsThatDoNotIncrease) {
   EXPECT_THROW(ScalarCurve::hermite({0, 0.2, 0.2}, {1, 2, 3}), AssertionError);
   EXPECT_THROW(ScalarCurve::hermite({0, 0.2}, {1, 2, 3}), AssertionError);

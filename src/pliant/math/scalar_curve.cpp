@@ -159,11 +159,14 @@ ScalarCurve::ScalarCurve(CurveKind kind, std::vector<double> knots, std::vector<
     : kind_(kind), even_(even), knots_(std::move(knots)), values_(std::move(values)) {
   if (kind_ != CurveKind::hermite) return;
   tangents_ = tangent_matrix(knots_);
-  update_slopes();
+  update_tangents();
 }
 
-void ScalarCurve::update_slopes() {
+void ScalarCurve::update_tangents() {
   slopes_ = tangents_ * Eigen::Map<const Eigen::VectorXd>(values_.data(), size());
+  const HermiteShape shape{knots_, tangents_};
+  moments_.clear();
+  for (const double knot : knots_) moments_.push_back(apply(shape.primitive(knot, 1)));
 }
 
 ScalarCurve ScalarCurve::constant(double value) { return {CurveKind::constant, {}, {value}, true}; }
@@ -185,7 +188,7 @@ ScalarCurve ScalarCurve::hermite(std::vector<double> knots, std::vector<double> 
 ScalarCurve ScalarCurve::with_values(const double* values) const {
   ScalarCurve other = *this;
   std::copy_n(values, values_.size(), other.values_.begin());
-  if (kind_ == CurveKind::hermite) other.update_slopes();
+  if (kind_ == CurveKind::hermite) other.update_tangents();
   return other;
 }
 
@@ -218,7 +221,24 @@ double ScalarCurve::slope(double x) const {
 
 double ScalarCurve::integral(double x) const { return apply(integral_weights(x)); }
 
-double ScalarCurve::first_moment(double x) const { return apply(first_moment_weights(x)); }
+double ScalarCurve::first_moment(double x) const {
+  const double magnitude = std::abs(x);
+  if (kind_ == CurveKind::constant) return values_[0] * x * x / 2;
+  if (kind_ == CurveKind::affine) return x * x * (values_[0] / 2 + values_[1] * magnitude / 3);
+  return first_moment_from_front(even_ ? magnitude : x) - first_moment_from_front(0);
+}
+
+double ScalarCurve::first_moment_from_front(double x) const {
+  const auto between = [](double from, double to) { return (to * to - from * from) / 2; };
+  if (x <= knots_.front()) return values_.front() * between(knots_.front(), x);
+  if (x >= knots_.back()) return moments_.back() + values_.back() * between(knots_.back(), x);
+  const HermiteShape shape{knots_, tangents_};
+  const auto i = static_cast<size_t>(shape.span_of(x));
+  const double h = knots_[i + 1] - knots_[i], start = knots_[i];
+  return moments_[i] + shape.on_span(x, slopes_, values_, [=](const Cubic& c, double t) {
+    return h * (start * pliant::integral(c, t) + h * pliant::first_moment(c, t));
+  });
+}
 
 Eigen::VectorXd ScalarCurve::weights(double x) const {
   if (kind_ == CurveKind::constant) return single(1);

@@ -62,7 +62,8 @@ class ScalarCurve {
 
  private:
   double apply(const Eigen::VectorXd& weights) const;
-  void update_slopes();
+  void update_tangents();
+  double first_moment_from_front(double x) const;
 
   ScalarCurve(CurveKind kind, std::vector<double> knots, std::vector<double> values, bool even);
 
@@ -70,8 +71,9 @@ class ScalarCurve {
   bool even_;
   std::vector<double> knots_;  // empty unless hermite
   std::vector<double> values_;
-  Eigen::MatrixXd tangents_;  // hermite: tangent at knot i = tangents_.row(i) . values
-  Eigen::VectorXd slopes_;    // hermite: the tangents
+  Eigen::MatrixXd tangents_;     // hermite: tangent at knot i = tangents_.row(i) . values
+  Eigen::VectorXd slopes_;       // hermite: the tangents
+  std::vector<double> moments_;  // hermite: integral of curve(t) t dt from the first knot to each
 };
 
 }  // namespace pliant

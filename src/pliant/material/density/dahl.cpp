@@ -1,6 +1,7 @@
 #include "pliant/material/density/dahl.h"
 
 #include <cmath>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -29,13 +30,22 @@ FrictionStress on_one_side(const DahlParameters& dahl, double strain, const Fric
   return result;
 }
 
-// The stretch `second` continues `first` from a fixed strain (zero).
-FrictionStress chain(const FrictionStress& first, FrictionStress second) {
-  for (int i = 0; i < 3; ++i) second.parameters[i] += second.from_stress * first.parameters[i];
-  second.from_strain = second.from_stress * first.from_strain;
-  second.from_stress *= first.from_stress;
-  return second;
+// The integral of the same solution.
+double work_on_one_side(const DahlParameters& dahl, double strain, const FrictionState& from,
+                        double s, double g) {
+  const double way = strain - from.strain;
+  const double at_start = s * (dahl.a + g * dahl.b * from.strain) - g * dahl.b * dahl.tau;
+  const double particular = at_start * way + s * g * dahl.b * way * way / 2;
+  return particular - (from.stress - at_start) * s * dahl.tau * std::expm1(-s * way / dahl.tau);
 }
+
+bool crosses_zero(double strain, double from) {
+  return (strain > 0 && from < 0) || (strain < 0 && from > 0);
+}
+
+double direction_of(double strain, double from) { return strain < from ? -1 : 1; }
+
+double side_of(double strain) { return strain < 0 ? -1 : 1; }
 
 }  // namespace
 
@@ -43,16 +53,46 @@ double max_friction_stress(const DahlParameters& dahl, double strain) {
   return dahl.a + dahl.b * std::abs(strain);
 }
 
+FrictionStressBySide friction_stress(const DahlBySide& dahl, double strain,
+                                     const FrictionState& from) {
+  const double s = direction_of(strain, from.strain);
+  FrictionStressBySide result;
+  if (!crosses_zero(strain, from.strain)) {
+    const double side = side_of(strain + from.strain);
+    result.friction = on_one_side(dahl.at(side), strain, from, s, side);
+    if (side < 0) std::swap(result.friction.parameters, result.negative_parameters);
+    return result;
+  }
+  const double side = side_of(strain);
+  const FrictionStress to_zero = on_one_side(dahl.at(-side), 0, from, s, -side);
+  FrictionStress& last = result.friction;
+  last = on_one_side(dahl.at(side), strain, {0, to_zero.stress}, s, side);
+  for (size_t i = 0; i < 3; ++i) {
+    result.negative_parameters[i] = last.from_stress * to_zero.parameters[i];
+  }
+  last.from_strain = last.from_stress * to_zero.from_strain;
+  last.from_stress *= to_zero.from_stress;
+  if (side < 0) std::swap(last.parameters, result.negative_parameters);
+  return result;
+}
+
 FrictionStress friction_stress(const DahlParameters& dahl, double strain,
                                const FrictionState& from) {
-  const double s = strain < from.strain ? -1 : 1;
-  const bool crosses_zero = (strain > 0 && from.strain < 0) || (strain < 0 && from.strain > 0);
-  if (!crosses_zero) {
-    return on_one_side(dahl, strain, from, s, strain + from.strain < 0 ? -1 : 1);
+  FrictionStressBySide sides = friction_stress(DahlBySide{dahl, dahl}, strain, from);
+  for (size_t i = 0; i < 3; ++i) sides.friction.parameters[i] += sides.negative_parameters[i];
+  return sides.friction;
+}
+
+double friction_work(const DahlBySide& dahl, double strain, const FrictionState& from) {
+  const double s = direction_of(strain, from.strain);
+  if (!crosses_zero(strain, from.strain)) {
+    const double side = side_of(strain + from.strain);
+    return work_on_one_side(dahl.at(side), strain, from, s, side);
   }
-  const FrictionStress to_zero = on_one_side(dahl, 0, from, s, from.strain < 0 ? -1 : 1);
-  const FrictionState at_zero{0, to_zero.stress};
-  return chain(to_zero, on_one_side(dahl, strain, at_zero, s, strain < 0 ? -1 : 1));
+  const double side = side_of(strain);
+  const double at_zero = on_one_side(dahl.at(-side), 0, from, s, -side).stress;
+  return work_on_one_side(dahl.at(-side), 0, from, s, -side) +
+         work_on_one_side(dahl.at(side), strain, {0, at_zero}, s, side);
 }
 
 }  // namespace pliant

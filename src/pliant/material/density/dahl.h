@@ -43,4 +43,25 @@ double max_friction_stress(const DahlParameters& dahl, double strain);
 FrictionStress friction_stress(const DahlParameters& dahl, double strain,
                                const FrictionState& from);
 
+/// Dahl friction whose parameters differ by the side of zero strain ([P] 4.1).
+struct DahlBySide {
+  DahlParameters positive;
+  DahlParameters negative;
+
+  const DahlParameters& at(double strain) const { return strain < 0 ? negative : positive; }
+};
+
+/// A friction stress with its derivatives by the parameters of each side.
+struct FrictionStressBySide {
+  FrictionStress friction;  ///< `parameters` are those of positive strain
+  std::array<double, 3> negative_parameters{};
+};
+
+FrictionStressBySide friction_stress(const DahlBySide& dahl, double strain,
+                                     const FrictionState& from);
+
+/// Work against friction along the same stretch: the integral of its stress over strain (J/m^2 for
+/// membranes and for bending).
+double friction_work(const DahlBySide& dahl, double strain, const FrictionState& from);
+
 }  // namespace pliant

@@ -21,6 +21,13 @@ struct DiscreteShells : StrainTypes<4, 1> {
   static Strain strain(const Rest& rest, const Positions& positions);
   static Gradient gradient(const Rest& rest, const Positions& positions);
   static Hessian weighted_hessian(const Rest& rest, const Positions& positions, const Strain& y);
+  /// Zero: of a hinge's stiffness, what its own stress does is indefinite and small.
+  static Hessian convex_weighted_hessian(const Rest&, const Positions&, const Strain&) {
+    return Hessian::Zero();
+  }
+  static Rest continued(const Rest& rest, const Strain& last) {
+    return {rest.angle, rest.height, rest.angle + last(0) * rest.height / 3};
+  }
 };
 
 /// Signed angle between the normals of a hinge's triangles, in (-pi, pi]; 0 where they are

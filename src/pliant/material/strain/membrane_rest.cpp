@@ -1,5 +1,7 @@
 #include "pliant/material/strain/membrane_rest.h"
 
+#include <cmath>
+
 #include <Eigen/LU>
 
 #include "pliant/base/assert.h"
@@ -15,6 +17,16 @@ MembraneRest membrane_rest(const Eigen::Matrix<double, 2, 3>& corners) {
   rest.weights.bottomRows<2>() = edges.inverse();
   rest.weights.row(0) = -rest.weights.row(1) - rest.weights.row(2);
   return rest;
+}
+
+Eigen::Matrix2d positive_part(const Eigen::Matrix2d& m) {
+  const double mean = (m(0, 0) + m(1, 1)) / 2;
+  const double spread = std::hypot((m(0, 0) - m(1, 1)) / 2, m(0, 1));
+  if (mean >= spread) return m;
+  if (mean <= -spread) return Eigen::Matrix2d::Zero();
+  // One eigenvalue of each sign: keep the positive one, m - (mean - spread) I over 2 spread.
+  const double high = mean + spread, low = mean - spread;
+  return high / (2 * spread) * (m - low * Eigen::Matrix2d::Identity());
 }
 
 }  // namespace pliant

@@ -15,4 +15,7 @@ struct MembraneRest {
 /// @throws AssertionError for a triangle without area or with reversed corners
 MembraneRest membrane_rest(const Eigen::Matrix<double, 2, 3>& corners);
 
+/// The nearest positive semidefinite matrix to a symmetric one.
+Eigen::Matrix2d positive_part(const Eigen::Matrix2d& symmetric);
+
 }  // namespace pliant

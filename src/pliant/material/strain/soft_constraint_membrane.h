@@ -29,22 +29,39 @@ struct SoftConstraintMembrane : StrainTypes<3, 3> {
   }
 
   static Hessian weighted_hessian(const Rest& rest, const Positions& positions, const Strain& y) {
+    return spread(rest, positions, y.head<2>(), shear_matrix(y(2)));
+  }
+
+  static Hessian convex_weighted_hessian(const Rest& rest, const Positions& positions,
+                                         const Strain& y) {
+    return spread(rest, positions, y.head<2>().cwiseMax(0), positive_part(shear_matrix(y(2))));
+  }
+
+ private:
+  static Eigen::Matrix2d shear_matrix(double stress) {
+    Eigen::Matrix2d shear;
+    shear << 0, stress, stress, 0;
+    return shear;
+  }
+
+  static Hessian spread(const Rest& rest, const Positions& positions,
+                        const Eigen::Vector2d& stretch, const Eigen::Matrix2d& shear) {
     const Eigen::Matrix<double, 3, 2> w = positions * rest.weights;
-    const Eigen::Matrix3d u_part = y(0) * across(w.col(0)), v_part = y(1) * across(w.col(1));
+    const Eigen::Matrix3d u_part = stretch(0) * across(w.col(0));
+    const Eigen::Matrix3d v_part = stretch(1) * across(w.col(1));
+    const Eigen::Matrix3d shears = rest.weights * shear * rest.weights.transpose();
     Hessian result;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        const double ui = rest.weights(i, 0), vi = rest.weights(i, 1);
-        const double uj = rest.weights(j, 0), vj = rest.weights(j, 1);
         result.template block<3, 3>(3 * i, 3 * j) =
-            ui * uj * u_part + vi * vj * v_part +
-            y(2) * (ui * vj + vi * uj) * Eigen::Matrix3d::Identity();
+            rest.weights(i, 0) * rest.weights(j, 0) * u_part +
+            rest.weights(i, 1) * rest.weights(j, 1) * v_part +
+            shears(i, j) * Eigen::Matrix3d::Identity();
       }
     }
     return result;
   }
 
- private:
   // Hessian of |w|: the projection across w, divided by its length.
   static Eigen::Matrix3d across(const Eigen::Vector3d& w) {
     const double length = w.norm();

@@ -34,6 +34,11 @@ struct Spring : StrainTypes<2, 1> {
     result << block, -block, -block, block;
     return result;
   }
+
+  static Hessian convex_weighted_hessian(const Rest& rest, const Positions& positions,
+                                         const Strain& y) {
+    return weighted_hessian(rest, positions, y.cwiseMax(0));
+  }
 };
 
 }  // namespace pliant

@@ -12,6 +12,11 @@ namespace pliant {
 ///   static Gradient gradient(const Rest&, const Positions&)
 ///   static Hessian weighted_hessian(const Rest&, const Positions&, const Strain& y)   sum_i y_i
 ///   Hessian(strain_i)
+///   static Hessian convex_weighted_hessian(const Rest&, const Positions&, const Strain& y)   a
+///   positive semidefinite stand-in for it, equal where that is positive semidefinite by itself or
+///   zero
+/// and, where strain has several branches,
+///   static Rest continued(const Rest&, const Strain& last)   the branch nearest to `last`
 /// Node i has the unknowns 3 i .. 3 i + 2. With a density's stress y and tangent dy/dstrain and the
 /// rest measure A (m^2 or m^3), force = A gradient^T y and stiffness = A (gradient^T (dy/dstrain)
 /// gradient + weighted_hessian(y)).

@@ -30,8 +30,21 @@ struct StvkMembrane : StrainTypes<3, 3> {
 
   /// The strains are quadratic: their Hessians are multiples of the identity, block by block.
   static Hessian weighted_hessian(const Rest& rest, const Positions&, const Strain& y) {
+    return spread(rest, stress_matrix(y));
+  }
+
+  static Hessian convex_weighted_hessian(const Rest& rest, const Positions&, const Strain& y) {
+    return spread(rest, positive_part(stress_matrix(y)));
+  }
+
+ private:
+  static Eigen::Matrix2d stress_matrix(const Strain& y) {
     Eigen::Matrix2d stress;
     stress << y(0), y(2), y(2), y(1);
+    return stress;
+  }
+
+  static Hessian spread(const Rest& rest, const Eigen::Matrix2d& stress) {
     const Eigen::Matrix3d blocks = rest.weights * stress * rest.weights.transpose();
     Hessian result = Hessian::Zero();
     for (int i = 0; i < 3; ++i) {

@@ -1,0 +1,117 @@
+#include "pliant/material/density/dahl_friction.h"
+
+namespace pliant {
+namespace {
+
+Eigen::Vector3d vector(const DahlParameters& dahl) { return {dahl.a, dahl.b, dahl.tau}; }
+
+DahlParameters dahl_of(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
+
+Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+// Signs and parameters of a stretch that lies on one side of zero in every lane: the same solution
+// as `friction_stress`, eight points at once. Plain loops, which become vector instructions.
+struct Lanes {
+  Lane work, stress, slope;
+
+  Lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last, const Lane& before,
+        const Lane& from) {
+    const Lane way = strain - last;
+    Lane s;
+    for (int i = 0; i < kLanes; ++i) {
+      const double direction = way(i) == 0 ? last(i) - before(i) : way(i);
+      s(i) = direction < 0 ? -1 : 1;
+    }
+    Lane g, a, b, tau;
+    for (int i = 0; i < kLanes; ++i) {
+      const bool negative = strain(i) + last(i) < 0;
+      g(i) = negative ? -1 : 1;
+      a(i) = negative ? dahl.negative.a : dahl.positive.a;
+      b(i) = negative ? dahl.negative.b : dahl.positive.b;
+      tau(i) = negative ? dahl.negative.tau : dahl.positive.tau;
+    }
+    const Lane decay = (-s * way / tau).exp();
+    const Lane at_start = s * (a + g * b * last) - g * b * tau;
+    const Lane excess = from - at_start;
+    work = at_start * way + s * g * b * way.square() / 2 + excess * s * tau * (1 - decay);
+    stress = at_start + s * g * b * way + excess * decay;
+    slope = s * (g * b - excess * decay / tau);
+  }
+};
+
+Lanes friction_lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last,
+                     const Lane& before, const Lane& from) {
+  Lanes lanes(dahl, strain, last, before, from);
+  if ((strain * last).minCoeff() >= 0) return lanes;
+  for (int i = 0; i < kLanes; ++i) {
+    if (strain(i) * last(i) >= 0) continue;  // does not cross zero
+    const FrictionState start{last(i), from(i)};
+    const FrictionStress friction = friction_stress(dahl, strain(i), start).friction;
+    lanes.work(i) = friction_work(dahl, strain(i), start);
+    lanes.stress(i) = friction.stress;
+    lanes.slope(i) = friction.slope;
+  }
+  return lanes;
+}
+
+}  // namespace
+
+DahlFriction::DahlFriction(int component, const DahlParameters& dahl)
+    : component_(component), dahl_{dahl, dahl}, by_side_(false) {}
+
+DahlFriction::DahlFriction(int component, const DahlBySide& dahl)
+    : component_(component), dahl_(dahl), by_side_(true) {}
+
+void DahlFriction::add(const Samples& samples, const StepTime&, Response& response) const {
+  const Lanes lanes =
+      friction_lanes(dahl_, samples.strain.col(component_), samples.last.col(component_),
+                     samples.before.col(component_), samples.history.col(0));
+  response.work += lanes.work;
+  response.stress.col(component_) += lanes.stress;
+  response.tangent.col(component_ * samples.strain.cols() + component_) += lanes.slope;
+}
+
+void DahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneHistory next,
+                           Lane& work) const {
+  const Lanes lanes =
+      friction_lanes(dahl_, samples.strain.col(component_), samples.last.col(component_),
+                     samples.before.col(component_), samples.history.col(0));
+  next.col(0) = lanes.stress;
+  work += lanes.work;
+}
+
+Eigen::VectorXd DahlFriction::parameters() const {
+  Eigen::VectorXd values(by_side_ ? 6 : 3);
+  values.head<3>() = vector(dahl_.positive);
+  if (by_side_) values.tail<3>() = vector(dahl_.negative);
+  return values;
+}
+
+void DahlFriction::set_parameters(const Eigen::VectorXd& values) {
+  dahl_.positive = dahl_of(values.head<3>());
+  dahl_.negative = by_side_ ? dahl_of(values.tail<3>()) : dahl_.positive;
+}
+
+void DahlFriction::differentiate(const Samples& samples, int lane, int first_history,
+                                 int first_parameter, SampleDerivatives& derivatives) const {
+  const FrictionState start{samples.last(lane, component_), samples.history(lane, 0)};
+  const FrictionStressBySide sides =
+      friction_stress(dahl_, samples.strain(lane, component_), start);
+  const FrictionStress& friction = sides.friction;
+  Eigen::Matrix<double, 1, 6> by_parameter;
+  by_parameter << row(friction.parameters), row(sides.negative_parameters);
+  if (!by_side_) by_parameter.head<3>() += by_parameter.tail<3>();
+  const int count = by_side_ ? 6 : 3;
+
+  derivatives.stress_by_last(component_, component_) += friction.from_strain;
+  derivatives.stress_by_history(component_, first_history) += friction.from_stress;
+  derivatives.stress_by_parameter.row(component_).segment(first_parameter, count) +=
+      by_parameter.head(count);
+  derivatives.next_by_strain(first_history, component_) = friction.slope;
+  derivatives.next_by_last(first_history, component_) = friction.from_strain;
+  derivatives.next_by_history(first_history, first_history) = friction.from_stress;
+  derivatives.next_by_parameter.row(first_history).segment(first_parameter, count) =
+      by_parameter.head(count);
+}
+
+}  // namespace pliant

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+/// How many material points a density evaluates in one call; the compiler makes vector
+/// instructions of their arithmetic.
+inline constexpr int kLanes = 8;
+/// Most strain components of one material point.
+inline constexpr int kMaxStrains = 6;
+
+using Lane = Eigen::Array<double, kLanes, 1>;
+/// One column a strain component.
+using LaneStrains =
+    Eigen::Array<double, kLanes, Eigen::Dynamic, Eigen::ColMajor, kLanes, kMaxStrains>;
+/// Column i strains + j holds d stress_i / d strain_j.
+using LaneTangents = Eigen::Array<double, kLanes, Eigen::Dynamic, Eigen::ColMajor, kLanes,
+                                  kMaxStrains * kMaxStrains>;
+/// One column a number of a density's history.
+using LaneHistory = Eigen::Map<const Eigen::Array<double, kLanes, Eigen::Dynamic>>;
+using MutableLaneHistory = Eigen::Map<Eigen::Array<double, kLanes, Eigen::Dynamic>>;
+
+/// What laws that depend on the rate of strain know of the present step: the rate is
+/// (strain - (now last + earlier before)) per_second.
+struct StepTime {
+  double per_second = 0;  ///< 1/s; 0 in statics, where there are no rates
+  double now = 1;         ///< weight of the strain at the last accepted step
+  double earlier = 0;     ///< weight of the strain one accepted step before that
+};
+
+/// Eight material points: their strain, and what they remember.
+struct Samples {
+  LaneStrains strain;
+  LaneStrains last;     ///< strain at the last accepted step
+  LaneStrains before;   ///< strain one accepted step before that
+  LaneHistory history;  ///< what the density itself keeps, set at accepted steps only
+};
+
+/// What eight material points answer, per rest area or volume.
+struct Response {
+  explicit Response(int strains);
+
+  Lane stored;           ///< energy that the strain alone decides (J/m^2)
+  Lane work;             ///< work done since the last accepted step against friction and damping
+  LaneStrains stress;    ///< d (stored + work) / d strain
+  LaneTangents tangent;  ///< d stress / d strain
+};
+
+/// Derivatives of one material point's stress and history along a quasi-static path ([T] 5.2; a
+/// path's sensitivity carries them from step to step).
+struct SampleDerivatives {
+  SampleDerivatives(int strains, int history, int parameters);
+
+  Eigen::MatrixXd stress_by_last;       ///< strains x strains: w.r.t. the strain at the last step
+  Eigen::MatrixXd stress_by_history;    ///< strains x history
+  Eigen::MatrixXd stress_by_parameter;  ///< strains x parameters
+  Eigen::MatrixXd next_by_strain;       ///< history x strains: the history that the step leaves
+  Eigen::MatrixXd next_by_last;         ///< history x strains
+  Eigen::MatrixXd next_by_history;      ///< history x history
+  Eigen::MatrixXd next_by_parameter;    ///< history x parameters
+};
+
+/// The law of a material: energy per rest area or volume as a function of strain, parameters and
+/// history. It knows no nodes. A law of one strain component is told which one it acts on.
+///
+/// Rate-independent friction and damping are laws too: within a step their stress is the derivative
+/// of an incremental potential of the new strain, `Response::work` (docs/architecture.md).
+class Density {
+ public:
+  virtual ~Density() = default;
+
+  /// Numbers that it keeps for each material point from step to step.
+  virtual int history_size() const = 0;
+
+  /// Adds its energy, stress and tangent.
+  virtual void add(const Samples& samples, const StepTime& time, Response& response) const = 0;
+
+  /// Ends a step at `samples.strain`.
+  /// @param next  the history from then on
+  /// @param work  gets the work done during the step against friction and damping added
+  virtual void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+                       Lane& work) const = 0;
+};
+
+/// A law that fits can change, with what the sensitivity of a quasi-static path needs of it.
+class ParametricDensity : public Density {
+ public:
+  /// The numbers that describe the law, e.g. the control values of its stiffness.
+  virtual Eigen::VectorXd parameters() const = 0;
+  virtual void set_parameters(const Eigen::VectorXd& values) = 0;
+
+  /// Adds the derivatives of material point `lane`, in statics.
+  /// @param first_history, first_parameter  where its own begin in `derivatives`
+  virtual void differentiate(const Samples& samples, int lane, int first_history,
+                             int first_parameter, SampleDerivatives& derivatives) const = 0;
+};
+
+}  // namespace pliant

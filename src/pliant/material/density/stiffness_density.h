@@ -1,0 +1,29 @@
+#pragma once
+
+#include "pliant/material/density/density.h"
+#include "pliant/math/scalar_curve.h"
+
+namespace pliant {
+
+/// Elasticity of one strain component by a stiffness curve ([T] 3.3.2): stress k(strain) strain,
+/// energy by exact integration. The tangent k + k' strain may be negative.
+class StiffnessDensity : public ParametricDensity {
+ public:
+  /// @param component  the strain that it acts on
+  StiffnessDensity(int component, ScalarCurve stiffness);
+
+  int history_size() const override { return 0; }
+  void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+               Lane& work) const override;
+  Eigen::VectorXd parameters() const override;
+  void set_parameters(const Eigen::VectorXd& values) override;
+  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
+                     SampleDerivatives& derivatives) const override;
+
+ private:
+  int component_;
+  ScalarCurve stiffness_;
+};
+
+}  // namespace pliant

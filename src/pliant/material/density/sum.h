@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pliant/material/density/density.h"
+
+namespace pliant {
+
+/// The sum of densities: energies, stresses and tangents add up; histories and parameters stand one
+/// after the other.
+///
+/// Addends without parameters (damping, linearised friction) have no part in `differentiate`.
+class Sum : public ParametricDensity {
+ public:
+  void add_addend(std::unique_ptr<Density> addend);
+
+  int history_size() const override { return history_size_; }
+  void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+               Lane& work) const override;
+  Eigen::VectorXd parameters() const override;
+  void set_parameters(const Eigen::VectorXd& values) override;
+  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
+                     SampleDerivatives& derivatives) const override;
+
+ private:
+  struct Addend {
+    std::unique_ptr<Density> density;
+    ParametricDensity* parametric = nullptr;  // the same, where it has parameters
+    int first_history = 0;
+    int first_parameter = 0;
+    int parameter_count = 0;
+  };
+
+  std::vector<Addend> addends_;
+  int history_size_ = 0;
+  int parameter_count_ = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace pliant {
+
+/// Which 3x3 blocks of a symmetric matrix may differ from zero. Row i lists its blocks (i, j) with
+/// j >= i in the order of j, the diagonal block first; the blocks of all rows are numbered through.
+class BlockPattern {
+ public:
+  /// @param size       blocks in a row of the whole matrix
+  /// @param couplings  pairs of different block rows in any order, repeated at will
+  BlockPattern(int size, std::vector<std::pair<int, int>> couplings);
+
+  int size() const { return static_cast<int>(row_begin_.size()) - 1; }
+  int block_count() const { return static_cast<int>(columns_.size()); }
+  int row_begin(int row) const { return row_begin_[static_cast<size_t>(row)]; }
+  int row_end(int row) const { return row_begin_[static_cast<size_t>(row) + 1]; }
+  int column(int block) const { return columns_[static_cast<size_t>(block)]; }
+  int diagonal(int row) const { return row_begin(row); }
+
+  /// The number of block (row, column), row <= column.
+  /// @throws AssertionError when the pattern does not have it
+  int find(int row, int column) const;
+
+ private:
+  std::vector<int> row_begin_;
+  std::vector<int> columns_;
+};
+
+/// A sparse symmetric matrix of 3x3 blocks, of which the upper triangle is stored.
+class BlockMatrix {
+ public:
+  using Block = Eigen::Map<Eigen::Matrix3d>;
+  using ConstBlock = Eigen::Map<const Eigen::Matrix3d>;
+
+  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern);
+
+  const BlockPattern& pattern() const { return *pattern_; }
+  void set_zero();
+
+  /// Block number `block` of the pattern, column by column.
+  Block block(int block) { return Block(values_.data() + 9 * block); }
+  ConstBlock block(int block) const { return ConstBlock(values_.data() + 9 * block); }
+
+  /// Adds to block (i, j) or, transposed, to (j, i): whichever is stored. For i = j, `value` is
+  /// symmetric.
+  void add(int i, int j, const Eigen::Matrix3d& value);
+  /// Adds `value` to every entry of the diagonal of row `row`.
+  void add_to_diagonal(int row, double value);
+
+  Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
+
+  /// The lower triangle, entry by entry.
+  Eigen::SparseMatrix<double> lower_triangle() const;
+  /// Overwrites the values of a matrix that `lower_triangle` made for the same pattern.
+  void copy_to(Eigen::SparseMatrix<double>& lower) const;
+
+ private:
+  std::shared_ptr<const BlockPattern> pattern_;
+  std::vector<double> values_;
+};
+
+}  // namespace pliant

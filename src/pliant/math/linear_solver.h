@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "pliant/math/block_matrix.h"
+
+namespace pliant {
+
+/// How a linear solve went.
+struct LinearSummary {
+  int iterations = 0;   ///< 0 for a direct solver
+  double residual = 0;  ///< |K x - b| / |b| in the norm that the solver watches
+  bool converged = true;
+};
+
+/// Solves K x = b with a symmetric positive definite block matrix K, again and again for matrices
+/// of one pattern.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+
+  /// Takes the values of a matrix.
+  /// @return whether the matrix was found positive definite; without it `solve` must not be called
+  virtual bool factorize(const BlockMatrix& matrix) = 0;
+
+  /// @param x  the starting guess of an iterative solver, then the solution
+  virtual LinearSummary solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,207 @@
+#include "pliant/mechanics/cloth.h"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "pliant/base/assert.h"
+#include "pliant/geometry/grid_springs.h"
+#include "pliant/geometry/hinges.h"
+#include "pliant/material/bending_conversion.h"
+#include "pliant/material/strain/discrete_shells.h"
+#include "pliant/material/strain/soft_constraint_membrane.h"
+#include "pliant/material/strain/spring.h"
+#include "pliant/material/strain/stvk_membrane.h"
+#include "pliant/mechanics/element_potential.h"
+
+namespace pliant {
+namespace {
+
+// A law of some components with its places in the system's parameter vector.
+struct Law {
+  std::shared_ptr<Sum> sum = std::make_shared<Sum>();
+  std::vector<int> places;
+  std::vector<std::string> field_names;
+};
+
+Law make_law(const Material& material, const std::vector<std::string>& components,
+             const DensityOptions& options, ParameterList& parameters) {
+  Law law;
+  std::vector<std::string> history;
+  for (size_t i = 0; i < components.size(); ++i) {
+    const AddedNames added =
+        add_component(material, components[i], static_cast<int>(i), options, *law.sum);
+    for (const std::string& name : added.parameters) {
+      law.places.push_back(static_cast<int>(parameters.names.size()));
+      parameters.names.push_back(name);
+    }
+    law.field_names.push_back("strain." + components[i]);
+    history.insert(history.end(), added.history.begin(), added.history.end());
+  }
+  law.field_names.insert(law.field_names.end(), history.begin(), history.end());
+  for (const double value : law.sum->parameters()) parameters.values.push_back(value);
+  return law;
+}
+
+template <class Measure>
+void add_elements(System& system, const Stencils<Measure>& stencils, const Law& law, Cloth& cloth) {
+  if (stencils.points.empty()) return;
+  const auto potential =
+      std::make_shared<ElementPotential<Measure>>(stencils, law.sum, law.places, law.field_names);
+  system.add(potential);
+  cloth.shown.push_back({potential, potential.get()});
+}
+
+template <class Membrane>
+void add_membrane(System& system, const TriangleMesh& mesh, int first_point,
+                  const std::vector<int>& triangles, const Law& law, Cloth& cloth) {
+  Stencils<Membrane> stencils;
+  for (const int t : triangles) {
+    const MembraneRest rest = membrane_rest(mesh.rest_triangle(t));
+    const Eigen::Vector3i nodes = mesh.triangles.col(t).array() + first_point;
+    stencils.add({nodes(0), nodes(1), nodes(2)}, rest, rest.area);
+  }
+  add_elements(system, stencils, law, cloth);
+}
+
+void add_springs(System& system, const std::vector<GridSpring>& springs, int first_point,
+                 bool bending, const Law& law, Cloth& cloth) {
+  Stencils<Spring> stencils;
+  for (const GridSpring& spring : springs) {
+    stencils.add({spring.vertices[0] + first_point, spring.vertices[1] + first_point},
+                 {spring.rest_length}, bending ? spring.rest_length : spring.area);
+  }
+  add_elements(system, stencils, law, cloth);
+}
+
+std::vector<Hinge> hinges_of(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+  std::vector<bool> chosen(static_cast<size_t>(mesh.triangle_count()), false);
+  for (const int t : triangles) chosen[static_cast<size_t>(t)] = true;
+  std::vector<Hinge> hinges = find_hinges(mesh);
+  std::erase_if(hinges,
+                [&](const Hinge& h) { return !chosen[static_cast<size_t>(h.triangles[0])]; });
+  return hinges;
+}
+
+const std::vector<std::string>& membrane_components() {
+  static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "shear"};
+  return names;
+}
+
+const std::vector<std::string>& bending_components() {
+  static const std::vector<std::string> names{"bend.weft", "bend.warp", "bend.diagonal"};
+  return names;
+}
+
+// What the laws of the components are multiplied by on this mesh.
+BendingVector hinge_factors(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
+                            const Material& material, Cloth& cloth) {
+  if (material.bending_of != "sheet") return BendingVector::Ones();
+  BendingVector stiffness;
+  for (int i = 0; i < 3; ++i) {
+    const auto law = law_of(material, bending_components()[static_cast<size_t>(i)]);
+    PLIANT_ASSERT(law.has_value(), "a component that was not measured has no law");
+    stiffness(i) = law->stiffness.value(0);
+  }
+  if (stiffness.minCoeff() <= 0) return BendingVector::Ones();
+  const BendingConversion conversion = bending_conversion(mesh, hinges, stiffness);
+  constexpr double kNoticeable = 0.05;
+  if (conversion.errors.cwiseAbs().maxCoeff() > kNoticeable) {
+    cloth.warnings.push_back(
+        "this mesh cannot bend as the material " + material.name +
+        " does in every direction: its bending stiffness differs by up to " +
+        std::to_string(std::lround(100 * conversion.errors.cwiseAbs().maxCoeff())) + " %");
+  }
+  return conversion.factors;
+}
+
+void add_shells(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
+                const std::vector<int>& triangles, const DensityOptions& options,
+                ParameterList& parameters, Cloth& cloth) {
+  const std::vector<Hinge> hinges = hinges_of(mesh, triangles);
+  if (hinges.empty()) return;
+  const std::vector<BendingVector> weights = bending_weights(hinges, bending_rule(mesh));
+  const BendingVector factors = hinge_factors(mesh, hinges, material, cloth);
+  for (int c = 0; c < 3; ++c) {
+    const Law law =
+        make_law(material, {bending_components()[static_cast<size_t>(c)]}, options, parameters);
+    Stencils<DiscreteShells> stencils;
+    for (size_t h = 0; h < hinges.size(); ++h) {
+      const double part = weights[h](c) * factors(c);
+      if (part <= 0) continue;
+      const auto& v = hinges[h].vertices;
+      stencils.add({v[0] + first_point, v[1] + first_point, v[2] + first_point, v[3] + first_point},
+                   {0, hinges[h].height, 0}, part * hinges[h].area);
+    }
+    add_elements(system, stencils, law, cloth);
+  }
+}
+
+// The mesh of some triangles of another, with all its vertices.
+TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+  TriangleMesh part{mesh.positions, mesh.triangles(Eigen::all, triangles), {}};
+  part.rest_corners.resize(2, 3 * part.triangle_count());
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    part.rest_corners.middleCols<3>(3 * t) = mesh.rest_triangle(triangles[static_cast<size_t>(t)]);
+  }
+  return part;
+}
+
+}  // namespace
+
+bool needs_grid(const Material& material) {
+  return material.membrane == MembraneMeasure::spring || material.bending == "spring";
+}
+
+Eigen::VectorXd vertex_areas(const TriangleMesh& mesh) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.vertex_count());
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    for (int i = 0; i < 3; ++i) areas(mesh.triangles(i, t)) += rest_area(mesh, t) / 3;
+  }
+  return areas;
+}
+
+Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
+                const std::vector<int>& triangles, const DensityOptions& options,
+                ParameterList& parameters) {
+  Cloth cloth;
+  const auto law = [&](const std::vector<std::string>& components) {
+    return make_law(material, components, options, parameters);
+  };
+  const std::optional<GridSprings> springs =
+      needs_grid(material) ? std::optional(grid_springs(part_of(mesh, triangles))) : std::nullopt;
+  switch (material.membrane) {
+    case MembraneMeasure::stvk:
+      add_membrane<StvkMembrane>(system, mesh, first_point, triangles, law(membrane_components()),
+                                 cloth);
+      break;
+    case MembraneMeasure::soft_constraint:
+      add_membrane<SoftConstraintMembrane>(system, mesh, first_point, triangles,
+                                           law(membrane_components()), cloth);
+      break;
+    case MembraneMeasure::spring:
+      add_springs(system, springs->along_u, first_point, false, law({"stretch.weft"}), cloth);
+      add_springs(system, springs->along_v, first_point, false, law({"stretch.warp"}), cloth);
+      add_springs(system, springs->diagonal, first_point, false, law({"shear"}), cloth);
+      break;
+  }
+  if (material.bending == "spring") {
+    add_springs(system, springs->bending_u, first_point, true, law({"bend.weft"}), cloth);
+    add_springs(system, springs->bending_v, first_point, true, law({"bend.warp"}), cloth);
+    add_springs(system, springs->bending_diagonal, first_point, true, law({"bend.diagonal"}),
+                cloth);
+  } else {
+    add_shells(system, mesh, first_point, material, triangles, options, parameters, cloth);
+  }
+  system.set_parameter_count(static_cast<int>(parameters.names.size()));
+  return cloth;
+}
+
+Cloth add_cloth(System& system, const TriangleMesh& mesh, const Material& material,
+                const DensityOptions& options, ParameterList& parameters) {
+  std::vector<int> all(static_cast<size_t>(mesh.triangle_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return add_cloth(system, mesh, 0, material, all, options, parameters);
+}
+
+}  // namespace pliant

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "pliant/mechanics/potential.h"
+
+namespace pliant {
+
+/// An elastic cord between a point and an end that is moved from outside: it pulls with
+/// stiffness * (distance - length) and never pushes.
+class Cord : public Potential {
+ public:
+  /// @param stiffness  N/m, > 0
+  /// @param length     of the slack cord (m), >= 0
+  Cord(int point, double stiffness, double length, const Eigen::Vector3d& end);
+
+  void move_end(const Eigen::Vector3d& end) { end_ = end; }
+  int point() const { return point_; }
+  /// Force on the point (N).
+  Eigen::Vector3d force(const Configuration& configuration) const;
+
+  std::vector<std::pair<int, int>> couplings() const override { return {}; }
+  void bind(const Coordinates&, const BlockPattern&) override {}
+  void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
+
+ private:
+  int point_;
+  double stiffness_, length_;
+  Eigen::Vector3d end_;
+};
+
+}  // namespace pliant

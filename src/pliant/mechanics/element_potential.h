@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+
+#include "pliant/material/density/density.h"
+#include "pliant/mechanics/element_fields.h"
+#include "pliant/mechanics/lane_kernel.h"
+#include "pliant/mechanics/parametric_potential.h"
+#include "pliant/mechanics/stencils.h"
+
+namespace pliant {
+
+/// A density on the strain measure of many stencils: energy = size * density(strain of the
+/// points).
+///
+/// History of a stencil: its strains at the last accepted step and one step before that, then what
+/// the density keeps; eight stencils together, lane by lane.
+template <class Measure>
+class ElementPotential : public ParametricPotential, public ElementFields {
+ public:
+  /// @param density           a law of Measure::kStrains strains
+  /// @param parameter_places  where each parameter of the density stands among the system's
+  /// @param field_names       of the strains, then of the density's history; empty for no output
+  ElementPotential(const Stencils<Measure>& stencils, std::shared_ptr<ParametricDensity> density,
+                   std::vector<int> parameter_places = {},
+                   std::vector<std::string> field_names = {});
+
+  std::vector<std::pair<int, int>> couplings() const override;
+  void bind(const Coordinates& coordinates, const BlockPattern& pattern) override;
+  void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
+
+  Eigen::Index history_size() const override;
+  Eigen::VectorXd initial_history(const Configuration& configuration) const override;
+  double advance(const Evaluation& at, double* next) const override;
+
+  void set_parameters(const Eigen::VectorXd& all) override;
+  void add_force_sensitivity(const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
+                             Eigen::MatrixXd& gradient_by_parameter) const override;
+  void advance_sensitivity(const Evaluation& at, const Eigen::MatrixXd& positions_by_parameter,
+                           Eigen::MatrixXd& history_by_parameter) const override;
+
+  std::vector<std::string> field_names() const override { return field_names_; }
+  Eigen::MatrixXd field_values(const double* history) const override;
+  Eigen::MatrixXi element_points() const override;
+  Eigen::VectorXd element_sizes() const override;
+
+ private:
+  using Rests = std::array<typename Measure::Rest, kLanes>;
+  struct Batch;  // eight stencils, evaluated
+
+  int batches() const { return static_cast<int>(points_.size()) / kLanes; }
+  int columns() const { return 2 * Measure::kStrains + density_->history_size(); }
+  LanePositions<Measure> gather(int batch, const Configuration& configuration) const;
+  Samples remembered(int batch, const double* history) const;
+  Rests rests_near(int batch, const LaneStrains& last) const;
+  void add_hessian(int batch, const Batch& elements, bool convex, const Evaluation& at,
+                   Hessian& hessian) const;
+
+  std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches
+  std::vector<typename Measure::Rest> rests_;
+  std::vector<double> sizes_;  // zero for those that fill up
+  int count_ = 0;              // without those that fill up
+  std::shared_ptr<ParametricDensity> density_;
+  std::vector<int> parameter_places_;
+  std::vector<std::string> field_names_;
+  std::vector<int> entries_;  // of each pair of each stencil: see bind
+};
+
+}  // namespace pliant

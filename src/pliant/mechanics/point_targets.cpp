@@ -1,0 +1,25 @@
+#include "pliant/mechanics/point_targets.h"
+
+namespace pliant {
+
+PointTargets::PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets, Kind kind)
+    : stiffness_(std::move(stiffness)), targets_(std::move(targets)), kind_(kind) {}
+
+void PointTargets::evaluate(const Evaluation& at, Derivatives& derivatives) const {
+  const Eigen::Matrix3Xd way = at.configuration.positions - targets_;
+  const double energy = way.colwise().squaredNorm().dot(stiffness_) / 2;
+  (kind_ == Kind::stored ? derivatives.energy.stored : derivatives.energy.work) += energy;
+  if (derivatives.gradient) *derivatives.gradient += way * stiffness_.asDiagonal();
+  if (!derivatives.hessian) return;
+  Hessian& hessian = *derivatives.hessian;
+  for (int i = 0; i < stiffness_.size(); ++i) {
+    if (hessian.coordinates.is_free(i)) {
+      hessian.matrix.add_to_diagonal(hessian.coordinates.row(i), stiffness_(i));
+    } else {
+      hessian.coordinates.add_coupling(at.configuration, i, i,
+                                       stiffness_(i) * Eigen::Matrix3d::Identity(), hessian.matrix);
+    }
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/material/density/density.h"
+#include "pliant/math/block_matrix.h"
+#include "pliant/mechanics/coordinates.h"
+
+namespace pliant {
+
+/// Energy in two parts: what positions alone decide, and work done since the last accepted step
+/// against friction, damping and drag.
+struct Energy {
+  double stored = 0;  ///< J
+  double work = 0;    ///< J
+
+  double total() const { return stored + work; }
+  Energy& operator+=(const Energy& other) {
+    stored += other.stored;
+    work += other.work;
+    return *this;
+  }
+};
+
+/// What second derivatives an evaluation gives.
+enum class Curvature {
+  exact,   ///< may be indefinite
+  convex,  ///< a positive semidefinite stand-in, element by element
+};
+
+/// Where a potential is evaluated.
+struct Evaluation {
+  const Configuration& configuration;
+  const double* history = nullptr;  ///< of the potential, at the last accepted step
+  StepTime time;
+  Curvature curvature = Curvature::exact;
+};
+
+/// Second derivatives in a system's generalised coordinates (N/m).
+struct Hessian {
+  const Coordinates& coordinates;
+  BlockMatrix matrix;
+};
+
+/// What an evaluation adds to; parts that are null are not asked for.
+struct Derivatives {
+  Energy energy;
+  Eigen::Matrix3Xd* gradient = nullptr;  ///< N, one column a point
+  Hessian* hessian = nullptr;
+};
+
+/// An energy of the points of a system: elasticity, friction, gravity, inertia of a time step, ...
+///
+/// It may keep a history, numbers that change at accepted steps only; the system's State holds
+/// them.
+class Potential {
+ public:
+  virtual ~Potential() = default;
+
+  /// Pairs of points that its Hessian couples.
+  virtual std::vector<std::pair<int, int>> couplings() const = 0;
+
+  /// Learns where its part of the Hessian goes; called before any evaluation with a Hessian.
+  virtual void bind(const Coordinates& coordinates, const BlockPattern& pattern) = 0;
+
+  /// Adds to the energy and to the derivatives that are asked for.
+  virtual void evaluate(const Evaluation& at, Derivatives& derivatives) const = 0;
+};
+
+/// A potential whose value depends on the path.
+class HistoryPotential : public Potential {
+ public:
+  virtual Eigen::Index history_size() const = 0;
+  /// The history of a body that was brought from its rest shape to this configuration, each strain
+  /// on the straight way, and stands still.
+  virtual Eigen::VectorXd initial_history(const Configuration& configuration) const = 0;
+  /// The history after a step that is accepted at `at.positions`.
+  /// @param next  `history_size()` numbers
+  /// @return the work done during the step against friction and damping (J)
+  virtual double advance(const Evaluation& at, double* next) const = 0;
+};
+
+}  // namespace pliant

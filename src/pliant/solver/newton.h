@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pliant/math/linear_solver.h"
+#include "pliant/solver/objective.h"
+
+namespace pliant {
+
+struct NewtonOptions {
+  double tolerance = 1e-5;  ///< largest force left on a free point (N; [T] 3.4.1: 10 uN)
+  int max_iterations = 200;
+  /// Exact: where the Hessian is not positive definite, its convex stand-in takes its place for the
+  /// iteration.
+  Curvature curvature = Curvature::exact;
+};
+
+struct NewtonSummary {
+  bool converged = false;
+  int iterations = 0;
+  int factorizations = 0;
+  int linear_iterations = 0;  ///< of an iterative linear solver, summed
+  double residual = 0;        ///< largest force left (N)
+  Energy energy;
+};
+
+/// The largest force on an unknown: on free points and clips (N; moments of clips divided by the
+/// clip's radius).
+double largest_force(const Coordinates& coordinates, const Configuration& at,
+                     const Eigen::Matrix3Xd& gradient);
+
+/// Minimises an objective by Newton's method. A Hessian that is not positive definite is replaced
+/// and, if need be, shifted until it is; a line search makes sure that the energy falls. Not
+/// converging is a result, not an error; what was reached is then in `at`.
+/// @param at  where to begin, then the minimum
+NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
+                       LinearSolver& solver, Hessian& hessian, Configuration& at);
+
+}  // namespace pliant

@@ -1,0 +1,39 @@
+#include "pliant/solver/objective.h"
+
+namespace pliant {
+
+void Objective::evaluate(const Configuration& at, Curvature curvature,
+                         Derivatives& derivatives) const {
+  system_.evaluate(at, from_, time_, curvature, derivatives);
+  const Evaluation own{at, nullptr, time_, curvature};
+  for (const Potential* potential : of_step_) potential->evaluate(own, derivatives);
+}
+
+Energy Objective::energy(const Configuration& at) const {
+  Derivatives derivatives;
+  evaluate(at, Curvature::exact, derivatives);
+  return derivatives.energy;
+}
+
+Eigen::Matrix3Xd Objective::gradient(const Configuration& at) const {
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, system_.points());
+  Derivatives derivatives;
+  derivatives.gradient = &gradient;
+  evaluate(at, Curvature::exact, derivatives);
+  return gradient;
+}
+
+Energy Objective::linearize(const Configuration& at, Curvature curvature,
+                            Eigen::Matrix3Xd& gradient, Hessian& hessian) const {
+  gradient.setZero(3, system_.points());
+  hessian.matrix.set_zero();
+  Derivatives derivatives;
+  derivatives.gradient = &gradient;
+  derivatives.hessian = &hessian;
+  evaluate(at, curvature, derivatives);
+  system_.coordinates().add_rotation_terms(at, gradient, hessian.matrix);
+  system_.coordinates().decouple_prescribed_axes(hessian.matrix);
+  return derivatives.energy;
+}
+
+}  // namespace pliant

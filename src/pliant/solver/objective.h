@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/mechanics/system.h"
+
+namespace pliant {
+
+/// What an equilibrium or a time step minimises over the unknowns of a system: its potentials with
+/// what they remember, and those that the step adds (inertia, drag).
+class Objective {
+ public:
+  Objective(const System& system, const State& from, const StepTime& time = {})
+      : system_(system), from_(from), time_(time) {}
+
+  /// `potential` outlives the objective.
+  void add(const Potential& potential) { of_step_.push_back(&potential); }
+
+  const System& system() const { return system_; }
+  const State& from() const { return from_; }
+  const StepTime& time() const { return time_; }
+
+  Energy energy(const Configuration& at) const;
+  /// dE / d points, N; on prescribed points the force that holds them.
+  Eigen::Matrix3Xd gradient(const Configuration& at) const;
+  /// Energy, dE / d points and the Hessian in the unknowns.
+  Energy linearize(const Configuration& at, Curvature curvature, Eigen::Matrix3Xd& gradient,
+                   Hessian& hessian) const;
+
+ private:
+  void evaluate(const Configuration& at, Curvature curvature, Derivatives& derivatives) const;
+
+  const System& system_;
+  const State& from_;
+  StepTime time_;
+  std::vector<const Potential*> of_step_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "pliant/math/sparse_cholesky.h"
+#include "pliant/solver/newton.h"
+
+namespace pliant {
+
+struct StaticPathOptions {
+  NewtonOptions newton;
+  int substeps = 1;            ///< equilibria per step of the schedule, at equal times, >= 1
+  int max_halvings = 6;        ///< of a step whose equilibrium is not found
+  bool sensitivities = false;  ///< derivatives by the parameters of the material
+};
+
+/// An equilibrium of a quasi-static path.
+struct PathPoint {
+  double time = 0;          ///< s
+  NewtonSummary newton;     ///< of the last equilibrium; iterations are those of the whole step
+  int equilibria = 0;       ///< found during the step
+  double work = 0;          ///< done against friction during the step (J)
+  Eigen::Matrix3Xd forces;  ///< dE / d points (N): on points moved from outside what moves them
+
+  /// @name Derivatives by the parameters, 3 points x parameters; empty where none were asked for
+  /// @{
+  Eigen::MatrixXd positions_by_parameter;
+  Eigen::MatrixXd forces_by_parameter;  ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8)
+  /// @}
+};
+
+/// A quasi-static path of a system: equilibria at one time after the other, under what its drives
+/// say then, each with the friction that the ones before have left.
+///
+/// A step whose equilibrium is not found is halved, and its halves again. Parameters enter through
+/// all of the path: (dF/dx) dx/dp = -dF/dp ([T] Eq. 3.7), back-substituted in the factor of the
+/// Hessian at the equilibrium, with the derivatives of what friction remembers carried along.
+/// These derivatives hold for one pattern of branches: no element turns around a step earlier or
+/// later. The motion that drives prescribe does not depend on parameters.
+class StaticPath {
+ public:
+  /// From the system's initial state, at time 0. `system` outlives the path.
+  explicit StaticPath(const System& system, const StaticPathOptions& options = {});
+  /// From a given state, on whose history no parameter has an influence yet.
+  StaticPath(const System& system, const StaticPathOptions& options, State start);
+
+  /// Goes on to the equilibrium at a later time and accepts it.
+  /// @throws SolverError when an equilibrium is not found, even of the smallest step, or when
+  ///         sensitivities are asked for and it is not stable; the path then stands at the last
+  ///         one accepted, which may lie between two times of the schedule
+  PathPoint step(double time);
+
+  const State& state() const { return state_; }
+  /// d history / d parameters of the state; empty without sensitivities.
+  const Eigen::MatrixXd& history_by_parameter() const { return history_by_parameter_; }
+
+ private:
+  void reach(double time, int halvings, PathPoint& point);
+  bool find_equilibrium(double time, PathPoint& point, Configuration& at);
+  void differentiate(const Configuration& at, PathPoint& point);
+  Eigen::MatrixXd forces_along(const Configuration& at, const Eigen::MatrixXd& motions) const;
+  void accept(double time, Configuration at, PathPoint& point);
+
+  const System& system_;
+  StaticPathOptions options_;
+  Hessian hessian_;
+  SparseCholesky solver_;
+  State state_;
+  Eigen::MatrixXd history_by_parameter_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "pliant/math/linear_solver.h"
+#include "pliant/mechanics/air_drag.h"
+#include "pliant/solver/integration.h"
+#include "pliant/solver/newton.h"
+
+namespace pliant {
+
+struct TimeStepOptions {
+  double step = 0.001;  ///< s, > 0
+  Integrator integrator = Integrator::backward_euler;
+  StepSolve solve = StepSolve::converged;
+  double tolerance = 1e-5;         ///< largest force left by a converged step (N)
+  double linear_tolerance = 1e-4;  ///< relative, of the equations of a linearised step
+  std::optional<Air> air;          ///< vacuum when absent
+};
+
+/// How a time step went.
+struct StepSummary {
+  bool converged = true;  ///< the linear solve, or Newton's method
+  int newton_iterations = 1;
+  int linear_iterations = 0;
+  double residual = 0;  ///< largest force left (N), of a converged step
+  double work = 0;      ///< done against friction, damping and drag during the step (J)
+};
+
+/// Steps a system through time by minimising its incremental potential: |x - x^|^2_M / (2 t^2) plus
+/// the potentials, x^ being where inertia alone would lead.
+///
+/// Friction history and all other memory changes when a step is accepted, at its end.
+class TimeStepper {
+ public:
+  /// @param faces  points of the triangles that the air acts on
+  /// @throws AssertionError for a step of 0 or a free point without mass
+  TimeStepper(const System& system, const TimeStepOptions& options, Eigen::Matrix3Xi faces = {});
+  ~TimeStepper();
+
+  /// Takes one step, of the options' size or another.
+  /// @throws SolverError when the result is not finite; `state` is then as it was
+  StepSummary advance(State& state) { return advance(state, options_.step); }
+  StepSummary advance(State& state, double step);
+
+  const TimeStepOptions& options() const { return options_; }
+
+ private:
+  struct Scheme;  // the weights of the step's formula
+
+  StepSummary linear_step(const Objective& objective, const State& state, double step,
+                          Configuration& at);
+  void predict(double step, const State& state, Configuration& at) const;
+
+  const System& system_;
+  TimeStepOptions options_;
+  Eigen::Matrix3Xi faces_;
+  Hessian hessian_;
+  std::unique_ptr<LinearSolver> solver_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,245 @@
+#include "pliant/solver/static_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/geometry/regular_grid.h"
+#include "pliant/mechanics/cord.h"
+
+#include "support/cloth_sheet.h"
+
+namespace pliant {
+namespace {
+
+using test::ClothSheet;
+
+NewtonOptions tight() {
+  NewtonOptions options;
+  options.tolerance = 1e-12;  // N; forces are of the order of 0.1 N
+  return options;
+}
+
+/// A horizontal sheet, held at its upper edge, with a free clip at its lower one that a cord lifts
+/// and a load pulls; every strain component takes part. The load is `loads[i]` at time i + 1,
+/// piecewise linear from 0 at time 0.
+struct LoadedSheet : ClothSheet {
+  static constexpr double kHeight = 0.08;
+  std::vector<int> held = row_at(kHeight), clip = row_at(0);
+  std::vector<double> loads{1, 2.5, 1.2, 0.4, 1.5};
+  std::shared_ptr<PointForces> pull;
+
+  explicit LoadedSheet(const Material& material,
+                       const TriangleMesh& sheet = regular_grid(0.06, kHeight, 4, 5))
+      : ClothSheet(sheet, material) {
+    prescribe(held);
+    system.coordinates().add_clip(clip, false);
+    pull = std::make_shared<PointForces>(Eigen::Matrix3Xd::Zero(3, system.points()));
+    system.add(pull);
+    system.add(std::make_shared<Cord>(clip.back(), 5, 0.02, Eigen::Vector3d(0.08, -0.02, 0.01)));
+    add_gravity();
+    system.add_drive([this](double time, Configuration& at) {
+      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, system.points());
+      for (const int i : clip) forces.col(i) = load(time) * Eigen::Vector3d(0.03, -0.1, -0.02);
+      pull->set_forces(forces);
+      for (const int i : held) at.positions(1, i) = kHeight + 0.002 * load(time);
+    });
+    system.finish();
+  }
+
+  double load(double time) const {
+    const size_t i = std::min(static_cast<size_t>(time), loads.size() - 1);
+    const double from = i == 0 ? 0 : loads[i - 1];
+    return from + (time - static_cast<double>(i)) * (loads[i] - from);
+  }
+};
+
+struct Walk {
+  std::vector<Eigen::VectorXd> positions, forces;  // at each time of the schedule
+  std::vector<PathPoint> points;
+};
+
+Walk walk(LoadedSheet& sheet, const Eigen::VectorXd& parameters, bool sensitivities) {
+  sheet.system.set_parameters(parameters);
+  StaticPathOptions options;
+  options.newton = tight();
+  options.sensitivities = sensitivities;
+  StaticPath path(sheet.system, options);
+  Walk walk;
+  for (size_t i = 1; i <= sheet.loads.size(); ++i) {
+    walk.points.push_back(path.step(static_cast<double>(i)));
+    walk.positions.push_back(path.state().configuration.positions.reshaped());
+    walk.forces.push_back(walk.points.back().forces.reshaped());
+  }
+  return walk;
+}
+
+void expect_derivatives(LoadedSheet& sheet) {
+  const Eigen::VectorXd parameters = Eigen::Map<const Eigen::VectorXd>(
+      sheet.parameters.values.data(), std::ssize(sheet.parameters.values));
+  const Walk at = walk(sheet, parameters, true);
+  for (Eigen::Index k = 0; k < parameters.size(); ++k) {
+    // Truncation costs about 1e-7 of a derivative at this change.
+    const double change = 2e-4 * parameters(k);
+    Eigen::VectorXd more = parameters, less = parameters;
+    more(k) += change;
+    less(k) -= change;
+    const Walk up = walk(sheet, more, false), down = walk(sheet, less, false);
+    for (size_t i = 0; i < at.points.size(); ++i) {
+      const Eigen::VectorXd x = (up.positions[i] - down.positions[i]) / (2 * change);
+      const Eigen::VectorXd f = (up.forces[i] - down.forces[i]) / (2 * change);
+      const double x_error = (at.points[i].positions_by_parameter.col(k) - x).norm();
+      const double f_error = (at.points[i].forces_by_parameter.col(k) - f).norm();
+      // What rounding leaves of the paths, over the change: the tolerance over the stiffness of
+      // bending, and what that makes of the membrane's forces.
+      EXPECT_LT(x_error, 1e-5 * x.norm() + 1e-12 / change) << sheet.parameters.names[k] << " " << i;
+      EXPECT_LT(f_error, 1e-5 * f.norm() + 5e-12 / change) << sheet.parameters.names[k] << " " << i;
+    }
+  }
+}
+
+TEST(StaticPath, SensitivitiesAreThoseOfWholePathsWithFriction) {
+  LoadedSheet sheet(test::cotton());
+  expect_derivatives(sheet);
+}
+
+TEST(StaticPath, SensitivitiesAreThoseOfWholePathsWithoutFriction) {
+  LoadedSheet sheet(test::linear_cloth(100, 30, 1e-4));
+  expect_derivatives(sheet);
+}
+
+TEST(StaticPath, SensitivitiesBeginWithThoseOfAStrainedStart) {
+  // The friction stress that the initial shape has brought depends on the parameters.
+  TriangleMesh mesh = regular_grid(0.06, LoadedSheet::kHeight, 4, 5);
+  for (int i = 0; i < mesh.vertex_count(); ++i) {
+    const double u = mesh.positions(0, i), v = mesh.positions(1, i);
+    mesh.positions.col(i) << 1.02 * u + 0.1 * v * (LoadedSheet::kHeight - v), v, 10 * u * u;
+  }
+  LoadedSheet sheet(test::cotton(), mesh);
+  sheet.loads = {1, 0.5};
+  expect_derivatives(sheet);
+}
+
+TEST(StaticPath, SensitivitiesFollowSubsteps) {
+  LoadedSheet sheet(test::cotton());
+  StaticPathOptions options;
+  options.newton = tight();
+  options.sensitivities = true;
+  StaticPath coarse(sheet.system, options);
+  for (const double time : {0.5, 1.0, 1.5, 2.0}) coarse.step(time);
+  options.substeps = 2;
+  StaticPath fine(sheet.system, options);
+  fine.step(1);
+  const PathPoint point = fine.step(2);
+  EXPECT_EQ(point.equilibria, 2);
+  EXPECT_EQ(fine.state().configuration.positions, coarse.state().configuration.positions);
+  EXPECT_EQ(fine.history_by_parameter(), coarse.history_by_parameter());
+}
+
+TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
+  LoadedSheet sheet(test::cotton());
+  sheet.loads = {1, 3, 1};
+  StaticPath path(sheet.system, {tight()});
+  path.step(1);
+  const Configuration loading = path.state().configuration;
+  EXPECT_GT(path.step(2).work, 0);
+  path.step(3);
+  const Eigen::Matrix3Xd difference = path.state().configuration.positions - loading.positions;
+  EXPECT_GT(difference.colwise().norm().maxCoeff(), 1e-4);
+}
+
+TEST(StaticPath, AStepThatDoesNotConvergeIsHalved) {
+  LoadedSheet sheet(test::linear_cloth(100, 30, 1e-4));
+  StaticPathOptions options;
+  options.newton = tight();
+  StaticPath whole(sheet.system, options);
+  whole.step(1);
+  const State start = whole.state();
+  const int iterations = whole.step(2).newton.iterations;
+  ASSERT_GT(iterations, 3);
+
+  options.newton.max_iterations = iterations - 1;
+  StaticPath halved(sheet.system, options, start);
+  const PathPoint point = halved.step(2);
+  EXPECT_TRUE(point.newton.converged);
+  EXPECT_GT(point.equilibria, 1);
+  EXPECT_EQ(point.time, 2);
+  EXPECT_EQ(halved.state().time, 2);
+  // Elastic: the same equilibrium, to the tolerance over the softest stiffness.
+  EXPECT_LT((halved.state().configuration.positions - whole.state().configuration.positions)
+                .colwise()
+                .norm()
+                .maxCoeff(),
+            1e-7);
+}
+
+TEST(StaticPath, GivesUpWithTheTimeAndTheResidual) {
+  LoadedSheet sheet(test::linear_cloth(100, 30, 1e-4));
+  StaticPathOptions options;
+  options.newton.max_iterations = 1;
+  options.max_halvings = 2;
+  StaticPath path(sheet.system, options);
+  try {
+    path.step(1);
+    FAIL() << "no error";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("at 0.25"), std::string::npos) << error.what();
+    EXPECT_GT(error.best_residual(), options.newton.tolerance);
+  }
+  EXPECT_EQ(path.state().time, 0);
+}
+
+TEST(StaticPath, SensitivityOfAnUnstableEquilibriumIsRefused) {
+  // A flat sheet without gravity, its ends pushed together: an equilibrium, but not a stable one.
+  ClothSheet sheet(regular_grid(0.05, 0.1, 3, 9), test::linear_cloth(100, 30, 1e-6));
+  const std::vector<int> low = sheet.row_at(0), high = sheet.row_at(0.1);
+  sheet.prescribe(low);
+  sheet.prescribe(high);
+  sheet.system.add_drive([&](double time, Configuration& at) {
+    for (int i = 0; i < at.positions.cols(); ++i) {
+      at.positions(1, i) = (1 - 0.1 * time) * sheet.mesh.positions(1, i);
+    }
+  });
+  sheet.system.finish();
+  StaticPathOptions options;
+  StaticPath(sheet.system, options).step(1);
+  options.sensitivities = true;
+  StaticPath path(sheet.system, options);
+  EXPECT_THROW(path.step(1), SolverError);
+  EXPECT_EQ(path.state().time, 0);
+}
+
+TEST(StaticPath, AClipOnItsOwnLineOfPointsHasSensitivities) {
+  // The clip may turn about its line of points, which no force resists.
+  ClothSheet sheet(regular_grid(0.05, 0.1, 3, 5), test::linear_cloth(100, 30, 1e-5));
+  const std::vector<int> low = sheet.row_at(0);
+  sheet.prescribe(sheet.row_at(0.1));
+  sheet.system.coordinates().add_clip(low, false);
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, sheet.system.points());
+  for (const int i : low) forces(1, i) = -0.1;
+  sheet.system.add(std::make_shared<PointForces>(forces));
+  sheet.system.finish();
+  StaticPathOptions options;
+  options.newton = tight();
+  options.sensitivities = true;
+  StaticPath path(sheet.system, options);
+  const PathPoint point = path.step(1);
+
+  // Uniform stretch: width k (s^3 - s) / 2 = force, so ds/dk = -(s^3 - s) / (k (3 s^2 - 1)).
+  const double length = 0.1 - path.state().configuration.positions(1, low[0]);
+  const double s = length / 0.1;
+  const double by_stiffness = -0.1 * (s * s * s - s) / (100 * (3 * s * s - 1));
+  EXPECT_GT(s, 1.02);
+  const auto& names = sheet.parameters.names;
+  const auto warp = std::find(names.begin(), names.end(), "stretch.warp.k") - names.begin();
+  ASSERT_LT(warp, std::ssize(names));
+  EXPECT_NEAR(point.positions_by_parameter(3 * low[0] + 1, warp), -by_stiffness,
+              1e-7 * std::abs(by_stiffness));  // rounding over the stiffness of bending
+}
+
+}  // namespace
+}  // namespace pliant

@@ -79,6 +79,8 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
+  // Readers of scenes ask whether such files are there, and no more.
+  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt"}) write(name, "");
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
   write("spandex.json", spandex.dump());
@@ -87,7 +89,10 @@ DocumentFolder::DocumentFolder() {
 std::vector<NamedDocument> full_documents() {
   return {named("study", read_yaml(kDocuments / "full_study.yaml")),
           named("lab", read_yaml(kDocuments / "full_lab.yaml")),
-          named("material", read_json(kDocuments / "full_material.json"))};
+          named("material", read_json(kDocuments / "full_material.json")),
+          named("scene", read_yaml(kDocuments / "full_scene.yaml")),
+          named("scene of linearized steps", read_yaml(kDocuments / "linearized_scene.yaml")),
+          named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml"))};
 }
 
 std::vector<NamedDocument> shipped_documents() {
@@ -133,7 +138,9 @@ std::vector<NamedDocument> written_documents() {
   return documents;
 }
 
-std::vector<NamedDocument> broken_documents() {
+namespace {
+
+std::vector<NamedDocument> broken_inputs_of_fits() {
   const std::vector<NamedDocument> full = full_documents();
   const SchemaCase &study = full[0].document, &lab = full[1].document, &material = full[2].document;
   return {
@@ -190,6 +197,80 @@ std::vector<NamedDocument> broken_documents() {
       without("one side of friction", material, "/components/stretch.weft/friction/negative"),
       without("no control points", material, "/components/stretch.weft/stiffness/strain"),
   };
+}
+
+std::vector<NamedDocument> broken_scenes() {
+  const std::vector<NamedDocument> full = full_documents();
+  const SchemaCase &scene = full[3].document, &linearized = full[4].document;
+  const SchemaCase& path = full[5].document;
+  return {
+      changed("no cloth", scene, "/cloth", Json::array()),
+      changed("a name that is no file name", scene, "/cloth/0/name", "a/b"),
+      changed("a mesh file without unit", scene, "/cloth/1/mesh/unit", nullptr),
+      changed("a unit of mass", scene, "/cloth/1/mesh/unit", "kg"),
+      changed("a unit with a number", scene, "/cloth/1/mesh/unit", "1 cm"),
+      changed("unknown up axis", scene, "/cloth/1/mesh/up", "+x"),
+      changed("uv scale of a shape", scene, "/cloth/1/mesh/rest", "shape"),
+      changed("uv scale of no size", scene, "/cloth/1/mesh/uv_scale", "0 m"),
+      changed("two meshes", scene, "/cloth/0/mesh/rectangle", "1 m x 1 m"),
+      changed("a grid of one length", scene, "/cloth/0/mesh/grid", "100 mm"),
+      changed("a grid of three lengths", scene, "/cloth/0/mesh/grid", "1 m x 1 m x 1 m"),
+      changed("a grid without units", scene, "/cloth/0/mesh/grid", "1 x 1"),
+      changed("a grid of no height", scene, "/cloth/0/mesh/grid", "1 m x 0.0 m"),
+      changed("a grid in kilograms", scene, "/cloth/0/mesh/grid", "1 kg x 1 m"),
+      changed("one node", scene, "/cloth/0/mesh/nodes", "1x25"),
+      changed("too many nodes", scene, "/cloth/0/mesh/nodes", "2x100001"),
+      changed("one number of nodes", scene, "/cloth/0/mesh/nodes", 25),
+      changed("unknown diagonals", scene, "/cloth/0/mesh/diagonals", "alternating"),
+      changed("no faces of a region", scene, "/cloth/0/regions/0/faces", Json::array()),
+      changed("a negative face", scene, "/cloth/0/regions/0/faces/0", -1),
+      changed("a cylinder of no radius", scene, "/cloth/0/shape/cylinder/radius", "0 mm"),
+      changed("unknown axis", scene, "/cloth/0/shape/cylinder/axis", "z"),
+      changed("a position in the plane", scene, "/cloth/0/place/translate", {0, 1}),
+      changed("a quaternion of three", scene, "/cloth/1/place/rotate/quaternion", {1, 0, 0}),
+      changed("an axis beside a quaternion", scene, "/cloth/1/place/rotate/axis", {1, 0, 0}),
+      changed("half a vertex", scene, "/pins/0/vertices/0", 0.5),
+      changed("unknown edge", scene, "/pins/0/edges/0", "upper"),
+      changed("unknown corner", scene, "/pins/0/corners/0", "left-top"),
+      changed("no direction", scene, "/pins/0/directions", Json::array()),
+      changed("a direction twice", scene, "/pins/0/directions", {"z", "z"}),
+      changed("no keyframes", scene, "/pins/0/motion/keyframes", Json::array()),
+      changed("a time without unit", scene, "/pins/0/motion/keyframes/0/time", 0),
+      changed("unknown interpolation", scene, "/pins/0/motion/interpolation", "cubic"),
+      changed("a clip of no mass", scene, "/clips/0/mass", "0 g"),
+      changed("a free clip that is moved", scene, "/clips/1/free", true),
+      changed("a held clip that is pulled", scene, "/clips/0/free", false),
+      changed("a cord at two points", scene, "/clips/0/cords/0/vertex", 1),
+      changed("a force beside a cord", scene, "/clips/0/cords/2/force", {0, 0, 1}),
+      changed("a cord of no length", scene, "/clips/0/cords/2/length", "0 m"),
+      changed("obstacles", scene, "/obstacles", {Json::object()}),
+      changed("negative drag", scene, "/air/drag", -1),
+      changed("negative damping", scene, "/damping/fraction", -1),
+      changed("a step of zero", scene, "/time/step", "0 ms"),
+      changed("unknown integrator", scene, "/time/integrator", "euler"),
+      changed("steps of dynamics", scene, "/time/steps", 20),
+      changed("no formats", scene, "/output/formats", Json::array()),
+      changed("a format twice", scene, "/output/formats", {"ply", "ply"}),
+      changed("unknown field", scene, "/output/fields/0", "stress"),
+      changed("a linear tolerance of 1", linearized, "/time/linear_tolerance", 1),
+      changed("a tolerance of steps solved once", linearized, "/time/tolerance", "1 uN"),
+      changed("no steps", path, "/time/steps", 0),
+      changed("a step of a path", path, "/time/step", "1 ms"),
+      changed("damping of a path", path, "/damping", {{"fraction", 0.1}}),
+      changed("velocity along a path", path, "/cloth/0/velocity", {0, 0, 1}),
+      without("no time", scene, "/time"),
+      without("a keyframe without time", scene, "/pins/0/motion/keyframes/1/time"),
+      without("a pin of nothing", scene, "/pins/1/vertices"),
+      without("a cord without end", scene, "/clips/0/cords/2/end"),
+  };
+}
+
+}  // namespace
+
+std::vector<NamedDocument> broken_documents() {
+  std::vector<NamedDocument> documents = broken_inputs_of_fits();
+  for (NamedDocument& scene : broken_scenes()) documents.push_back(std::move(scene));
+  return documents;
 }
 
 }  // namespace pliant::test

@@ -7,6 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
+#include "pliant/experiment/scene.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/schema_text.h"
@@ -34,6 +35,8 @@ void read_as(const std::string& type, const std::filesystem::path& file) {
     read_study(file);
   } else if (type == "lab") {
     read_lab(file);
+  } else if (type == "scene") {
+    read_scene(file);
   } else {
     read_material(file);
   }

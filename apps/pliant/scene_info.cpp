@@ -1,0 +1,281 @@
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/experiment/scene.h"
+#include "pliant/experiment/scene/cloth_mesh.h"
+#include "pliant/experiment/scene/held_vertices.h"
+#include "pliant/material/fill.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+
+std::string vector_text(const Eigen::Vector3d& vector) {
+  return fmt::format("[{}, {}, {}]", format_number(vector.x(), kDigits),
+                     format_number(vector.y(), kDigits), format_number(vector.z(), kDigits));
+}
+
+Json vector_json(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+/// A cloth with its mesh, and what it weighs.
+struct MeshedCloth {
+  const SceneCloth* cloth = nullptr;
+  ClothMesh mesh;
+  double rest_area = 0;  ///< m^2
+  double mass = 0;       ///< kg; 0 where a density is not known
+};
+
+double mass_of(const SceneCloth& cloth, const ClothMesh& mesh) {
+  const std::vector<int> materials = material_of_triangles(cloth, mesh);
+  double mass = 0;
+  for (int t = 0; t < mesh.mesh.triangle_count(); ++t) {
+    const int m = materials[static_cast<std::size_t>(t)];
+    const SceneMaterial& material =
+        m == 0 ? cloth.material : cloth.regions[static_cast<std::size_t>(m) - 1].material;
+    if (material.material.density == 0) return 0;
+    mass += material.material.density * rest_area(mesh.mesh, t);
+  }
+  return mass;
+}
+
+MeshedCloth meshed(const SceneCloth& cloth) {
+  MeshedCloth result{&cloth, make_cloth_mesh(cloth.mesh), 0, 0};
+  result.rest_area = rest_area(result.mesh.mesh);
+  result.mass = mass_of(cloth, result.mesh);
+  initial_positions(cloth, result.mesh.mesh.positions);  // judges whether the cloth can be shaped
+  return result;
+}
+
+std::string source_text(const FileMesh& source) { return source.file.string(); }
+
+std::string extents_text(double width, double height) {
+  return fmt::format("{} x {}", format_quantity(width, Dimension::length),
+                     format_quantity(height, Dimension::length));
+}
+
+std::string source_text(const GridMesh& grid) {
+  return fmt::format("grid {}, {} x {} nodes", extents_text(grid.width, grid.height), grid.nodes_u,
+                     grid.nodes_v);
+}
+
+std::string source_text(const RectangleMesh& rectangle) {
+  return fmt::format("irregular mesh of {}, edges of {}",
+                     extents_text(rectangle.width, rectangle.height),
+                     format_quantity(rectangle.edge, Dimension::length));
+}
+
+std::string source_text(const MeshSource& source) {
+  return std::visit([](const auto& kind) { return source_text(kind); }, source.kind);
+}
+
+std::vector<std::string> material_names(const SceneCloth& cloth) {
+  std::vector<std::string> names{cloth.material.material.name};
+  for (const SceneRegion& region : cloth.regions) names.push_back(region.material.material.name);
+  return names;
+}
+
+void describe_cloth(const MeshedCloth& meshed, FileInfo& info) {
+  const SceneCloth& cloth = *meshed.cloth;
+  const TriangleMesh& mesh = meshed.mesh.mesh;
+  info.json["cloth"].push_back({{"name", cloth.name},
+                                {"mesh", source_text(cloth.mesh)},
+                                {"vertices", mesh.vertex_count()},
+                                {"triangles", mesh.triangle_count()},
+                                {"rest_area", meshed.rest_area},
+                                {"mass", meshed.mass > 0 ? Json(meshed.mass) : Json(nullptr)},
+                                {"materials", material_names(cloth)}});
+  info.lines.push_back(labelled("cloth " + cloth.name, source_text(cloth.mesh)));
+  info.lines.push_back(labelled(
+      "mesh", fmt::format("{} vertices, {} triangles", mesh.vertex_count(), mesh.triangle_count()),
+      1));
+  std::string size = format_quantity(meshed.rest_area, Dimension::area);
+  if (meshed.mass > 0) size += ", " + format_quantity(meshed.mass, Dimension::mass);
+  info.lines.push_back(labelled("size", size, 1));
+  info.lines.push_back(
+      labelled("material", fmt::format("{}", fmt::join(material_names(cloth), "; regions: ")), 1));
+}
+
+/// What a simulation would refuse of a material.
+void warn_of_material(const Material& material, FileInfo& info) {
+  const auto warn_where_refused = [&](auto check) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      info.warnings.push_back(fmt::format("{}; needed: {}", error.problem(), error.expected()));
+    }
+  };
+  warn_where_refused([&] { require_complete(material, sheet_component_names()); });
+  warn_where_refused([&] { require_positive_stiffness(material, sheet_component_names()); });
+  if (material.density == 0) {
+    info.warnings.push_back("the density of the material " + quoted_value(material.name) +
+                            " is not known; needed: its mass per area");
+  }
+}
+
+void warn_of_materials(const Scene& scene, FileInfo& info) {
+  std::set<std::filesystem::path> seen;
+  const auto warn_once = [&](const SceneMaterial& material) {
+    if (seen.insert(material.file).second) warn_of_material(material.material, info);
+  };
+  for (const SceneCloth& cloth : scene.cloth) {
+    warn_once(cloth.material);
+    for (const SceneRegion& region : cloth.regions) warn_once(region.material);
+  }
+}
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+std::string vertices_text(const std::vector<int>& vertices, const std::string& cloth) {
+  return counted(vertices.size(), "vertex", "vertices") + " of " + cloth;
+}
+
+std::string motion_text(const std::optional<Motion>& motion) {
+  if (!motion) return "held still";
+  return fmt::format("moved, {} from {} to {}",
+                     counted(motion->times.size(), "keyframe", "keyframes"),
+                     format_quantity(motion->times.front(), Dimension::time),
+                     format_quantity(motion->times.back(), Dimension::time));
+}
+
+std::string clip_text(const SceneClip& clip) {
+  return clip.free ? "free, " + counted(clip.cords.size(), "cord", "cords")
+                   : motion_text(clip.motion);
+}
+
+std::string directions_text(const std::array<bool, 3>& directions) {
+  std::string text;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (directions[axis]) text += static_cast<char>('x' + axis);
+  }
+  return text == "xyz" ? "" : " along " + text;
+}
+
+void describe_holds(const Scene& scene, const HeldVertices& held, FileInfo& info) {
+  info.json["pins"] = Json::array();
+  for (std::size_t i = 0; i < scene.pins.size(); ++i) {
+    const ScenePin& pin = scene.pins[i];
+    const std::string& cloth = scene.cloth[static_cast<std::size_t>(pin.cloth)].name;
+    info.json["pins"].push_back(
+        {{"cloth", cloth}, {"vertices", held.pins[i].size()}, {"moved", pin.motion.has_value()}});
+    info.lines.push_back(
+        labelled(fmt::format("pin {}", i),
+                 fmt::format("{}, {}{}", vertices_text(held.pins[i], cloth),
+                             motion_text(pin.motion), directions_text(pin.directions))));
+  }
+  info.json["clips"] = Json::array();
+  for (std::size_t i = 0; i < scene.clips.size(); ++i) {
+    const SceneClip& clip = scene.clips[i];
+    const std::string& cloth = scene.cloth[static_cast<std::size_t>(clip.cloth)].name;
+    info.json["clips"].push_back({{"name", clip.name},
+                                  {"cloth", cloth},
+                                  {"vertices", held.clips[i].size()},
+                                  {"mass", clip.mass},
+                                  {"free", clip.free},
+                                  {"cords", clip.cords.size()}});
+    info.lines.push_back(labelled(
+        "clip " + clip.name, fmt::format("{}, {}, {}", format_quantity(clip.mass, Dimension::mass),
+                                         vertices_text(held.clips[i], cloth), clip_text(clip))));
+  }
+}
+
+void describe_surroundings(const Scene& scene, FileInfo& info) {
+  info.json["gravity"] = vector_json(scene.gravity);
+  info.lines.push_back(labelled("gravity", vector_text(scene.gravity) + " m/s^2"));
+  info.json["air"] = nullptr;
+  if (scene.air) {
+    info.json["air"] = {{"drag", scene.air->drag},
+                        {"density", scene.air->density},
+                        {"wind", vector_json(scene.air->wind)}};
+    info.lines.push_back(labelled(
+        "air", fmt::format("drag coefficient {}, wind {} m/s",
+                           format_number(scene.air->drag, kDigits), vector_text(scene.air->wind))));
+  }
+}
+
+const char* integrator_name(Integrator integrator) {
+  return integrator == Integrator::bdf2 ? "bdf2" : "backward-euler";
+}
+
+const char* friction_name(const std::optional<FrictionForm>& friction) {
+  if (!friction) return "none";
+  return *friction == FrictionForm::linearized ? "linearized" : "variational";
+}
+
+std::string stepping_text(const Stepping& time) {
+  const char* friction = friction_name(time.friction);
+  if (time.kind == SimulationKind::quasi_static) {
+    return fmt::format("{} equilibria, friction {}", time.step_count(), friction);
+  }
+  return fmt::format("{} steps of {}, {}, {}, friction {}{}", time.step_count(),
+                     format_quantity(time.step, Dimension::time), integrator_name(time.integrator),
+                     time.solution == StepSolve::linearized ? "solved once" : "converged", friction,
+                     time.adaptive ? ", adaptive" : "");
+}
+
+const char* format_name(FrameFormat format) {
+  switch (format) {
+    case FrameFormat::ply:
+      return "ply";
+    case FrameFormat::vtu:
+      return "vtu";
+    case FrameFormat::pc2:
+      break;
+  }
+  return "pc2";
+}
+
+void describe_run(const Scene& scene, FileInfo& info) {
+  const Stepping& time = scene.time;
+  const bool dynamic = time.kind == SimulationKind::dynamic;
+  // Adaptive steps are counted as if none was shortened.
+  const int frames = 1 + static_cast<int>(time.duration / scene.output.every * (1 + 1e-6));
+  std::vector<std::string> formats;
+  for (const FrameFormat format : scene.output.formats) formats.emplace_back(format_name(format));
+  info.json["kind"] = dynamic ? "dynamic" : "quasi-static";
+  info.json["steps"] = time.step_count();
+  info.json["time_step"] = time.step;
+  info.json["duration"] = time.duration;
+  info.json["frames"] = frames;
+  info.json["formats"] = formats;
+  info.lines.push_back(labelled(dynamic ? "dynamic" : "quasi-static", stepping_text(time)));
+  info.lines.push_back(labelled(
+      "output",
+      fmt::format("{} frames, one each {}; {}", frames,
+                  format_quantity(scene.output.every, Dimension::time), fmt::join(formats, ", "))));
+}
+
+}  // namespace
+
+FileInfo scene_info(const std::filesystem::path& path) {
+  const Scene scene = read_scene(path);
+  std::vector<Eigen::Matrix3Xd> positions;
+  FileInfo info = begin_info(path, "scene/1");
+  info.json["name"] = scene.name;
+  info.json["cloth"] = Json::array();
+  info.lines.push_back(labelled("name", scene.name));
+  for (const SceneCloth& cloth : scene.cloth) {
+    const MeshedCloth built = meshed(cloth);
+    describe_cloth(built, info);
+    for (const std::string& warning : built.mesh.warnings) info.warnings.push_back(warning);
+    positions.push_back(built.mesh.mesh.positions);
+  }
+  describe_holds(scene, held_vertices(scene, positions), info);
+  describe_surroundings(scene, info);
+  describe_run(scene, info);
+  warn_of_materials(scene, info);
+  info.json["warnings"] = info.warnings;
+  return info;
+}
+
+}  // namespace pliant

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/fields.h"
+#include "pliant/material/component_density.h"
+#include "pliant/solver/integration.h"
+
+namespace pliant {
+
+enum class SimulationKind {
+  dynamic,       ///< steps in time
+  quasi_static,  ///< a path of equilibria; time is the parameter of the scene's motions alone
+};
+
+/// `time` of a scene/1 file.
+struct Stepping {
+  SimulationKind kind = SimulationKind::dynamic;
+  double step = 0;      ///< s; of quasi-static paths: duration / steps
+  double duration = 0;  ///< s
+  Integrator integrator = Integrator::backward_euler;
+  StepSolve solution = StepSolve::converged;
+  std::optional<FrictionForm> friction = FrictionForm::variational;  ///< nothing: left out
+  bool adaptive = false;           ///< steps may be shortened where they fail
+  double tolerance = 1e-5;         ///< N, largest force left at a node of a converged step
+  double linear_tolerance = 1e-4;  ///< relative residual of a linearized step's equations
+  Location where;
+
+  /// Steps from 0 to the end; the last may end after `duration`, by less than a step.
+  int step_count() const;
+};
+
+/// @throws InputError
+Stepping read_stepping(const Value& value);
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+// `pliant info` of a scene.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/pliant/file_info.h"
+#include "experiment/scene/scene_text.h"
+#include "io/input_error_of.h"
+
+namespace pliant::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+FileInfo info_of(const std::string& scene) {
+  const TemporaryFolder folder;
+  folder.write("jersey.json", kJersey);
+  return describe_file(folder.write("scene.yaml", scene));
+}
+
+TEST(SceneInfo, TellsWhatWouldBeSimulated) {
+  const FileInfo info =
+      info_of(with_more("pins: [{cloth: sheet, edges: [top]}]\n"
+                        "clips: [{name: weight, cloth: sheet, edges: [bottom], mass: 10 g,\n"
+                        "  free: true, cords: [{vertex: 1, force: [0, 0, -1]}]}]\n"));
+  EXPECT_EQ(info.json["type"], "scene/1");
+  EXPECT_EQ(info.json["cloth"][0]["triangles"], 8);
+  EXPECT_NEAR(info.json["cloth"][0]["mass"].get<double>(), 0.15 * 0.01, 1e-15);
+  EXPECT_EQ(info.json["pins"][0]["vertices"], 3);
+  EXPECT_EQ(info.json["clips"][0]["cords"], 1);
+  EXPECT_EQ(info.json["steps"], 200);
+  EXPECT_EQ(info.json["frames"], 26);
+  EXPECT_THAT(info.lines, Contains(HasSubstr("grid 100 mm x 100 mm, 3 x 3 nodes")));
+  EXPECT_THAT(info.lines, Contains(HasSubstr("200 steps of 5 ms")));
+}
+
+TEST(SceneInfo, WarnsOfWhatSimulateWouldRefuse) {
+  const FileInfo info = info_of(with_more(""));
+  EXPECT_THAT(info.warnings, Contains(HasSubstr("stretch.weft, shear, bend.weft")));
+  EXPECT_THAT(info.warnings, Contains(HasSubstr("--fill FILE")));
+}
+
+TEST(SceneInfo, RefusesAVertexThatIsNotThere) {
+  const InputError error =
+      input_error_of([] { info_of(with_more("pins: [{cloth: sheet, vertices: [9]}]\n")); });
+  EXPECT_EQ(error.where().line, 5);
+  EXPECT_EQ(error.where().field, "pins[0].vertices[0]");
+}
+
+}  // namespace
+}  // namespace pliant::test

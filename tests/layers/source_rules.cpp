@@ -92,7 +92,7 @@ std::vector<Offence> layer_offences(const SourceFile& source) {
 }
 
 std::vector<Offence> heavy_header_offences(const SourceFile& source) {
-  static const std::regex heavy(R"(^\s*#\s*include\s*["<](ceres/|opencv2/|itk)[^">]*)");
+  static const std::regex heavy(R"(^\s*#\s*include\s*["<](ceres/|opencv2/|itk|embree3/)[^">]*)");
   if (!is_header(source.path)) return {};
   return lines_matching(source, heavy, "heavy third-party header outside a .cpp file");
 }

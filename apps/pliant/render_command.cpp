@@ -1,0 +1,212 @@
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/result_directory.h"
+#include "pliant/render/contact_sheet.h"
+#include "pliant/render/png.h"
+#include "pliant/render/simulation_pictures.h"
+
+#include "apps/pliant/command.h"
+#include "apps/pliant/render_options.h"
+
+namespace pliant {
+namespace {
+
+struct RenderArguments {
+  std::string simulation;
+  std::string output;
+  std::string size;
+  std::string frames;
+  std::string camera, target = "0,0,0";
+  double field_of_view = 30;  // degrees
+  std::string range;
+  std::string colour;
+  bool no_ground = false;
+  int contact_sheet = 0;  // pictures; 0: one picture a frame
+  PictureOptions options;
+};
+
+const std::map<std::string, ViewDirection> kViews = {
+    {"front", ViewDirection::front},
+    {"side", ViewDirection::side},
+    {"top", ViewDirection::top},
+    {"three-quarter", ViewDirection::three_quarter}};
+const std::map<std::string, ColourMap> kColourMaps = {{"viridis", ColourMap::viridis},
+                                                      {"coolwarm", ColourMap::coolwarm}};
+
+Camera camera_of(const RenderArguments& arguments) {
+  Camera camera;
+  camera.position = parse_point("--camera", arguments.camera);
+  camera.target = parse_point("--target", arguments.target);
+  camera.field_of_view = arguments.field_of_view * std::numbers::pi / 180;
+  const Eigen::Vector3d forward = camera.target - camera.position;
+  if (!(forward.norm() > 0)) {
+    throw InputError({"--target"}, "is where the camera is", "another point");
+  }
+  // Who looks straight up or down has +y upwards in the picture.
+  if (forward.head<2>().norm() < 1e-9 * forward.norm()) camera.up = Eigen::Vector3d::UnitY();
+  return camera;
+}
+
+/// A contact sheet has the pixels that a single picture may have.
+void refuse_large_sheet(int count, const PictureSize& size) {
+  const SheetLayout layout = sheet_layout(count);
+  const double pixels = double(layout.columns) * size.width * layout.rows * size.height;
+  if (pixels <= kMostPixels) return;
+  throw InputError(
+      {"--contact-sheet"},
+      fmt::format("{} pictures of {}x{} pixels are too large", count, size.width, size.height),
+      fmt::format("at most {} million pixels", kMostPixels / 1'000'000));
+}
+
+PictureOptions picture_options(const RenderArguments& arguments) {
+  PictureOptions options = arguments.options;
+  options.ground = !arguments.no_ground;
+  if (arguments.contact_sheet > 0) options.size = {400, 300};
+  if (!arguments.size.empty()) options.size = parse_picture_size(arguments.size);
+  if (arguments.contact_sheet > 0) refuse_large_sheet(arguments.contact_sheet, options.size);
+  if (!arguments.camera.empty()) options.camera = camera_of(arguments);
+  if (!arguments.range.empty()) options.range = parse_value_range(arguments.range);
+  if (arguments.colour.empty()) return options;
+  const std::optional<Colour> colour = parse_colour(arguments.colour);
+  if (!colour) {
+    throw InputError({"--colour"}, quoted_value(arguments.colour) + " is no colour",
+                     "red, green and blue as in #7fa3cf");
+  }
+  options.colour = *colour;
+  return options;
+}
+
+std::vector<SimulationFrame> evenly_chosen(const std::vector<SimulationFrame>& frames, int count) {
+  std::vector<double> times;
+  for (const SimulationFrame& frame : frames) times.push_back(frame.time);
+  std::vector<SimulationFrame> chosen;
+  for (const int place : evenly_in_time(times, count)) {
+    chosen.push_back(frames[static_cast<size_t>(place)]);
+  }
+  return chosen;
+}
+
+std::string summary_json(const RenderArguments& arguments, const std::vector<std::string>& names,
+                         const PictureSetting& setting) {
+  nlohmann::ordered_json json{
+      {"command", "render"}, {"directory", arguments.output}, {"pictures", names}};
+  if (setting.legend) {
+    json["field"] = {{"name", setting.legend->name},
+                     {"unit", setting.legend->unit},
+                     {"low", setting.legend->scale.low},
+                     {"high", setting.legend->scale.high}};
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> draw_frames(const CommandContext& context,
+                                     const SimulationFrames& simulation,
+                                     const std::vector<SimulationFrame>& frames,
+                                     const PictureSetting& setting, const PictureOptions& options,
+                                     ResultDirectory& results) {
+  std::vector<std::string> names;
+  ProgressTask task(context.run.progress, "drawing frames", double(frames.size()));
+  for (const SimulationFrame& frame : frames) {
+    names.push_back(fmt::format("{:06}.png", frame.index));
+    results.write(names.back(),
+                  png_bytes(frame_picture(simulation, frame, setting, options, context.run)));
+    task.advance(double(names.size()));
+  }
+  return names;
+}
+
+void run_render(const CommandContext& context, const RenderArguments& arguments) {
+  const PictureOptions options = picture_options(arguments);
+  const SimulationFrames simulation = read_simulation_frames(arguments.simulation);
+  const std::vector<SimulationFrame> frames = select_frames(simulation.frames, arguments.frames);
+  ResultDirectory results(arguments.output, "render");
+
+  const bool sheet = arguments.contact_sheet > 0;
+  const PictureSetting setting = setting_of(
+      simulation, options, sheet ? LegendPlace::beside : LegendPlace::in_picture, context.run);
+  std::vector<std::string> names = {"contact-sheet.png"};
+  if (sheet) {
+    const auto chosen = evenly_chosen(frames, arguments.contact_sheet);
+    results.write(names.front(),
+                  png_bytes(sheet_picture(simulation, chosen, setting, options, context.run)));
+  } else {
+    names = draw_frames(context, simulation, frames, setting, options, results);
+  }
+  results.commit();
+  context.say(fmt::format("{} picture{}: {}", names.size(), names.size() == 1 ? "" : "s",
+                          (std::filesystem::path(arguments.output) / names.front()).string()));
+  context.print_json(summary_json(arguments, names, setting));
+}
+
+void add_view_options(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("--view", arguments.options.view, "Seen from, fitted to all frames")
+      ->transform(CLI::CheckedTransformer(kViews).description("{front,side,top,three-quarter}"))
+      ->default_str("three-quarter");
+  command.add_option("--camera", arguments.camera, "Fixed camera in place of --view: X,Y,Z in m")
+      ->type_name("X,Y,Z");
+  command.add_option("--target", arguments.target, "What --camera looks at (m)")
+      ->type_name("X,Y,Z")
+      ->needs("--camera")
+      ->capture_default_str();
+  command
+      .add_option("--field-of-view", arguments.field_of_view,
+                  "Of --camera, from bottom to top (degrees)")
+      ->check(CLI::Range(1.0, 170.0))
+      ->needs("--camera")
+      ->capture_default_str();
+}
+
+void add_colour_options(CLI::App& command, RenderArguments& arguments) {
+  PictureOptions& options = arguments.options;
+  command.add_option("--field", options.field,
+                     "Show a field of the frames by colour, e.g. strain_weft");
+  command.add_option("--range", arguments.range, "Values of the first and last colour")
+      ->type_name("LOW:HIGH")
+      ->needs("--field");
+  command.add_option("--colour-map", options.colour_map, "Colours for --field")
+      ->transform(CLI::CheckedTransformer(kColourMaps).description("{viridis,coolwarm}"))
+      ->default_str("viridis")
+      ->needs("--field");
+  command.add_option("--colour", arguments.colour, "Of cloth without --field")
+      ->type_name("#RRGGBB");
+  command.add_flag("--mesh-lines", options.edges, "Draw the edges of the triangles");
+  command.add_flag("--no-ground", arguments.no_ground, "Draw no shadow below the cloth");
+  command.add_flag("--hard-shadow", options.hard_shadow, "Shadows with sharp edges");
+}
+
+}  // namespace
+
+void add_render(CommandRegistry& registry) {
+  CLI::App& command = registry.add("render", "Draw pictures of a simulation's frames");
+  auto arguments = std::make_shared<RenderArguments>();
+  command.add_option("DIR", arguments->simulation, "Results of simulate")->required();
+  command.add_option("-o,--output", arguments->output, "Directory for the pictures (DIR)")
+      ->required();
+  command.add_option("--frames", arguments->frames, "Numbers of the frames to draw (default: all)")
+      ->type_name("FIRST:LAST:STEP");
+  command
+      .add_option("--contact-sheet", arguments->contact_sheet,
+                  "One picture of N frames evenly chosen in time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 400));
+  command
+      .add_option("--size", arguments->size,
+                  "Pixels of each picture (default: 800x600, on a contact sheet 400x300)")
+      ->type_name("WxH");
+  command
+      .add_option("--samples", arguments->options.quality.samples,
+                  "Rays a pixel; powers of two are spread most evenly")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_view_options(command, *arguments);
+  add_colour_options(command, *arguments);
+  registry.on(command, [arguments](CommandContext& context) { run_render(context, *arguments); });
+}
+
+}  // namespace pliant

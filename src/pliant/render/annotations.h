@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "pliant/render/colour_map.h"
+#include "pliant/render/drawing.h"
+#include "pliant/render/image.h"
+
+namespace pliant {
+
+/// What colours mean.
+struct FieldLegend {
+  std::string name;
+  std::string unit;  ///< may be empty
+  ColourScale scale;
+};
+
+/// Sizes of the labels on a picture of a given height.
+TextStyle label_style(int picture_height);
+
+/// Pixels at the right edge that a colour bar with its labels needs.
+int colour_bar_width(const FieldLegend& legend, const TextStyle& style);
+
+/// Draws a bar of the scale's colours with round numbers, name and unit at the right edge.
+void draw_colour_bar(Image& image, const FieldLegend& legend, const TextStyle& style);
+
+/// Writes "t = ... s" into the upper left corner.
+void draw_time(Image& image, double seconds, int decimals);
+
+}  // namespace pliant

@@ -1,0 +1,23 @@
+#include "pliant/render/scene.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace pliant {
+
+KeyLight light_for_view(const Eigen::Vector3d& forward) {
+  constexpr double kTurn = -42 * std::numbers::pi / 180;
+  constexpr double kElevation = 52 * std::numbers::pi / 180;
+  Eigen::Vector3d backward(-forward.x(), -forward.y(), 0);
+  // Straight down, with +y upwards in the picture: from the upper left.
+  if (backward.norm() < 1e-6 * forward.norm()) backward = -Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d side =
+      Eigen::AngleAxisd(kTurn, Eigen::Vector3d::UnitZ()) * backward.normalized();
+  KeyLight light;
+  light.direction = std::cos(kElevation) * side + std::sin(kElevation) * Eigen::Vector3d::UnitZ();
+  return light;
+}
+
+}  // namespace pliant

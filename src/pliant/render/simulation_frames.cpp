@@ -1,0 +1,93 @@
+#include "pliant/render/simulation_frames.h"
+
+#include <limits>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/document.h"
+#include "pliant/io/fields.h"
+#include "pliant/io/ply.h"
+
+namespace pliant {
+namespace {
+
+// Frame files have six digits.
+constexpr int kLargestIndex = 999'999;
+
+std::vector<SimulationFrame> read_frames(const Value& list) {
+  std::vector<SimulationFrame> frames;
+  for (const Value& item : list.items()) {
+    Fields fields = item.fields();
+    const Value index = fields.require("index");
+    const Value time = fields.require("time");
+    const SimulationFrame frame{index.integer(0, kLargestIndex), time.number()};
+    if (!frames.empty() && frame.index <= frames.back().index) {
+      index.fail("frames out of order", "a number above that of the frame before");
+    }
+    if (!frames.empty() && !(frame.time > frames.back().time)) {
+      time.fail("frames out of order", "a time after that of the frame before");
+    }
+    frames.push_back(frame);
+  }
+  if (frames.empty()) list.fail("no frames", "a simulation that wrote frames as PLY files");
+  return frames;
+}
+
+int triangle_count(const Polygons& faces) {
+  const size_t count = faces.corners.size() - 2 * faces.size();
+  return static_cast<int>(count);
+}
+
+Eigen::Matrix3Xi fan_triangles(const Polygons& faces) {
+  Eigen::Matrix3Xi triangles(3, triangle_count(faces));
+  Eigen::Index next = 0;
+  for (size_t face = 0; face < faces.size(); ++face) {
+    const std::span<const int> corners = faces[face];
+    for (size_t k = 2; k < corners.size(); ++k) {
+      triangles.col(next++) << corners[0], corners[k - 1], corners[k];
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::filesystem::path SimulationFrames::file_of(const SimulationFrame& frame) const {
+  return directory / "frames" / fmt::format("{:06}.ply", frame.index);
+}
+
+SimulationFrames read_simulation_frames(const std::filesystem::path& directory) {
+  if (!std::filesystem::is_directory(directory)) {
+    throw InputError({directory.string()}, "is no directory", "the results of simulate");
+  }
+  const Document document = read_json(directory / "simulation.json");
+  Fields fields = Value(document).fields();
+  require_document(fields, "simulation", 1);
+  // Of the many further fields pictures need none.
+  SimulationFrames simulation;
+  simulation.directory = directory;
+  simulation.frames = read_frames(fields.require("frames"));
+  simulation.units = fields.texts("fields");
+  return simulation;
+}
+
+FrameMesh read_frame(const std::filesystem::path& file) {
+  const PlyMesh ply = read_ply(file);
+  if (ply.positions.empty() || ply.faces.size() == 0) {
+    throw InputError({file.string()}, "has no faces", "the surface of a cloth");
+  }
+  FrameMesh mesh;
+  static_assert(sizeof(Point3) == 3 * sizeof(double));
+  mesh.positions = Eigen::Map<const Eigen::Matrix3Xd>(ply.positions.front().data(), 3,
+                                                      std::ssize(ply.positions));
+  mesh.triangles = fan_triangles(ply.faces);
+  for (const PlyColumn& column : ply.vertex_columns) {
+    mesh.fields[column.name] =
+        Eigen::Map<const Eigen::VectorXd>(column.values.data(), std::ssize(column.values));
+  }
+  return mesh;
+}
+
+}  // namespace pliant

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+struct SimulationFrame {
+  int index = 0;    ///< number of its file
+  double time = 0;  ///< s
+};
+
+/// The results of `simulate` as far as pictures need them.
+struct SimulationFrames {
+  std::filesystem::path directory;
+  std::vector<SimulationFrame> frames;       ///< one or more, index and time increasing
+  std::map<std::string, std::string> units;  ///< of fields, by name, where they are known
+
+  std::filesystem::path file_of(const SimulationFrame& frame) const;
+};
+
+/// Reads `directory`/simulation.json.
+/// @throws InputError
+SimulationFrames read_simulation_frames(const std::filesystem::path& directory);
+
+/// The cloth of one frame.
+struct FrameMesh {
+  Eigen::Matrix3Xd positions;                     ///< m
+  Eigen::Matrix3Xi triangles;                     ///< polygons are cut into fans
+  std::map<std::string, Eigen::VectorXd> fields;  ///< further properties of the vertices
+};
+
+/// @throws InputError
+FrameMesh read_frame(const std::filesystem::path& file);
+
+}  // namespace pliant

@@ -1,0 +1,163 @@
+#include "pliant/render/simulation_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/render/contact_sheet.h"
+#include "pliant/render/number_scale.h"
+
+namespace pliant {
+namespace {
+
+/// More of the light comes from all around where the colour is what matters.
+constexpr double kFieldAmbient = 0.55;
+
+/// Part of a picture's width that the colour bar may keep free of cloth; beyond it they overlap.
+constexpr double kWidestLegend = 0.4;
+
+/// What all frames span.
+struct Extent {
+  Eigen::AlignedBox3d box;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+const Eigen::VectorXd& field_of(const FrameMesh& mesh, const std::string& name,
+                                const std::filesystem::path& file) {
+  const auto found = mesh.fields.find(name);
+  if (found != mesh.fields.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [other, values] : mesh.fields) names.push_back(other);
+  throw InputError({file.string()}, "has no field " + quoted_value(name),
+                   names.empty() ? "a simulation that writes fields"
+                                 : fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+void extend(Extent& extent, const FrameMesh& mesh, const std::string& field,
+            const std::filesystem::path& file) {
+  extent.box.extend(Eigen::AlignedBox3d(mesh.positions.rowwise().minCoeff(),
+                                        mesh.positions.rowwise().maxCoeff()));
+  if (field.empty()) return;
+  for (const double value : field_of(mesh, field, file)) {
+    if (!std::isfinite(value)) continue;
+    extent.low = std::min(extent.low, value);
+    extent.high = std::max(extent.high, value);
+  }
+}
+
+Extent extent_of(const SimulationFrames& simulation, const std::string& field,
+                 const RunContext& run) {
+  Extent extent;
+  ProgressTask task(run.progress, "reading frames", double(simulation.frames.size()));
+  for (size_t i = 0; i < simulation.frames.size(); ++i) {
+    run.stop.throw_if_requested();
+    const std::filesystem::path file = simulation.file_of(simulation.frames[i]);
+    extend(extent, read_frame(file), field, file);
+    task.advance(double(i + 1));
+  }
+  return extent;
+}
+
+ColourScale scale_of(const Extent& extent, const PictureOptions& options) {
+  if (options.range) return {options.colour_map, options.range->first, options.range->second};
+  if (!(extent.low <= extent.high)) return {options.colour_map, 0, 0};  // no value anywhere
+  if (options.colour_map == ColourMap::viridis) {
+    return {options.colour_map, extent.low, extent.high};
+  }
+  const double largest = std::max(std::abs(extent.low), std::abs(extent.high));
+  return {options.colour_map, -largest, largest};
+}
+
+FieldLegend legend_of(const SimulationFrames& simulation, const Extent& extent,
+                      const PictureOptions& options) {
+  const auto unit = simulation.units.find(options.field);
+  return {options.field, unit == simulation.units.end() ? "" : unit->second,
+          scale_of(extent, options)};
+}
+
+int time_decimals(const std::vector<SimulationFrame>& frames) {
+  double spacing = std::numeric_limits<double>::infinity();
+  for (size_t i = 1; i < frames.size(); ++i) {
+    spacing = std::min(spacing, frames[i].time - frames[i - 1].time);
+  }
+  return std::isfinite(spacing) ? decimals_for(spacing) : 3;
+}
+
+RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
+                     const PictureOptions& options) {
+  RenderScene scene;
+  scene.ground = setting.ground;
+  scene.light = light_for_view(setting.camera.target - setting.camera.position);
+  if (options.hard_shadow) scene.light.angular_radius = 0;
+  RenderMesh mesh{
+      std::move(frame.positions), std::move(frame.triangles), options.colour, {}, options.edges};
+  if (setting.legend) {
+    scene.ambient = kFieldAmbient;
+    mesh.field = VertexField{std::move(frame.fields[options.field]), setting.legend->scale};
+  }
+  scene.meshes.push_back(std::move(mesh));
+  return scene;
+}
+
+Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& frame,
+                    const PictureSetting& setting, const PictureOptions& options,
+                    const RunContext& run) {
+  const std::filesystem::path file = simulation.file_of(frame);
+  FrameMesh mesh = read_frame(file);
+  if (setting.legend) field_of(mesh, options.field, file);
+  const RenderScene scene = scene_of(std::move(mesh), setting, options);
+  Image image = render(scene, setting.camera, options.size, options.quality, run);
+  draw_time(image, frame.time, setting.time_decimals);
+  return image;
+}
+
+}  // namespace
+
+PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptions& options,
+                          LegendPlace legend, const RunContext& run) {
+  const Extent extent = extent_of(simulation, options.field, run);
+  PictureSetting setting;
+  Margins margins;
+  if (!options.field.empty()) setting.legend = legend_of(simulation, extent, options);
+  if (setting.legend && legend == LegendPlace::in_picture) {
+    const int width = colour_bar_width(*setting.legend, label_style(options.size.height));
+    margins.right = std::min(kWidestLegend, double(width) / options.size.width);
+  }
+  setting.camera =
+      options.camera.value_or(fit_camera(extent.box, options.view, options.size.aspect(), margins));
+  // A little below, so that a cloth which lies flat does not touch it.
+  if (options.ground) setting.ground = extent.box.min().z() - 1e-3 * extent.box.diagonal().norm();
+  setting.time_decimals = time_decimals(simulation.frames);
+  return setting;
+}
+
+Image frame_picture(const SimulationFrames& simulation, const SimulationFrame& frame,
+                    const PictureSetting& setting, const PictureOptions& options,
+                    const RunContext& run) {
+  Image image = timed_picture(simulation, frame, setting, options, run);
+  if (setting.legend) draw_colour_bar(image, *setting.legend, label_style(options.size.height));
+  return image;
+}
+
+Image sheet_picture(const SimulationFrames& simulation, const std::vector<SimulationFrame>& frames,
+                    const PictureSetting& setting, const PictureOptions& options,
+                    const RunContext& run) {
+  std::vector<Image> pictures;
+  ProgressTask task(run.progress, "drawing frames", double(frames.size()));
+  for (const SimulationFrame& frame : frames) {
+    pictures.push_back(timed_picture(simulation, frame, setting, options, run));
+    task.advance(double(pictures.size()));
+  }
+  if (!setting.legend) return contact_sheet(pictures, 0);
+  const TextStyle style = label_style(options.size.height);
+  Image sheet = contact_sheet(pictures, colour_bar_width(*setting.legend, style));
+  draw_colour_bar(sheet, *setting.legend, style);
+  return sheet;
+}
+
+}  // namespace pliant

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/render/annotations.h"
+#include "pliant/render/render.h"
+#include "pliant/render/simulation_frames.h"
+
+namespace pliant {
+
+/// How the frames of a simulation are drawn.
+struct PictureOptions {
+  PictureSize size;
+  RenderQuality quality;
+  ViewDirection view = ViewDirection::three_quarter;  ///< fitted to all frames
+  std::optional<Camera> camera = {};                  ///< in place of `view`
+  std::string field = {};                             ///< shown by colour; empty: none
+  ColourMap colour_map = ColourMap::viridis;
+  /// Values of the first and the last colour; by default those of all frames, about zero for a
+  /// colour map with two sides.
+  std::optional<std::pair<double, double>> range = {};
+  Colour colour = RenderMesh().colour;  ///< where no field is shown
+  bool edges = false;
+  bool ground = true;  ///< a floor below the lowest point of all frames
+  bool hard_shadow = false;
+};
+
+/// What all pictures of a simulation have in common, so that a sequence does not jump.
+struct PictureSetting {
+  Camera camera;
+  std::optional<double> ground;       ///< height (m)
+  std::optional<FieldLegend> legend;  ///< of the field shown
+  int time_decimals = 0;
+};
+
+/// Where the colour bar goes.
+enum class LegendPlace {
+  in_picture,  ///< at the right edge of each picture, which keeps the cloth clear of it
+  beside,      ///< beside the pictures of a sheet
+};
+
+/// Reads every frame once for its extent and the range of its field.
+/// @throws InputError, also for a field that a frame does not have; Interrupted
+PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptions& options,
+                          LegendPlace legend, const RunContext& run);
+
+/// One frame with its time and a colour bar.
+/// @throws InputError; Interrupted
+Image frame_picture(const SimulationFrames& simulation, const SimulationFrame& frame,
+                    const PictureSetting& setting, const PictureOptions& options,
+                    const RunContext& run);
+
+/// Several frames with their times and one colour bar. `options.size` is that of each.
+/// @throws InputError; Interrupted
+Image sheet_picture(const SimulationFrames& simulation, const std::vector<SimulationFrame>& frames,
+                    const PictureSetting& setting, const PictureOptions& options,
+                    const RunContext& run);
+
+}  // namespace pliant

@@ -1,0 +1,175 @@
+// Pictures of simulations, as a user asks for them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+#include "support/simulation_folder.h"
+
+namespace pliant::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ::testing::UnorderedElementsAre;
+
+constexpr const char* kList = ".pliant-results.json";
+
+/// Tests of a program that can draw.
+class RenderCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (run_program({"--help"}).out.find("\n  render ") == std::string::npos) {
+      GTEST_SKIP() << "this program was built without pictures";
+    }
+  }
+
+  /// `pliant render sim -o out --size 64x48 ARGUMENTS...`
+  ProgramRun render(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all = {"render",           folder.file("sim"), "-o",
+                                    folder.file("out"), "--size",           "64x48"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_program(all);
+  }
+
+  std::vector<std::string> pictures() const { return names_in(folder.path() / "out"); }
+
+  const SimulationFolder folder{5};
+};
+
+/// Width and height in the header of a PNG file.
+std::pair<int, int> png_size(const std::string& bytes) {
+  const auto number_at = [&](size_t place) {
+    int value = 0;
+    for (size_t i = place; i < place + 4; ++i) {
+      value = value * 256 + static_cast<unsigned char>(bytes.at(i));
+    }
+    return value;
+  };
+  EXPECT_THAT(bytes, StartsWith("\x89PNG\r\n"));
+  return {number_at(16), number_at(20)};
+}
+
+TEST_F(RenderCommand, DrawsEveryFrame) {
+  const ProgramRun run = render({});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("5 pictures"));
+  EXPECT_THAT(pictures(), UnorderedElementsAre("000000.png", "000001.png", "000002.png",
+                                               "000003.png", "000004.png", kList));
+  EXPECT_EQ(png_size(content_of(folder.file("out/000003.png"))), std::pair(64, 48));
+  EXPECT_NE(content_of(folder.file("out/000003.png")), content_of(folder.file("out/000000.png")));
+}
+
+TEST_F(RenderCommand, DrawsTheFramesAskedFor) {
+  EXPECT_EQ(render({"--frames", "1:4:2"}).status, 0);
+  EXPECT_THAT(pictures(), UnorderedElementsAre("000001.png", "000003.png", kList));
+  EXPECT_EQ(render({"--frames", "3:"}).status, 0);
+  EXPECT_THAT(pictures(), UnorderedElementsAre("000003.png", "000004.png", kList));
+  EXPECT_EQ(render({"--frames", "2"}).status, 0);
+  EXPECT_THAT(pictures(), UnorderedElementsAre("000002.png", kList));
+}
+
+TEST_F(RenderCommand, DrawsTheSameBitsWhateverElseIsDrawnAndForAnyNumberOfThreads) {
+  render({"--threads", "1"});
+  const std::string picture = content_of(folder.file("out/000003.png"));
+  render({"--frames", "3", "--threads", "3"});
+  EXPECT_EQ(content_of(folder.file("out/000003.png")), picture);
+}
+
+TEST_F(RenderCommand, TakesEveryOptionOfLooks) {
+  const ProgramRun plain = render({"--frames", "2"});
+  const std::string picture = content_of(folder.file("out/000002.png"));
+  const std::vector<std::vector<std::string>> looks{
+      {"--view", "front"},
+      {"--view", "side"},
+      {"--view", "top"},
+      {"--camera", "1,-3,2", "--target", "0.5,0,0.5", "--field-of-view", "40"},
+      {"--field", "strain_weft"},
+      {"--field", "strain_weft", "--colour-map", "coolwarm"},
+      {"--field", "strain_weft", "--range", "-1:1"},
+      {"--colour", "#c08040"},
+      {"--mesh-lines"},
+      {"--no-ground"},
+      {"--hard-shadow"},
+      {"--samples", "5"}};
+  for (std::vector<std::string> arguments : looks) {
+    const std::string option = arguments.front();
+    arguments.insert(arguments.end(), {"--frames", "2"});
+    const ProgramRun run = render(arguments);
+    EXPECT_EQ(run.status, 0) << option << ": " << run.err;
+    EXPECT_NE(content_of(folder.file("out/000002.png")), picture) << option;
+  }
+}
+
+TEST_F(RenderCommand, PutsFramesOnAContactSheet) {
+  EXPECT_EQ(render({"--contact-sheet", "3"}).status, 0);
+  EXPECT_THAT(pictures(), UnorderedElementsAre("contact-sheet.png", kList));
+  EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(128, 96));
+}
+
+TEST_F(RenderCommand, SaysInJsonWhatItDrew) {
+  const ProgramRun run = render({"--frames", "0:1", "--field", "strain_weft", "--json"});
+  const nlohmann::json json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["command"], "render");
+  EXPECT_EQ(json["pictures"], (nlohmann::json{"000000.png", "000001.png"}));
+  EXPECT_EQ(json["field"]["name"], "strain_weft");
+  EXPECT_NEAR(json["field"]["high"].get<double>(), 0.04, 1e-15);
+}
+
+TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--size", "800"}, "--size"},
+      {{"--size", "8x8"}, "--size"},
+      {{"--size", "1x2x3"}, "--size"},
+      {{"--frames", "a:b"}, "--frames"},
+      {{"--frames", "7:9"}, "0 to 4"},
+      {{"--frames", "::0"}, "--frames"},
+      {{"--view", "below"}, "--view"},
+      {{"--camera", "1,2"}, "--camera"},
+      {{"--camera", "0,0,0"}, "--target"},
+      {{"--target", "1,2,3"}, "--camera"},
+      {{"--field", "strain"}, "strain_weft"},
+      {{"--field", "strain_weft", "--range", "1:1"}, "--range"},
+      {{"--colour", "blue"}, "--colour"},
+      {{"--contact-sheet", "0"}, "--contact-sheet"},
+      {{"--contact-sheet", "400", "--size", "8000x6000"}, "--contact-sheet"}};
+  for (const auto& [arguments, named] : wrong) {
+    std::vector<std::string> all = {"render", folder.file("sim"), "-o", folder.file("out")};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const ProgramRun run = run_program(all);
+    EXPECT_EQ(run.status, 2) << arguments[0] << ": " << run.err;
+    EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: "), HasSubstr(named)));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out"))) << arguments[0];
+  }
+}
+
+TEST_F(RenderCommand, NamesTheFileOfABrokenFrameAndLeavesNothing) {
+  folder.write("sim/frames/000004.ply", "ply\nformat ascii 1.0\n");
+  const ProgramRun run = render({});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: "), HasSubstr("000004.ply")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+TEST_F(RenderCommand, NeverDrawsIntoTheFolderOfTheSimulation) {
+  const ProgramRun run = run_program({"render", folder.file("sim"), "-o", folder.file("sim")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(names_in(folder.path() / "sim"), UnorderedElementsAre("simulation.json", "frames"));
+}
+
+// The picture would take minutes.
+TEST_F(RenderCommand, EndsSoonWhenInterruptedAndLeavesNothing) {
+  constexpr double kWait = 0.7;
+  const ProgramRun run = run_program({"render", folder.file("sim"), "-o", folder.file("out"),
+                                      "--size", "8000x6000", "--samples", "256"},
+                                     {.interrupt_after = kWait});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_LT(run.seconds, kWait + 2 * kSanitizerFactor);
+  EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: "), HasSubstr("interrupted")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+}  // namespace
+}  // namespace pliant::test

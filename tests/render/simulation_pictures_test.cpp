@@ -1,0 +1,158 @@
+#include "pliant/render/simulation_pictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+
+#include "io/input_error_of.h"
+#include "support/simulation_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::input_error_of;
+using test::SimulationFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+PictureOptions small_pictures() {
+  PictureOptions options;
+  options.size = {120, 90};
+  options.quality.samples = 4;
+  options.view = ViewDirection::front;
+  return options;
+}
+
+TEST(SimulationFrames, AreReadWithTheirTimesAndUnits) {
+  const SimulationFolder folder(3);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  ASSERT_EQ(simulation.frames.size(), 3u);
+  EXPECT_EQ(simulation.frames[2].index, 2);
+  EXPECT_DOUBLE_EQ(simulation.frames[2].time, 0.08);
+  EXPECT_EQ(simulation.units.at("strain_weft"), "1");
+  EXPECT_EQ(simulation.file_of(simulation.frames[2]),
+            folder.path() / "sim" / "frames" / "000002.ply");
+}
+
+TEST(SimulationFrames, HaveTrianglesAndFields) {
+  const SimulationFolder folder(3);
+  const FrameMesh mesh = read_frame(folder.path() / "sim/frames/000001.ply");
+  EXPECT_EQ(mesh.positions.col(2), Eigen::Vector3d(1, 0, 1 - 1.0 / 3));
+  Eigen::Matrix3Xi fan(3, 2);
+  fan << 0, 0, 1, 2, 2, 3;
+  EXPECT_EQ(mesh.triangles, fan);
+  EXPECT_EQ(mesh.fields.at("strain_weft"), Eigen::Vector4d(0, 0.01, 0.01, 0));
+}
+
+TEST(SimulationFrames, ThatMakeNoSenseAreRefusedWithTheirLine) {
+  const SimulationFolder folder(1);
+  const auto error_for = [&](const std::string& frames) {
+    folder.write_summary(frames);
+    return input_error_of([&] { read_simulation_frames(folder.path() / "sim"); });
+  };
+  for (const char* frames : {"", "{\"index\": 0}", "{\"index\": -1, \"time\": 0}",
+                             "{\"index\": 0, \"time\": \"now\"}", "7"}) {
+    EXPECT_EQ(error_for(frames).where().line, 2) << frames;
+  }
+  EXPECT_EQ(error_for("{\"index\": 1, \"time\": 0}, {\"index\": 1, \"time\": 1}").where().field,
+            "frames[1].index");
+  EXPECT_EQ(error_for("{\"index\": 1, \"time\": 0}, {\"index\": 2, \"time\": 0}").where().field,
+            "frames[1].time");
+}
+
+TEST(SimulationFrames, OfAFolderWithoutResultsAreRefused) {
+  const SimulationFolder folder(1);
+  EXPECT_THAT(input_error_of([&] { read_simulation_frames(folder.path() / "none"); }).problem(),
+              HasSubstr("no directory"));
+  EXPECT_THAT(input_error_of([&] { read_simulation_frames(folder.path()); }).where().file,
+              HasSubstr("simulation.json"));
+}
+
+TEST(Pictures, HaveOneCameraThatContainsEveryVertexOfEveryFrame) {
+  const SimulationFolder folder(4);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  for (const ViewDirection view : {ViewDirection::front, ViewDirection::side, ViewDirection::top,
+                                   ViewDirection::three_quarter}) {
+    PictureOptions options = small_pictures();
+    options.view = view;
+    const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+    for (const SimulationFrame& frame : simulation.frames) {
+      const FrameMesh mesh = read_frame(simulation.file_of(frame));
+      for (const auto& vertex : mesh.positions.colwise()) {
+        const Eigen::Vector2d place = project(setting.camera, options.size.aspect(), vertex);
+        EXPECT_TRUE((place.array() > 0).all() && (place.array() < 1).all());
+      }
+    }
+  }
+}
+
+TEST(Pictures, ShareTheRangeOfTheirFieldOverAllFrames) {
+  const SimulationFolder folder(4);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  PictureOptions options = small_pictures();
+  options.field = "strain_weft";
+  ColourScale scale = setting_of(simulation, options, LegendPlace::beside, {}).legend->scale;
+  EXPECT_EQ(scale.low, 0);
+  EXPECT_DOUBLE_EQ(scale.high, 0.03);
+  options.colour_map = ColourMap::coolwarm;
+  scale = setting_of(simulation, options, LegendPlace::beside, {}).legend->scale;
+  EXPECT_DOUBLE_EQ(scale.low, -0.03);
+  EXPECT_DOUBLE_EQ(scale.high, 0.03);
+  options.range = {0.5, 2};
+  scale = setting_of(simulation, options, LegendPlace::beside, {}).legend->scale;
+  EXPECT_THAT((std::vector<double>{scale.low, scale.high}), ElementsAre(0.5, 2));
+}
+
+TEST(Pictures, LeaveWhatIsNoNumberOutOfTheRange) {
+  const SimulationFolder folder(2);
+  const std::string file = "sim/frames/000000.ply";
+  std::string ply = test::content_of(folder.file(file));
+  ply.replace(ply.find("0 0 0 0\n1"), 7, "0 0 0 inf");
+  folder.write(file, ply);
+  PictureOptions options = small_pictures();
+  options.field = "strain_weft";
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  const ColourScale scale = setting_of(simulation, options, LegendPlace::beside, {}).legend->scale;
+  EXPECT_EQ(scale.low, 0);
+  EXPECT_DOUBLE_EQ(scale.high, 0.01);
+}
+
+TEST(Pictures, KeepTheClothClearOfTheColourBar) {
+  const SimulationFolder folder(2);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  PictureOptions options = small_pictures();
+  options.size = {400, 300};
+  options.field = "strain_weft";
+  const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+  const Eigen::Vector2d right = project(setting.camera, options.size.aspect(), {1, 0, 1});
+  const int bar = colour_bar_width(*setting.legend, label_style(300));
+  EXPECT_LT(right.x() * 400, 400 - bar);
+}
+
+TEST(Pictures, OfAnUnknownFieldNameTheFieldsThereAre) {
+  const SimulationFolder folder(2);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  PictureOptions options = small_pictures();
+  options.field = "strain_wfet";
+  const InputError error =
+      input_error_of([&] { setting_of(simulation, options, LegendPlace::beside, {}); });
+  EXPECT_THAT(error.problem(), HasSubstr("strain_wfet"));
+  EXPECT_THAT(error.expected(), HasSubstr("strain_weft"));
+}
+
+TEST(Pictures, HaveTheSizeAskedForAndASheetHasRoomForAll) {
+  const SimulationFolder folder(4);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  PictureOptions options = small_pictures();
+  const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+  const Image picture = frame_picture(simulation, simulation.frames[1], setting, options, {});
+  EXPECT_EQ(picture.width(), 120);
+  EXPECT_EQ(picture.height(), 90);
+  const Image sheet = sheet_picture(simulation, simulation.frames, setting, options, {});
+  EXPECT_EQ(sheet.width(), 240);
+  EXPECT_EQ(sheet.height(), 180);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -57,7 +57,9 @@ void add_import(CommandRegistry& registry);
 void add_fit(CommandRegistry& registry);
 void add_evaluate(CommandRegistry& registry);
 void add_lab(CommandRegistry& registry);
+void add_simulate(CommandRegistry& registry);
 void add_report(CommandRegistry& registry);
+void add_render(CommandRegistry& registry);
 void add_info(CommandRegistry& registry);
 
 }  // namespace pliant

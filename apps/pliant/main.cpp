@@ -90,7 +90,9 @@ int main(int argc, char** argv) {
   pliant::add_fit(registry);
   pliant::add_evaluate(registry);
   pliant::add_lab(registry);
+  pliant::add_simulate(registry);
   pliant::add_report(registry);
+  pliant::add_render(registry);
   pliant::add_info(registry);
   try {
     app.parse(argc, argv);

@@ -97,7 +97,7 @@ void move_into_place(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-ResultDirectory::ResultDirectory(fs::path directory, std::string command)
+ResultDirectory::ResultDirectory(fs::path directory, std::string command, Earlier earlier)
     : directory_(std::move(directory)), command_(std::move(command)) {
   // The parent of "results/" is "results" itself: the loop over parents needs it without slash.
   if (!directory_.has_filename() && directory_.has_relative_path()) {
@@ -109,6 +109,7 @@ ResultDirectory::ResultDirectory(fs::path directory, std::string command)
     remove_staging();
     throw;
   }
+  if (earlier == Earlier::keep) files_ = std::exchange(earlier_files_, {});
 }
 
 ResultDirectory::~ResultDirectory() { remove_staging(); }
@@ -116,13 +117,14 @@ ResultDirectory::~ResultDirectory() { remove_staging(); }
 void ResultDirectory::write(const std::string& relative_name, std::string_view content) {
   PLIANT_ASSERT(!committed_, "results are written before they are committed");
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
-  PLIANT_ASSERT(!files_.contains(relative_name), "a result is written once");
+  PLIANT_ASSERT(!pending_.contains(relative_name), "a result is written once");
   stage(relative_name, content);
   files_.insert(relative_name);
+  pending_.insert(relative_name);
 }
 
-void ResultDirectory::commit() {
-  PLIANT_ASSERT(!committed_, "results are committed once");
+void ResultDirectory::publish() {
+  PLIANT_ASSERT(!committed_, "results are published before they are committed");
   // Both lists are written before anything is moved, when the disk may still turn out to be full.
   // The first names old and new files: a run that dies half-way leaves no file that is foreign.
   std::set<std::string> all = earlier_files_;
@@ -130,13 +132,28 @@ void ResultDirectory::commit() {
   stage(kListOfAll, manifest_text({command_, all}));
   stage(kListOfNew, manifest_text({command_, files_}));
 
-  committed_ = true;
+  published_ = true;
   move_into_place(staging_ / kListOfAll, directory_ / kManifestName);
-  for (const std::string& file : earlier_files_) {
+  for (const std::string& file : std::exchange(earlier_files_, {})) {
     if (!files_.contains(file)) remove_file(directory_, file);
   }
-  for (const std::string& file : files_) move_into_place(staging_ / file, directory_ / file);
+  for (const std::string& file : std::exchange(pending_, {})) {
+    move_into_place(staging_ / file, directory_ / file);
+  }
   move_into_place(staging_ / kListOfNew, directory_ / kManifestName);
+}
+
+fs::path ResultDirectory::grow(const std::string& relative_name) {
+  PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
+  files_.insert(relative_name);
+  publish();
+  return directory_ / relative_name;
+}
+
+void ResultDirectory::commit() {
+  PLIANT_ASSERT(!committed_, "results are committed once");
+  publish();
+  committed_ = true;
   remove_staging();
 }
 
@@ -216,7 +233,7 @@ void ResultDirectory::remove_staging() noexcept {
   staging_.clear();
   if (lock_ >= 0) ::close(lock_);
   lock_ = -1;
-  if (committed_) return;
+  if (published_) return;
   // Only empty folders go: `remove` leaves what someone else put there meanwhile.
   for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder) {
     fs::remove(*folder, ignored);

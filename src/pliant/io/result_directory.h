@@ -11,19 +11,28 @@ namespace pliant {
 /// A folder of results that a command fills completely or leaves as it was.
 ///
 /// Files are collected in a hidden folder inside `directory`; `commit` moves them into place and
-/// removes what an earlier run of the same command left there. A hidden list of files,
+/// removes what an earlier run of the same command left there. A long run may `publish` what it has
+/// so far, again and again. A hidden list of files,
 /// `.pliant-results.json`, tells results from anything else: a folder that holds a file which is
 /// not on the list of the same command is refused, so that nothing of the user's is overwritten.
 /// One run at a time may write to a folder.
 class ResultDirectory {
  public:
+  /// What becomes of the results of an earlier run.
+  enum class Earlier {
+    replace,  ///< removed when the first new results are put into place
+    keep,     ///< they are the beginning of this run's
+  };
+
   /// Makes `directory` (and what is missing above it) or checks that it can be written to.
   /// @param command  the name of the command that makes the results, e.g. "fit"
   /// @throws InputError when the folder cannot be made or written to, holds something else, or is
   ///         being written to by another run
-  ResultDirectory(std::filesystem::path directory, std::string command);
+  ResultDirectory(std::filesystem::path directory, std::string command,
+                  Earlier earlier = Earlier::replace);
 
-  /// Without `commit`: removes what was written and the folders that the constructor made.
+  /// Removes what was written and not put into place, and, where nothing was, the folders that the
+  /// constructor made.
   ~ResultDirectory();
   ResultDirectory(const ResultDirectory&) = delete;
   ResultDirectory& operator=(const ResultDirectory&) = delete;
@@ -32,9 +41,19 @@ class ResultDirectory {
   /// Where the files written so far stand until `commit`, for work that reads them back.
   const std::filesystem::path& staging() const { return staging_; }
 
-  /// Adds a file; `relative_name` may have folders in it ("predictions/warp.csv").
+  /// Adds a file; `relative_name` may have folders in it ("predictions/warp.csv"). A file that was
+  /// put into place before is replaced.
   /// @throws OutputError when writing fails
   void write(const std::string& relative_name, std::string_view content);
+
+  /// Puts what was written so far into place; more can be written afterwards.
+  /// @throws OutputError
+  void publish();
+
+  /// Adds a file that grows in place from now on, complete at any time.
+  /// @return where it is to be written
+  /// @throws OutputError
+  std::filesystem::path grow(const std::string& relative_name);
 
   /// Puts the files into place. Nothing can be written afterwards.
   /// @throws OutputError
@@ -53,8 +72,10 @@ class ResultDirectory {
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> created_;  // folders made by the constructor, outermost first
   std::set<std::string> earlier_files_;
-  std::set<std::string> files_;
-  int lock_ = -1;  // descriptor of directory_; closing it releases the lock
+  std::set<std::string> files_;    // of this run
+  std::set<std::string> pending_;  // those of them that are not in place yet
+  int lock_ = -1;                  // descriptor of directory_; closing it releases the lock
+  bool published_ = false;
   bool committed_ = false;
 };
 

@@ -1,0 +1,195 @@
+#include <ctime>
+#include <sys/resource.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/checkpoint.h"
+#include "pliant/experiment/frame_files.h"
+#include "pliant/experiment/simulation_result.h"
+#include "pliant/io/digest.h"
+#include "pliant/io/pc2.h"
+#include "pliant/io/result_directory.h"
+#include "pliant/material/material_file.h"
+
+#include "apps/pliant/command.h"
+
+namespace pliant {
+namespace {
+
+constexpr const char* kCheckpoint = "checkpoint.cbor";
+
+struct SimulateArguments {
+  std::string scene;
+  std::string output;
+  std::string fill;
+  std::string checkpoint_every;
+  bool resume = false;
+};
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // from kB
+}
+
+// The results of a simulation as they come.
+class SimulationRun {
+ public:
+  SimulationRun(const CommandContext& context, const SimulateArguments& arguments)
+      : context_(context),
+        arguments_(arguments),
+        scene_(read_scene(arguments.scene)),
+        simulation_(scene_, filler()),
+        identity_(scene_identity(scene_, arguments.fill)),
+        results_(
+            arguments.output, "simulate",
+            arguments.resume ? ResultDirectory::Earlier::keep : ResultDirectory::Earlier::replace) {
+    if (!arguments.checkpoint_every.empty()) {
+      const double period = parse_quantity(arguments.checkpoint_every, Dimension::time);
+      steps_per_checkpoint_ = std::max(1, static_cast<int>(std::lround(period / scene_.time.step)));
+    }
+  }
+
+  void run() {
+    for (const std::string& warning : simulation_.built().warnings) {
+      context_.say("warning: " + warning);
+    }
+    begin();
+    ProgressTask progress(context_.run.progress, "simulating", scene_.time.step_count());
+    progress.advance(simulation_.now().steps);
+    while (!simulation_.is_finished()) {
+      if (context_.run.stop.stop_requested()) {
+        stop();
+        throw Interrupted();
+      }
+      try {
+        simulation_.advance();
+      } catch (const SolverError&) {
+        stop();
+        throw;
+      }
+      if (simulation_.is_frame()) write_frame();
+      if (steps_per_checkpoint_ > 0 && simulation_.now().steps % steps_per_checkpoint_ == 0) {
+        write_checkpoint();
+        write_summary();
+        results_.publish();
+      }
+      progress.advance(simulation_.now().steps);
+    }
+    write_summary();
+    results_.commit();
+  }
+
+  const Simulation& simulation() const { return simulation_; }
+  std::string summary() const {
+    SimulationFacts facts;
+    facts.command = context_.command_line();
+    facts.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    facts.version = PLIANT_VERSION;
+    facts.scene_sha256 = sha256_of_file(scene_.file);
+    facts.threads = context_.common.threads;
+    facts.peak_memory = peak_memory();
+    return simulation_text(simulation_, facts);
+  }
+
+ private:
+  std::optional<Material> filler() const {
+    if (arguments_.fill.empty()) return std::nullopt;
+    return read_material(arguments_.fill);
+  }
+
+  bool writes_pc2() const {
+    const auto& formats = scene_.output.formats;
+    return std::find(formats.begin(), formats.end(), FrameFormat::pc2) != formats.end();
+  }
+
+  void begin() {
+    const int points = simulation_.built().vertices;
+    if (arguments_.resume) {
+      simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_,
+                                         context_.common.threads));
+      if (writes_pc2()) {
+        pc2_.emplace(Pc2Writer::resume(results_.path() / "cloth.pc2", points,
+                                       static_cast<int>(simulation_.now().energies.size())));
+      }
+      return;
+    }
+    if (writes_pc2()) {
+      results_.write("cloth.obj", cloth_obj(simulation_));
+      pc2_.emplace(results_.grow("cloth.pc2"), points);
+    }
+    write_frame();
+  }
+
+  void write_frame() {
+    const int index = static_cast<int>(simulation_.now().energies.size());
+    simulation_.record_energy();
+    for (const auto& [name, bytes] : frame_files(simulation_, index)) results_.write(name, bytes);
+    if (pc2_) pc2_->append(cloth_points(simulation_));
+  }
+
+  void write_checkpoint() {
+    results_.write(kCheckpoint,
+                   checkpoint_bytes(simulation_.now(), identity_, context_.common.threads));
+  }
+
+  void write_summary() {
+    for (const auto& [name, bytes] : series_files(simulation_)) results_.write(name, bytes);
+    results_.write("simulation.json", summary());
+  }
+
+  void stop() {
+    write_checkpoint();
+    write_summary();
+    results_.commit();
+    context_.say(fmt::format("stopped after step {} of {} ({:.6g} s); to go on: --resume from {}",
+                             simulation_.now().steps, scene_.time.step_count(),
+                             simulation_.now().state.time,
+                             (results_.path() / kCheckpoint).string()));
+  }
+
+  const CommandContext& context_;
+  const SimulateArguments& arguments_;
+  Scene scene_;
+  Simulation simulation_;
+  std::string identity_;
+  ResultDirectory results_;
+  std::optional<Pc2Writer> pc2_;
+  int steps_per_checkpoint_ = 0;
+};
+
+void run_simulate(const CommandContext& context, const SimulateArguments& arguments) {
+  SimulationRun run(context, arguments);
+  run.run();
+  const SimulationState& now = run.simulation().now();
+  context.say(fmt::format("{}: {} triangles, {} steps of {:.6g} s, {} frames: {}",
+                          run.simulation().scene().name, run.simulation().built().faces.cols(),
+                          now.steps, run.simulation().scene().time.step, now.energies.size(),
+                          (std::filesystem::path(arguments.output) / "simulation.json").string()));
+  context.print_json(run.summary());
+}
+
+}  // namespace
+
+void add_simulate(CommandRegistry& registry) {
+  CLI::App& command =
+      registry.add("simulate", "Simulate cloth: in time, or along a path of equilibria");
+  auto arguments = std::make_shared<SimulateArguments>();
+  command.add_option("SCENE", arguments->scene, "scene.yaml: cloth, pins, clips, time, output")
+      ->required();
+  command.add_option("-o,--output", arguments->output, "Directory for the results (DIR)")
+      ->required();
+  command.add_option("--fill", arguments->fill,
+                     "Material file whose components take the place of those that a material of "
+                     "the scene does not know; they count as assumed");
+  command.add_option("--checkpoint-every", arguments->checkpoint_every,
+                     "Simulated time after which a checkpoint is written, e.g. '1 s'; Ctrl-C "
+                     "writes one in any case");
+  command.add_flag("--resume", arguments->resume,
+                   "Go on from the checkpoint in DIR, to the same result");
+  registry.on(command, [arguments](CommandContext& context) { run_simulate(context, *arguments); });
+}
+
+}  // namespace pliant

@@ -1,0 +1,151 @@
+#include "pliant/experiment/checkpoint.h"
+
+#include <cstring>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/digest.h"
+#include "pliant/io/text_file.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kType = "checkpoint/1";
+
+template <class Array>
+Json bytes_of(const Array& array) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(array.data());
+  return Json::binary({first, first + sizeof(*array.data()) * static_cast<size_t>(array.size())});
+}
+
+// Fills an array of known size; the size is part of what makes the scene.
+template <class Array>
+void fill(const Json& json, Array& array) {
+  const auto& bytes = json.get_binary();
+  const size_t size = sizeof(*array.data()) * static_cast<size_t>(array.size());
+  if (bytes.size() != size) throw std::length_error("an array of another size");
+  std::memcpy(array.data(), bytes.data(), size);
+}
+
+template <class T>
+Json bytes_of_list(const std::vector<T>& list) {
+  return bytes_of(list);
+}
+
+template <class T>
+std::vector<T> list_of(const Json& json) {
+  const auto& bytes = json.get_binary();
+  std::vector<T> list(bytes.size() / sizeof(T));
+  fill(json, list);
+  return list;
+}
+
+Json pose_json(const Pose& pose) {
+  return {bytes_of(pose.translation), bytes_of(pose.rotation.coeffs())};
+}
+
+Json state_json(const State& state) {
+  Json clips = Json::array();
+  for (const Pose& pose : state.configuration.clips) clips.push_back(pose_json(pose));
+  return {{"time", state.time},
+          {"positions", bytes_of(state.configuration.positions)},
+          {"clips", clips},
+          {"velocities", bytes_of(state.velocities)},
+          {"history", bytes_of(state.history)},
+          {"last_step", state.last_step},
+          {"last_positions", bytes_of(state.last_positions)},
+          {"last_velocities", bytes_of(state.last_velocities)}};
+}
+
+// @param state  of the same system, whose sizes are right
+void fill_state(const Json& json, State& state) {
+  state.time = json.at("time");
+  fill(json.at("positions"), state.configuration.positions);
+  const Json& clips = json.at("clips");
+  if (clips.size() != state.configuration.clips.size()) throw std::length_error("other clips");
+  for (size_t k = 0; k < clips.size(); ++k) {
+    Pose& pose = state.configuration.clips[k];
+    fill(clips[k].at(0), pose.translation);
+    fill(clips[k].at(1), pose.rotation.coeffs());
+  }
+  fill(json.at("velocities"), state.velocities);
+  fill(json.at("history"), state.history);
+  state.last_step = json.at("last_step");
+  if (state.last_step == 0) return;
+  state.last_positions.resizeLike(state.configuration.positions);
+  state.last_velocities.resizeLike(state.configuration.positions);
+  fill(json.at("last_positions"), state.last_positions);
+  fill(json.at("last_velocities"), state.last_velocities);
+}
+
+void require(bool right, const std::filesystem::path& file, const std::string& problem,
+             const std::string& expected) {
+  if (!right) throw InputError({file.string(), 0, ""}, problem, expected);
+}
+
+}  // namespace
+
+std::string scene_identity(const Scene& scene, const std::filesystem::path& filler) {
+  std::string digests = sha256_of_file(scene.file);
+  for (const SceneCloth& cloth : scene.cloth) {
+    if (const auto* mesh = std::get_if<FileMesh>(&cloth.mesh.kind)) {
+      digests += sha256_of_file(mesh->file);
+    }
+    digests += sha256_of_file(cloth.material.file);
+    for (const SceneRegion& region : cloth.regions) digests += sha256_of_file(region.material.file);
+  }
+  if (!filler.empty()) digests += sha256_of_file(filler);
+  return sha256_of(digests);
+}
+
+std::string checkpoint_bytes(const SimulationState& state, const std::string& identity,
+                             int threads) {
+  const Json json{{"pliant", kType},
+                  {"identity", identity},
+                  {"threads", threads},
+                  {"steps", state.steps},
+                  {"work", state.work},
+                  {"state", state_json(state.state)},
+                  {"seconds", bytes_of_list(state.records.seconds)},
+                  {"newton_iterations", bytes_of_list(state.records.newton_iterations)},
+                  {"linear_iterations", bytes_of_list(state.records.linear_iterations)},
+                  {"energies", bytes_of_list(state.energies)}};
+  std::string bytes;
+  Json::to_cbor(json, bytes);
+  return bytes;
+}
+
+SimulationState read_checkpoint(const std::filesystem::path& file, const Simulation& simulation,
+                                const std::string& identity, int threads) {
+  constexpr std::size_t kLargest = std::size_t{4} << 30;
+  const std::string bytes = read_text_file(file, kLargest);
+  const Json json = Json::from_cbor(bytes, true, false);
+  const std::string expected = "a checkpoint that `pliant simulate` wrote";
+  require(json.is_object() && json.value("pliant", "") == kType, file, "is no checkpoint",
+          expected);
+  require(json.value("identity", "") == identity, file, "is a checkpoint of another scene",
+          "one of this scene, with the same meshes, materials and --fill");
+  require(json.value("threads", 0) == threads, file,
+          "was computed with " + std::to_string(json.value("threads", 0)) + " threads",
+          "the same --threads, which the same result needs");
+  SimulationState state;
+  state.state = simulation.now().state;
+  try {
+    state.steps = json.at("steps");
+    state.work = json.at("work");
+    fill_state(json.at("state"), state.state);
+    state.records.seconds = list_of<double>(json.at("seconds"));
+    state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
+    state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
+    state.energies = list_of<EnergyRow>(json.at("energies"));
+  } catch (const std::exception&) {
+    require(false, file, "is a damaged checkpoint", expected);
+  }
+  return state;
+}
+
+}  // namespace pliant

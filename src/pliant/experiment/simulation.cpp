@@ -1,0 +1,153 @@
+#include "pliant/experiment/simulation.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/solver/static_solver.h"
+#include "pliant/solver/time_stepper.h"
+
+namespace pliant {
+
+/// Takes a simulation's state through one step.
+class Simulation::Stepper {
+ public:
+  virtual ~Stepper() = default;
+  virtual StepSummary advance(State& state) = 0;
+};
+
+namespace {
+
+TimeStepOptions time_step_options(const Scene& scene) {
+  TimeStepOptions options;
+  options.step = scene.time.step;
+  options.integrator = scene.time.integrator;
+  options.solve = scene.time.solution;
+  options.tolerance = scene.time.tolerance;
+  options.linear_tolerance = scene.time.linear_tolerance;
+  options.air = scene.air;
+  return options;
+}
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void add(const StepSummary& part, StepSummary& whole) {
+  whole.newton_iterations += part.newton_iterations;
+  whole.linear_iterations += part.linear_iterations;
+  whole.residual = part.residual;
+  whole.work += part.work;
+}
+
+}  // namespace
+
+class Simulation::TimeSteps : public Simulation::Stepper {
+ public:
+  TimeSteps(const Scene& scene, const SceneSystem& built)
+      : adaptive_(scene.time.adaptive),
+        stepper_(*built.system, time_step_options(scene), built.faces),
+        step_(scene.time.step) {}
+
+  StepSummary advance(State& state) override { return advance(state, step_, 0); }
+
+ private:
+  // With `adaptive`, a step that fails is taken as two of half its size.
+  StepSummary advance(State& state, double step, int halvings) {
+    constexpr int kMostHalvings = 8;
+    State next = state;
+    StepSummary summary;
+    try {
+      summary = stepper_.advance(next, step);
+    } catch (const SolverError& error) {
+      summary.converged = false;
+      summary.newton_iterations = error.iterations();
+      summary.residual = error.best_residual();
+    }
+    if (summary.converged) {
+      state = std::move(next);
+      return summary;
+    }
+    if (!adaptive_ || halvings == kMostHalvings) {
+      throw SolverError(fmt::format("the step to {:.6g} s", state.time + step),
+                        summary.newton_iterations, summary.residual);
+    }
+    StepSummary whole;
+    whole.newton_iterations = 0;
+    add(advance(state, step / 2, halvings + 1), whole);
+    add(advance(state, step / 2, halvings + 1), whole);
+    return whole;
+  }
+
+  bool adaptive_;
+  TimeStepper stepper_;
+  double step_;
+};
+
+class Simulation::Equilibria : public Simulation::Stepper {
+ public:
+  Equilibria(const Scene& scene, const SceneSystem& built)
+      : solver_(*built.system, {.tolerance = scene.time.tolerance}), step_(scene.time.step) {}
+
+  StepSummary advance(State& state) override {
+    State next = state;
+    next.time += step_;
+    const NewtonSummary solved = solver_.find_equilibrium(next);
+    if (!solved.converged) {
+      throw SolverError(fmt::format("the equilibrium at {:.6g} s", next.time), solved.iterations,
+                        solved.residual);
+    }
+    StepSummary summary;
+    summary.newton_iterations = solved.iterations;
+    summary.residual = solved.residual;
+    summary.work = solver_.accept(next);
+    state = std::move(next);
+    return summary;
+  }
+
+ private:
+  StaticSolver solver_;
+  double step_;
+};
+
+Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler)
+    : scene_(scene), built_(build_scene(scene, filler)) {
+  if (scene.time.kind == SimulationKind::dynamic) {
+    stepper_ = std::make_unique<TimeSteps>(scene_, built_);
+  } else {
+    stepper_ = std::make_unique<Equilibria>(scene_, built_);
+  }
+  now_.state = built_.start;
+}
+
+Simulation::~Simulation() = default;
+
+bool Simulation::is_frame() const {
+  return now_.steps % steps_per_frame(scene_.output, scene_.time) == 0 || is_finished();
+}
+
+void Simulation::record_energy() {
+  EnergyRow row;
+  row.time = now_.state.time;
+  row.kinetic = now_.state.velocities.colwise().squaredNorm().dot(built_.system->masses()) / 2;
+  Derivatives derivatives;
+  built_.system->evaluate(now_.state.configuration, now_.state, {}, Curvature::exact, derivatives);
+  row.stored = derivatives.energy.stored;
+  row.work = now_.work;
+  now_.energies.push_back(row);
+}
+
+void Simulation::advance() {
+  const double begin = seconds_now();
+  const StepSummary summary = stepper_->advance(now_.state);
+  ++now_.steps;
+  // Not a sum of steps, which would drift.
+  now_.state.time = now_.steps * scene_.time.step;
+  now_.work += summary.work;
+  now_.records.seconds.push_back(seconds_now() - begin);
+  now_.records.newton_iterations.push_back(summary.newton_iterations);
+  now_.records.linear_iterations.push_back(summary.linear_iterations);
+}
+
+}  // namespace pliant

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pliant/experiment/scene_system.h"
+
+namespace pliant {
+
+/// Where the energy of a system is at one time (J). Without drives, and as far as a step's
+/// equations are solved, the total never grows (but for what backward Euler gains while it
+/// buckles).
+struct EnergyRow {
+  double time = 0;
+  double kinetic = 0;
+  double stored = 0;  ///< elastic energy, gravity and cords
+  double work = 0;    ///< done against friction, damping and air since the start
+
+  double total() const { return kinetic + stored + work; }
+};
+
+/// What the steps of a simulation took.
+struct StepRecords {
+  std::vector<double> seconds;
+  std::vector<int> newton_iterations;
+  std::vector<int> linear_iterations;
+};
+
+/// Everything that a simulation is at the end of a step: what it takes to go on to the same bits.
+struct SimulationState {
+  int steps = 0;  ///< of the scene's constant size, accepted
+  State state;
+  double work = 0;  ///< see EnergyRow
+  StepRecords records;
+  std::vector<EnergyRow> energies;  ///< one a frame
+};
+
+/// A scene on its way through time, or along a path of equilibria.
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const std::optional<Material>& filler);
+  ~Simulation();
+
+  const Scene& scene() const { return scene_; }
+  const SceneSystem& built() const { return built_; }
+  const SimulationState& now() const { return now_; }
+  /// Goes on from a state of a simulation of the same scene.
+  void resume(SimulationState state) { now_ = std::move(state); }
+
+  bool is_finished() const { return now_.steps >= scene_.time.step_count(); }
+  /// Whether a frame stands at the present step.
+  bool is_frame() const;
+  /// Keeps the energies of the present step.
+  void record_energy();
+
+  /// Takes one step of the scene.
+  /// @throws SolverError when it does not converge; the state is then as it was
+  void advance();
+
+ private:
+  class Stepper;
+  class TimeSteps;
+  class Equilibria;
+
+  Scene scene_;
+  SceneSystem built_;
+  std::unique_ptr<Stepper> stepper_;
+  SimulationState now_;
+};
+
+}  // namespace pliant

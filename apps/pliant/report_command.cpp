@@ -5,20 +5,32 @@
 #include "pliant/report/report.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/report_pictures.h"
 
 namespace pliant {
+namespace {
+
+std::string report_of(const std::filesystem::path& directory, const RunContext& run) {
+  if (!std::filesystem::is_directory(directory)) {
+    throw InputError({directory.string(), 0, ""}, "is no directory",
+                     "the results of fit, evaluate or simulate");
+  }
+  if (std::filesystem::exists(directory / "simulation.json")) {
+    return make_simulation_report(directory, report_pictures(directory, run));
+  }
+  return make_report(directory);
+}
+
+}  // namespace
 
 void add_report(CommandRegistry& registry) {
   CLI::App& command = registry.add(
       "report", "Write DIR/report.html anew from the results in DIR, without running anything");
   auto directory = std::make_shared<std::string>();
-  command.add_option("DIR", *directory, "Results of fit or evaluate")->required();
+  command.add_option("DIR", *directory, "Results of fit, evaluate or simulate")->required();
   registry.on(command, [directory](CommandContext& context) {
     const std::filesystem::path file = std::filesystem::path(*directory) / "report.html";
-    if (!std::filesystem::is_directory(*directory)) {
-      throw InputError({*directory, 0, ""}, "is no directory", "the results of fit or evaluate");
-    }
-    write_file_atomically(file, make_report(*directory));
+    write_file_atomically(file, report_of(*directory, context.run));
     context.say(fmt::format("report: {}", file.string()));
     context.print_written_json("report", file);
   });

@@ -14,11 +14,12 @@
 #include "pliant/material/material_file.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/report_pictures.h"
 
 namespace pliant {
 namespace {
 
-constexpr const char* kCheckpoint = "checkpoint.cbor";
+constexpr const char* kCheckpoint = "checkpoint.bin";
 
 struct SimulateArguments {
   std::string scene;
@@ -79,6 +80,10 @@ class SimulationRun {
       progress.advance(simulation_.now().steps);
     }
     write_summary();
+    results_.publish();
+    results_.write(
+        "report.html",
+        make_simulation_report(results_.path(), report_pictures(results_.path(), context_.run)));
     results_.commit();
   }
 
@@ -125,7 +130,7 @@ class SimulationRun {
 
   void write_frame() {
     const int index = static_cast<int>(simulation_.now().energies.size());
-    simulation_.record_energy();
+    simulation_.record_frame();
     for (const auto& [name, bytes] : frame_files(simulation_, index)) results_.write(name, bytes);
     if (pc2_) pc2_->append(cloth_points(simulation_));
   }
@@ -168,6 +173,8 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           run.simulation().scene().name, run.simulation().built().faces.cols(),
                           now.steps, run.simulation().scene().time.step, now.energies.size(),
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
+  context.say(fmt::format("report: {}",
+                          (std::filesystem::path(arguments.output) / "report.html").string()));
   context.print_json(run.summary());
 }
 

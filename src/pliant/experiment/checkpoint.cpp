@@ -3,6 +3,7 @@
 #include <cstring>
 #include <variant>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
@@ -14,7 +15,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kType = "checkpoint/1";
+constexpr std::string_view kType = "pliant: checkpoint/1 ";
+
+// The first line names the type and the digest of what follows.
+std::string first_line(std::string_view content) {
+  return std::string(kType) + sha256_of(content) + "\n";
+}
 
 template <class Array>
 Json bytes_of(const Array& array) {
@@ -29,11 +35,6 @@ void fill(const Json& json, Array& array) {
   const size_t size = sizeof(*array.data()) * static_cast<size_t>(array.size());
   if (bytes.size() != size) throw std::length_error("an array of another size");
   std::memcpy(array.data(), bytes.data(), size);
-}
-
-template <class T>
-Json bytes_of_list(const std::vector<T>& list) {
-  return bytes_of(list);
 }
 
 template <class T>
@@ -61,7 +62,6 @@ Json state_json(const State& state) {
           {"last_velocities", bytes_of(state.last_velocities)}};
 }
 
-// @param state  of the same system, whose sizes are right
 void fill_state(const Json& json, State& state) {
   state.time = json.at("time");
   fill(json.at("positions"), state.configuration.positions);
@@ -80,6 +80,21 @@ void fill_state(const Json& json, State& state) {
   state.last_velocities.resizeLike(state.configuration.positions);
   fill(json.at("last_positions"), state.last_positions);
   fill(json.at("last_velocities"), state.last_velocities);
+}
+
+// @param start  of the same system, whose sizes are right
+SimulationState read_state(const Json& json, const State& start) {
+  SimulationState state;
+  state.state = start;
+  state.steps = json.at("steps");
+  state.work = json.at("work");
+  fill_state(json.at("state"), state.state);
+  state.records.seconds = list_of<double>(json.at("seconds"));
+  state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
+  state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
+  state.energies = list_of<EnergyRow>(json.at("energies"));
+  state.clips = list_of<ClipRow>(json.at("clips"));
+  return state;
 }
 
 void require(bool right, const std::filesystem::path& file, const std::string& problem,
@@ -104,48 +119,43 @@ std::string scene_identity(const Scene& scene, const std::filesystem::path& fill
 
 std::string checkpoint_bytes(const SimulationState& state, const std::string& identity,
                              int threads) {
-  const Json json{{"pliant", kType},
-                  {"identity", identity},
+  const Json json{{"identity", identity},
                   {"threads", threads},
                   {"steps", state.steps},
                   {"work", state.work},
                   {"state", state_json(state.state)},
-                  {"seconds", bytes_of_list(state.records.seconds)},
-                  {"newton_iterations", bytes_of_list(state.records.newton_iterations)},
-                  {"linear_iterations", bytes_of_list(state.records.linear_iterations)},
-                  {"energies", bytes_of_list(state.energies)}};
-  std::string bytes;
-  Json::to_cbor(json, bytes);
-  return bytes;
+                  {"seconds", bytes_of(state.records.seconds)},
+                  {"newton_iterations", bytes_of(state.records.newton_iterations)},
+                  {"linear_iterations", bytes_of(state.records.linear_iterations)},
+                  {"energies", bytes_of(state.energies)},
+                  {"clips", bytes_of(state.clips)}};
+  std::string content;
+  Json::to_cbor(json, content);
+  return first_line(content) + content;
 }
 
 SimulationState read_checkpoint(const std::filesystem::path& file, const Simulation& simulation,
                                 const std::string& identity, int threads) {
   constexpr std::size_t kLargest = std::size_t{4} << 30;
   const std::string bytes = read_text_file(file, kLargest);
-  const Json json = Json::from_cbor(bytes, true, false);
-  const std::string expected = "a checkpoint that `pliant simulate` wrote";
-  require(json.is_object() && json.value("pliant", "") == kType, file, "is no checkpoint",
-          expected);
-  require(json.value("identity", "") == identity, file, "is a checkpoint of another scene",
+  const std::string expected = "one that `pliant simulate` wrote";
+  require(bytes.starts_with(kType), file, "is no checkpoint", expected);
+  const std::string_view content = std::string_view(bytes).substr(bytes.find('\n') + 1);
+  require(bytes.starts_with(first_line(content)), file, "is a damaged checkpoint", expected);
+
+  const Json json = Json::from_cbor(content);
+  require(json.at("identity") == identity, file, "is a checkpoint of another scene",
           "one of this scene, with the same meshes, materials and --fill");
-  require(json.value("threads", 0) == threads, file,
-          "was computed with " + std::to_string(json.value("threads", 0)) + " threads",
-          "the same --threads, which the same result needs");
-  SimulationState state;
-  state.state = simulation.now().state;
+  const int threads_then = json.at("threads");
+  require(threads_then == threads, file,
+          fmt::format("was computed with {} threads, not {}", threads_then, threads),
+          fmt::format("--threads {}, which the same result needs", threads_then));
   try {
-    state.steps = json.at("steps");
-    state.work = json.at("work");
-    fill_state(json.at("state"), state.state);
-    state.records.seconds = list_of<double>(json.at("seconds"));
-    state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
-    state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
-    state.energies = list_of<EnergyRow>(json.at("energies"));
+    return read_state(json, simulation.now().state);
   } catch (const std::exception&) {
-    require(false, file, "is a damaged checkpoint", expected);
+    throw InputError({file.string(), 0, ""}, "is a checkpoint of another version of Pliant",
+                     expected + " of the same version");
   }
-  return state;
 }
 
 }  // namespace pliant

@@ -13,7 +13,8 @@ namespace pliant {
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler);
 
 /// The bytes of a checkpoint: everything that a simulation remembers, friction and the branches of
-/// hinge angles included, bit by bit (CBOR, RFC 8949).
+/// hinge angles included, bit by bit: a line with the type and a digest of the rest, then CBOR (RFC
+/// 8949).
 std::string checkpoint_bytes(const SimulationState& state, const std::string& identity,
                              int threads);
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/io/obj.h"
 #include "pliant/io/ply.h"
@@ -78,6 +79,37 @@ std::string vtu_bytes(const Simulation& simulation) {
   return write_vtu(grid);
 }
 
+std::string energy_table(const Simulation& simulation) {
+  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J\n";
+  for (const EnergyRow& row : simulation.now().energies) {
+    table +=
+        fmt::format("{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work, row.total());
+  }
+  return table;
+}
+
+std::string clip_table(const Simulation& simulation) {
+  const std::vector<SceneClip>& clips = simulation.scene().clips;
+  const SimulationState& now = simulation.now();
+  std::string table = "frame,time_s,clip,tx,ty,tz,qw,qx,qy,qz,fx,fy,fz\n";
+  for (size_t i = 0; i < now.clips.size(); ++i) {
+    const size_t frame = i / clips.size();
+    const ClipRow& row = now.clips[i];
+    table += fmt::format("{},{},{},{},{},{}\n", frame, now.energies[frame].time,
+                         clips[i % clips.size()].name, fmt::join(row.translation, ","),
+                         fmt::join(row.rotation, ","), fmt::join(row.force, ","));
+  }
+  return table;
+}
+
+std::string pvd_text(const Simulation& simulation) {
+  std::vector<PvdFrame> frames;
+  for (const EnergyRow& row : simulation.now().energies) {
+    frames.push_back({row.time, fmt::format("frames/{:06}.vtu", frames.size())});
+  }
+  return write_pvd(frames);
+}
+
 }  // namespace
 
 std::vector<Point3> cloth_points(const Simulation& simulation) {
@@ -111,16 +143,10 @@ std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
 }
 
 std::vector<NamedFile> series_files(const Simulation& simulation) {
-  std::vector<PvdFrame> frames;
-  std::string energies = "time_s,kinetic_J,stored_J,work_J,total_J\n";
-  for (const EnergyRow& row : simulation.now().energies) {
-    frames.push_back({row.time, fmt::format("frames/{:06}.vtu", frames.size())});
-    energies +=
-        fmt::format("{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work, row.total());
-  }
-  std::vector<NamedFile> files{{"energy.csv", energies}};
+  std::vector<NamedFile> files{{"energy.csv", energy_table(simulation)}};
+  if (!simulation.scene().clips.empty()) files.emplace_back("clips.csv", clip_table(simulation));
   if (asks_for(simulation, FrameFormat::vtu)) {
-    files.emplace_back("simulation.pvd", write_pvd(frames));
+    files.emplace_back("simulation.pvd", pvd_text(simulation));
   }
   return files;
 }

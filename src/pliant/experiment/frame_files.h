@@ -16,7 +16,8 @@ using NamedFile = std::pair<std::string, std::string>;
 /// .vtu with the cloths' vertices (m) and the fields that the scene asks for.
 std::vector<NamedFile> frame_files(const Simulation& simulation, int index);
 
-/// Files about all frames so far: simulation.pvd for ParaView, energy.csv.
+/// Files about all frames so far: energy.csv, clips.csv where there are clips, simulation.pvd for
+/// ParaView.
 std::vector<NamedFile> series_files(const Simulation& simulation);
 
 /// The cloths as one OBJ mesh, with rest-plane coordinates (m) as texture coordinates; the PC2 file

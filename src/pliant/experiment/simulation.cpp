@@ -127,15 +127,38 @@ bool Simulation::is_frame() const {
   return now_.steps % steps_per_frame(scene_.output, scene_.time) == 0 || is_finished();
 }
 
-void Simulation::record_energy() {
+void Simulation::record_frame() {
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, built_.system->points());
+  Derivatives derivatives;
+  derivatives.gradient = &gradient;
+  built_.system->evaluate(now_.state.configuration, now_.state, {}, Curvature::exact, derivatives);
+  record_energy(derivatives.energy.stored);
+  record_clips(gradient);
+}
+
+void Simulation::record_energy(double stored) {
   EnergyRow row;
   row.time = now_.state.time;
   row.kinetic = now_.state.velocities.colwise().squaredNorm().dot(built_.system->masses()) / 2;
-  Derivatives derivatives;
-  built_.system->evaluate(now_.state.configuration, now_.state, {}, Curvature::exact, derivatives);
-  row.stored = derivatives.energy.stored;
+  row.stored = stored;
   row.work = now_.work;
   now_.energies.push_back(row);
+}
+
+void Simulation::record_clips(const Eigen::Matrix3Xd& gradient) {
+  const Configuration& start = built_.start.configuration;
+  for (size_t k = 0; k < start.clips.size(); ++k) {
+    const Pose& pose = now_.state.configuration.clips[k];
+    const Eigen::Vector3d shift = pose.translation - pose.rotation * start.clips[k].translation;
+    const Eigen::Quaterniond& turn = pose.rotation;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (const int point : built_.system->coordinates().clip_points(static_cast<int>(k))) {
+      force += gradient.col(point);
+    }
+    now_.clips.push_back({{shift.x(), shift.y(), shift.z()},
+                          {turn.w(), turn.x(), turn.y(), turn.z()},
+                          {force.x(), force.y(), force.z()}});
+  }
 }
 
 void Simulation::advance() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,16 @@ struct EnergyRow {
   double total() const { return kinetic + stored + work; }
 };
 
+/// A clip at one time.
+struct ClipRow {
+  /// Rigid motion from where it started: x = R x_start + t.
+  std::array<double, 3> translation{};  ///< t, m
+  std::array<double, 4> rotation{};     ///< R as a quaternion w, x, y, z
+  /// What holds or moves it from outside, against cloth, weight and cords (N); nothing where it is
+  /// free and in equilibrium.
+  std::array<double, 3> force{};
+};
+
 /// What the steps of a simulation took.
 struct StepRecords {
   std::vector<double> seconds;
@@ -33,6 +44,7 @@ struct SimulationState {
   double work = 0;  ///< see EnergyRow
   StepRecords records;
   std::vector<EnergyRow> energies;  ///< one a frame
+  std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene
 };
 
 /// A scene on its way through time, or along a path of equilibria.
@@ -50,8 +62,8 @@ class Simulation {
   bool is_finished() const { return now_.steps >= scene_.time.step_count(); }
   /// Whether a frame stands at the present step.
   bool is_frame() const;
-  /// Keeps the energies of the present step.
-  void record_energy();
+  /// Keeps what tables tell of the present step: energies, clips.
+  void record_frame();
 
   /// Takes one step of the scene.
   /// @throws SolverError when it does not converge; the state is then as it was
@@ -61,6 +73,9 @@ class Simulation {
   class Stepper;
   class TimeSteps;
   class Equilibria;
+
+  void record_energy(double stored);
+  void record_clips(const Eigen::Matrix3Xd& gradient);
 
   Scene scene_;
   SceneSystem built_;

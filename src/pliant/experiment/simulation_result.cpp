@@ -63,6 +63,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"peak_memory_MB", facts.peak_memory},
             {"min_contact_distance", nullptr},
             {"energy", "energy.csv"},
+            {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
             {"warnings", simulation.built().warnings}};
   return json.dump(2) + "\n";
 }

@@ -1,12 +1,12 @@
 #include "pliant/io/vtu.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/base/assert.h"
+#include "pliant/io/base64.h"
 #include "pliant/io/byte_order.h"
 
 namespace pliant {
@@ -45,24 +45,6 @@ std::string escaped(std::string_view text) {
     }
   }
   return result;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? kDigits[bits >> (18 - 6 * k) & 63U] : '=';
-    }
-  }
-  return text;
 }
 
 /// Writes the XML and, apart from it, the bytes that stand behind it.

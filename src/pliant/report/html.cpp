@@ -42,6 +42,15 @@ std::string bullet_list(const std::vector<std::string>& texts) {
   return html + "</ul>\n";
 }
 
+std::string fact_list(const std::vector<std::pair<std::string, std::string>>& facts) {
+  std::string html = "<dl class=\"facts\">\n";
+  for (const auto& [name, value] : facts) {
+    html +=
+        fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_html(name), escape_html(value));
+  }
+  return html + "</dl>\n";
+}
+
 HtmlTable::HtmlTable(std::vector<Column> columns, std::string css_class)
     : columns_(std::move(columns)), css_class_(std::move(css_class)) {}
 

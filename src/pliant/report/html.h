@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pliant::report {
@@ -14,6 +15,9 @@ std::string element(std::string_view tag, std::string_view text);
 
 /// `<ul>` of escaped texts; empty for none.
 std::string bullet_list(const std::vector<std::string>& texts);
+
+/// `<dl>` of names and values that stand side by side where there is room; both are escaped.
+std::string fact_list(const std::vector<std::pair<std::string, std::string>>& facts);
 
 /// Builds an HTML table whose cells are escaped unless given as HTML.
 class HtmlTable {

@@ -5,10 +5,21 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/io/text_file.h"
 
 namespace pliant::report {
 
 using nlohmann::json;
+
+json read_json_file(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  try {
+    return json::parse(text);
+  } catch (const json::exception& error) {
+    throw InputError({file.string(), 0, {}}, std::string("not valid JSON (") + error.what() + ")",
+                     "a complete results file");
+  }
+}
 
 JsonReader::JsonReader(const json& value, std::string file, std::string path)
     : value_(&value), file_(std::move(file)), path_(std::move(path)) {
@@ -38,6 +49,15 @@ std::string JsonReader::text(std::string_view key) const {
 
 std::string JsonReader::text_or(std::string_view key, std::string_view fallback) const {
   return has(key) ? text(key) : std::string(fallback);
+}
+
+std::string JsonReader::relative_file_or(std::string_view key, std::string_view fallback) const {
+  const std::string name = text_or(key, fallback);
+  const std::filesystem::path path(name);
+  bool inside = path.is_relative();
+  for (const auto& part : path) inside = inside && part != "..";
+  if (!inside) fail(key, "leaves the results directory", "a relative path");
+  return name;
 }
 
 bool JsonReader::flag_or(std::string_view key, bool fallback) const {

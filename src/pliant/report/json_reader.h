@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 namespace pliant::report {
+
+/// @throws InputError for a file that cannot be read or is not JSON
+nlohmann::json read_json_file(const std::filesystem::path& file);
 
 /// Typed access to one JSON object of a results file; every mismatch is an InputError that names
 /// the file and the dotted path of the field. The JSON value must outlive the reader.
@@ -20,6 +24,8 @@ class JsonReader {
 
   std::string text(std::string_view key) const;  ///< throws where absent
   std::string text_or(std::string_view key, std::string_view fallback) const;
+  /// The name of a file; results are read from their directory only, whatever the file names.
+  std::string relative_file_or(std::string_view key, std::string_view fallback) const;
   bool flag_or(std::string_view key, bool fallback) const;
   int integer_or(std::string_view key, int fallback) const;
   std::optional<double> number(std::string_view key) const;  ///< none where absent or null

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
-#include "pliant/io/text_file.h"
 #include "pliant/report/json_reader.h"
 
 namespace pliant::report {
@@ -16,17 +15,8 @@ std::filesystem::path results_file(const std::filesystem::path& directory) {
   for (const char* name : {"fit.json", "evaluation.json"}) {
     if (std::filesystem::exists(directory / name)) return directory / name;
   }
-  throw InputError({directory.string(), 0, {}}, "no results of `pliant fit` or `pliant evaluate`",
-                   "a directory with fit.json or evaluation.json");
-}
-
-nlohmann::json parse(const std::string& file, const std::string& text) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError({file, 0, {}}, fmt::format("not valid JSON ({})", error.what()),
-                     "a complete results file");
-  }
+  throw InputError({directory.string(), 0, {}}, "no results of fit, evaluate or simulate",
+                   "a directory with fit.json, evaluation.json or simulation.json");
 }
 
 /// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`.
@@ -72,14 +62,6 @@ std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::str
   return std::array{range[0], range[1]};
 }
 
-/// Files are read from the results directory only, whatever the results file names.
-void require_inside(const JsonReader& json, const std::string& file) {
-  const std::filesystem::path path(file);
-  bool inside = path.is_relative();
-  for (const auto& part : path) inside = inside && part != "..";
-  if (!inside) json.fail("prediction_file", "leaves the results directory", "a relative path");
-}
-
 ResultExperiment read_experiment(const JsonReader& json) {
   ResultExperiment e;
   e.name = json.text("name");
@@ -87,8 +69,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.direction = json.text_or("direction", "");
   e.component = json.text_or("component", e.name);
   e.quantity = json.text_or("quantity", "force_N");
-  e.prediction_file = json.text_or("prediction_file", "predictions/" + e.name + ".csv");
-  require_inside(json, e.prediction_file);
+  e.prediction_file = json.relative_file_or("prediction_file", "predictions/" + e.name + ".csv");
   e.validation = json.text_or("role", "fit") == "validate";
   e.rms_force = json.number("rms_force_N");
   e.peak_force = json.number("peak_force_N");
@@ -174,7 +155,7 @@ void check_covariance(const JsonReader& json, const Results& results) {
 
 Results read_results(const std::filesystem::path& directory) {
   const std::string file = results_file(directory).string();
-  const nlohmann::json document = parse(file, read_text_file(file));
+  const nlohmann::json document = read_json_file(file);
   const JsonReader json(document, file, "");
   const std::string type = json.text("pliant");
   if (type != "fit/1" && type != "evaluation/1") {

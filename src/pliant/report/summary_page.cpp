@@ -42,11 +42,10 @@ std::vector<std::string> first_of(const std::vector<std::string>& texts, std::si
   return list;
 }
 
-/// @param name  a key of the study is shown in words: `hardware_serial` as `hardware serial`
-std::string fact(std::string name, const std::string& value) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_html(shortened(name, 24)),
-                     escape_html(shortened(value, 40)));
+/// A key of the study is shown in words: `hardware_serial` as `hardware serial`.
+std::string in_words(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
 }
 
 std::string specimens(const Results& results) {
@@ -71,9 +70,11 @@ std::string facts(const Results& results) {
   all.insert(all.end(), results.conditions.begin(), results.conditions.end());
   all.insert(all.end(), results.info.begin(), results.info.end());
   all.resize(std::min(all.size(), kMaxFacts));
-  std::string html = "<dl class=\"facts\">\n";
-  for (const auto& [name, value] : all) html += fact(name, value);
-  return html + "</dl>\n";
+  for (auto& [name, value] : all) {
+    name = shortened(in_words(name), 24);
+    value = shortened(value, 40);
+  }
+  return fact_list(all);
 }
 
 /// Of each component the fitted experiment with the most points, in the order of first appearance.

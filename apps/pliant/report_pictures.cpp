@@ -1,0 +1,66 @@
+#include "apps/pliant/report_pictures.h"
+
+#include "pliant/render/contact_sheet.h"
+#include "pliant/render/png.h"
+#include "pliant/render/simulation_pictures.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kSheetPictures = 9;
+constexpr PictureSize kPictureSize = {400, 300};
+
+SimulationFrames with_frames(const SimulationFrames& simulation,
+                             std::vector<SimulationFrame> frames) {
+  return {simulation.directory, std::move(frames), simulation.units};
+}
+
+/// A few frames, evenly in time: the view and the colours are fitted to these alone, so that a long
+/// simulation is not read as a whole.
+SimulationFrames chosen_frames(const SimulationFrames& simulation) {
+  std::vector<double> times;
+  for (const SimulationFrame& frame : simulation.frames) times.push_back(frame.time);
+  std::vector<SimulationFrame> chosen;
+  for (const int place : evenly_in_time(times, kSheetPictures)) {
+    chosen.push_back(simulation.frames[static_cast<size_t>(place)]);
+  }
+  return with_frames(simulation, std::move(chosen));
+}
+
+std::string motion_picture(const SimulationFrames& simulation, const RunContext& run) {
+  PictureOptions options;
+  options.size = kPictureSize;
+  const SimulationFrames chosen = chosen_frames(simulation);
+  const PictureSetting setting = setting_of(chosen, options, LegendPlace::beside, run);
+  return png_bytes(sheet_picture(chosen, chosen.frames, setting, options, run));
+}
+
+/// The fields at the last frame, less those that are the same everywhere.
+std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation,
+                                         const RunContext& run) {
+  const SimulationFrames last = with_frames(simulation, {simulation.frames.back()});
+  std::vector<FieldPicture> pictures;
+  for (const auto& [name, unit] : simulation.units) {
+    PictureOptions options;
+    options.size = kPictureSize;
+    options.field = name;
+    const PictureSetting setting = setting_of(last, options, LegendPlace::in_picture, run);
+    if (!(setting.legend->scale.low < setting.legend->scale.high)) continue;
+    pictures.push_back(
+        {name, png_bytes(frame_picture(last, last.frames.front(), setting, options, run))});
+  }
+  return pictures;
+}
+
+}  // namespace
+
+SimulationPictures report_pictures(const std::filesystem::path& directory, const RunContext& run) {
+  const SimulationFrames simulation = read_simulation_frames(directory);
+  if (!std::filesystem::exists(simulation.file_of(simulation.frames.back()))) {
+    return {.missing = "No pictures: the frames were not written as PLY files."};
+  }
+  const RunContext quietly{silent_progress(), run.stop, run.threads, run.seed};
+  return {motion_picture(simulation, quietly), field_pictures(simulation, quietly), ""};
+}
+
+}  // namespace pliant

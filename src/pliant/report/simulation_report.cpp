@@ -1,0 +1,187 @@
+#include "pliant/report/simulation_report.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/io/base64.h"
+#include "pliant/report/energy_figure.h"
+#include "pliant/report/html.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/page.h"
+
+namespace pliant {
+namespace report {
+namespace {
+
+using Align = HtmlTable::Align;
+
+/// `38 ms`; the unit that leaves the number between 1 and 1000.
+std::string time_text(std::optional<double> seconds) {
+  if (!seconds) return kNoValue;
+  if (*seconds != 0 && std::abs(*seconds) < 1e-3) {
+    return format_significant(1e6 * *seconds, 3) + " µs";
+  }
+  if (*seconds != 0 && std::abs(*seconds) < 1) return format_significant(1e3 * *seconds, 3) + " ms";
+  return format_significant(seconds, 3) + " s";
+}
+
+std::string energy_text(double joules) {
+  if (joules != 0 && std::abs(joules) < 0.1) return format_significant(1e3 * joules, 3) + " mJ";
+  return format_significant(joules, 3) + " J";
+}
+
+double simulated_time(const SimulationResults& results) {
+  return results.finished ? results.last_time : results.steps * results.time_step;
+}
+
+std::string verdict(const SimulationResults& results) {
+  std::string text = fmt::format("{} {} steps of {} for {} triangles",
+                                 results.finished ? "Finished:" : "Not finished:", results.steps,
+                                 time_text(results.time_step), results.triangles);
+  text += results.seconds.median ? fmt::format(", {} of computing time a step (median).",
+                                               time_text(results.seconds.median))
+                                 : std::string(".");
+  if (!results.finished) {
+    text += fmt::format(" It stopped at {}; `pliant simulate --resume` goes on from there.",
+                        time_text(simulated_time(results)));
+  }
+  return text;
+}
+
+std::string facts(const SimulationResults& results) {
+  std::vector<std::pair<std::string, std::string>> all{
+      {"Scene", std::filesystem::path(results.scene).filename().string()},
+      {"Triangles", std::to_string(results.triangles)},
+      {"Vertices", std::to_string(results.vertices)},
+      {"Simulated time", time_text(simulated_time(results))},
+      {"Steps", fmt::format("{} of {}", results.steps, time_text(results.time_step))},
+      {"Frames", std::to_string(results.frames)}};
+  if (results.seconds.mean) {
+    all.emplace_back("Computing time", time_text(*results.seconds.mean * results.steps));
+  }
+  if (results.peak_memory) {
+    all.emplace_back("Memory", format_significant(results.peak_memory, 3) + " MB");
+  }
+  if (results.min_contact_distance) {
+    all.emplace_back("Least contact distance",
+                     format_significant(1e3 * *results.min_contact_distance, 3) + " mm");
+  }
+  if (results.energy.rows() > 0) {
+    all.emplace_back("Lost to friction and damping", energy_text(results.energy.work.back()));
+  }
+  all.insert(all.end(), results.info.begin(), results.info.end());
+  return fact_list(all);
+}
+
+std::string warnings(const SimulationResults& results) {
+  if (results.warnings.empty()) return {};
+  return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(results.warnings) +
+         "</section>\n";
+}
+
+std::string energy_section(const SimulationResults& results, FigureSheet& figures) {
+  if (results.energy.rows() < 2) return {};
+  const EnergyFigure energy = energy_figure(results);
+  std::string html = "<section class=\"figure-block\"><h2>Energy</h2>\n";
+  if (figures.can_draw()) html += legend_html(energy.legend);
+  return html + figures.add(energy.figure, "figure-medium") +
+         "<p class=\"small\">Stored energy and the sum less what they are at the first frame. "
+         "Where nothing is moved or pulled from outside, the sum never grows; what is moved from "
+         "outside puts its work into it.</p></section>\n";
+}
+
+std::string image(const std::string& png, const std::string& description) {
+  return fmt::format("<img class=\"picture\" alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
+                     escape_html(description), base64(png));
+}
+
+std::string motion_section(const SimulationResults& results, const SimulationPictures& pictures) {
+  std::string html;
+  if (!pictures.motion.empty()) {
+    html += image(pictures.motion, "Frames of " + results.name + " in the order of their times");
+  }
+  if (!pictures.missing.empty()) {
+    html += "<p class=\"note\">" + escape_html(pictures.missing) + "</p>\n";
+  }
+  return html.empty() ? html : "<section><h2>Motion</h2>\n" + html + "</section>\n";
+}
+
+std::string field_section(const SimulationResults& results, const SimulationPictures& pictures) {
+  if (pictures.fields.empty()) return {};
+  std::string html = fmt::format(
+      "<section id=\"fields\"><h2>Fields at {}</h2>\n<p>Means over the triangles or hinges at each "
+      "vertex. <code>strain.bend.*</code> is three times the curvature.</p>\n"
+      "<div class=\"pair\">\n",
+      time_text(results.last_time));
+  for (const FieldPicture& field : pictures.fields) {
+    html += "<figure>" + element("figcaption", field.name) + image(field.png, field.name) +
+            "</figure>\n";
+  }
+  return html + "</div></section>\n";
+}
+
+std::string step_section(const SimulationResults& results) {
+  HtmlTable table({{"Of a step"},
+                   {"Smallest", Align::number},
+                   {"Median", Align::number},
+                   {"Mean", Align::number},
+                   {"Largest", Align::number}});
+  const auto row = [&](std::string_view name, const StepStatistics& numbers, auto text) {
+    if (!numbers.median) return;
+    table.begin_row();
+    table.cell(name);
+    for (const auto& number : {numbers.min, numbers.median, numbers.mean, numbers.max}) {
+      table.cell(text(number));
+    }
+  };
+  const auto count = [](std::optional<double> number) { return format_significant(number, 4); };
+  row("Computing time", results.seconds, time_text);
+  row("Newton iterations", results.newton_iterations, count);
+  row("Iterations of the linear solver, all together", results.linear_iterations, count);
+  if (table.empty()) return {};
+  return "<section id=\"steps\"><h2>Steps</h2>\n" + table.html() +
+         "<p class=\"small\">A direct linear solver counts no iterations.</p></section>\n";
+}
+
+std::string origin_section(const SimulationResults& results) {
+  HtmlTable table({{"Item"}, {"Value"}});
+  const auto row = [&](std::string_view name, const std::string& value) {
+    if (value.empty()) return;
+    table.begin_row();
+    table.cell(name);
+    table.cell(value);
+  };
+  row("Command", results.command);
+  row("Created", results.created);
+  row("Pliant version", results.version);
+  row("Scene", results.scene);
+  row("SHA-256 of the scene", results.scene_sha256);
+  if (results.threads > 0) row("Threads", std::to_string(results.threads));
+  return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + table.html() +
+         "<p>Beside this file: <code>simulation.json</code> (the facts above), "
+         "<code>energy.csv</code> (a row a frame) and the frames themselves. "
+         "<code>pliant render</code> draws them in any view and size.</p></section>\n";
+}
+
+}  // namespace
+}  // namespace report
+
+std::string make_simulation_report(const std::filesystem::path& results_directory,
+                                   const SimulationPictures& pictures) {
+  const report::SimulationResults results = report::read_simulation_results(results_directory);
+  report::FigureSheet figures = report::page_figures();
+  std::string body = "<section class=\"page-one\">\n<header><h1>";
+  body += report::escape_html(results.name) + " <span>simulation</span></h1></header>\n";
+  body +=
+      fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(report::verdict(results)));
+  body += report::facts(results) + report::warnings(results);
+  body += report::motion_section(results, pictures);
+  body += report::energy_section(results, figures);
+  body += "</section>\n" + report::step_section(results);
+  body += report::field_section(results, pictures) + report::origin_section(results);
+  return report::page(results.name + ": simulation", body, figures);
+}
+
+}  // namespace pliant

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pliant::report {
+
+/// Of a number over all steps; null where the file has none.
+struct StepStatistics {
+  std::optional<double> min, median, mean, max;
+};
+
+/// Where the energy of the system was, one number a frame: energy.csv.
+struct EnergyTable {
+  std::vector<double> time;     ///< s
+  std::vector<double> kinetic;  ///< J
+  std::vector<double> stored;   ///< J, elastic and of gravity
+  std::vector<double> work;     ///< J, lost to friction, damping and air since the start
+
+  std::size_t rows() const { return time.size(); }
+};
+
+/// simulation.json of a results directory, and its energies.
+struct SimulationResults {
+  std::string name, command, created, version, scene, scene_sha256;
+  std::vector<std::pair<std::string, std::string>> info;
+  bool finished = true;
+  int triangles = 0, vertices = 0, steps = 0, threads = 0;
+  double time_step = 0;  ///< s
+  std::size_t frames = 0;
+  double last_time = 0;  ///< s, of the last frame
+  StepStatistics seconds, newton_iterations, linear_iterations;
+  std::optional<double> peak_memory;           ///< MB
+  std::optional<double> min_contact_distance;  ///< m
+  std::string energy_file;                     ///< relative to the directory; empty: none
+  EnergyTable energy;
+  std::vector<std::string> warnings;
+};
+
+/// @throws InputError where a file is missing or not what its format says
+SimulationResults read_simulation_results(const std::filesystem::path& directory);
+
+}  // namespace pliant::report

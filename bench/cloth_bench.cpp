@@ -115,8 +115,8 @@ std::vector<std::vector<int>> uncoupled_groups(const BlockPattern& pattern) {
         if (g >= 0) taken[static_cast<size_t>(g)] = true;
       }
     }
-    const auto free = static_cast<size_t>(
-        std::find(taken.begin(), taken.end(), false) - taken.begin());
+    const auto free =
+        static_cast<size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
     if (free == groups.size()) groups.emplace_back();
     groups[free].push_back(static_cast<int>(i));
     group[i] = static_cast<int>(free);
@@ -141,10 +141,12 @@ void BM_HessianByForwardDifferences(benchmark::State& run) {
     const Eigen::Matrix3Xd here = objective.gradient(at);
     for (const auto& group : groups) {
       for (int axis = 0; axis < 3; ++axis) {
-        for (const int row : group) at.positions(axis, point_of_row[static_cast<size_t>(row)]) += kStep;
+        for (const int row : group)
+          at.positions(axis, point_of_row[static_cast<size_t>(row)]) += kStep;
         Eigen::Matrix3Xd columns = (objective.gradient(at) - here) / kStep;
         benchmark::DoNotOptimize(columns.data());
-        for (const int row : group) at.positions(axis, point_of_row[static_cast<size_t>(row)]) -= kStep;
+        for (const int row : group)
+          at.positions(axis, point_of_row[static_cast<size_t>(row)]) -= kStep;
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/solver/static_solver.h"
+#include "pliant/solver/static_path.h"
 #include "pliant/solver/time_stepper.h"
 
 namespace pliant {
@@ -88,26 +88,27 @@ class Simulation::TimeSteps : public Simulation::Stepper {
 class Simulation::Equilibria : public Simulation::Stepper {
  public:
   Equilibria(const Scene& scene, const SceneSystem& built)
-      : solver_(*built.system, {.tolerance = scene.time.tolerance}), step_(scene.time.step) {}
+      : path_(*built.system, options(scene), built.start), step_(scene.time.step) {}
 
   StepSummary advance(State& state) override {
-    State next = state;
-    next.time += step_;
-    const NewtonSummary solved = solver_.find_equilibrium(next);
-    if (!solved.converged) {
-      throw SolverError(fmt::format("the equilibrium at {:.6g} s", next.time), solved.iterations,
-                        solved.residual);
-    }
+    path_.go_on_from(state);
+    const PathPoint point = path_.step(state.time + step_);
+    state = path_.state();
     StepSummary summary;
-    summary.newton_iterations = solved.iterations;
-    summary.residual = solved.residual;
-    summary.work = solver_.accept(next);
-    state = std::move(next);
+    summary.newton_iterations = point.newton.iterations;
+    summary.residual = point.newton.residual;
+    summary.work = point.work;
     return summary;
   }
 
  private:
-  StaticSolver solver_;
+  static StaticPathOptions options(const Scene& scene) {
+    StaticPathOptions options;
+    options.newton.tolerance = scene.time.tolerance;
+    return options;
+  }
+
+  StaticPath path_;
   double step_;
 };
 

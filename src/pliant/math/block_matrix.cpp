@@ -83,7 +83,7 @@ Eigen::SparseMatrix<double> BlockMatrix::lower_triangle() const {
       }
     }
   }
-  lower.makeCompressed();
+  if (n > 0) lower.makeCompressed();
   copy_to(lower);
   return lower;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <Eigen/Eigenvalues>
+
 #include "pliant/base/assert.h"
 
 namespace pliant {
@@ -52,6 +54,15 @@ bool Coordinates::clip_is_prescribed(int clip) const {
 
 const std::vector<int>& Coordinates::clip_points(int clip) const {
   return clips_.at(static_cast<size_t>(clip)).points;
+}
+
+double Coordinates::clip_radius(int clip, const Configuration& at) const {
+  const Pose& pose = at.clips[static_cast<size_t>(clip)];
+  double radius = 0;
+  for (const int point : clip_points(clip)) {
+    radius = std::max(radius, (at.positions.col(point) - pose.translation).norm());
+  }
+  return radius;
 }
 
 bool Coordinates::is_prescribed(int point) const {
@@ -139,6 +150,17 @@ Eigen::VectorXd Coordinates::reduce(const Configuration& at,
   return result;
 }
 
+Eigen::Matrix3Xd Coordinates::motion(const Configuration& at, const Eigen::VectorXd& change) const {
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, points());
+  for (int i = 0; i < points(); ++i) {
+    const Dependences parents = dependences(at, i);
+    for (int a = 0; a < parents.count; ++a) {
+      motion.col(i) += parents.entry[a].matrix * change.segment<3>(3 * parents.entry[a].row);
+    }
+  }
+  return motion;
+}
+
 void Coordinates::add_coupling(const Configuration& at, int i, int j, const Eigen::Matrix3d& value,
                                BlockMatrix& hessian) const {
   const Dependences rows = dependences(at, i), columns = dependences(at, j);
@@ -168,6 +190,26 @@ void Coordinates::add_rotation_terms(const Configuration& at, const Eigen::Matri
       hessian.add(clip.row + 1, clip.row + 1,
                   (moment + moment.transpose()) / 2 - g.dot(arm) * Eigen::Matrix3d::Identity());
     }
+  }
+}
+
+void Coordinates::hold_neutral_rotations(const Configuration& at, BlockMatrix& hessian) const {
+  constexpr double kFlat = 1e-12;  // of the squared radius: rounding of points on a line
+  for (size_t k = 0; k < clips_.size(); ++k) {
+    const Clip& clip = clips_[k];
+    if (clip.prescribed) continue;
+    const Eigen::Matrix3Xd arms =
+        at.positions(Eigen::all, clip.points).colwise() - at.clips[k].translation;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(arms * arms.transpose());
+    const Eigen::Vector3d squares = spread.eigenvalues();  // increasing
+    if (squares(1) > kFlat * squares(2)) continue;
+    const bool is_point = squares(2) == 0;
+    const Eigen::Vector3d line = spread.eigenvectors().col(2);
+    const Eigen::Matrix3d neutral =
+        is_point ? Eigen::Matrix3d::Identity().eval() : (line * line.transpose()).eval();
+    auto block = hessian.block(hessian.pattern().diagonal(clip.row + 1));
+    const double size = block.diagonal().cwiseAbs().maxCoeff();
+    block += (size > 0 ? size : 1) * neutral;
   }
 }
 

@@ -33,6 +33,10 @@ class Coordinates {
   int clips() const { return static_cast<int>(clips_.size()); }
   bool clip_is_prescribed(int clip) const;
   const std::vector<int>& clip_points(int clip) const;
+  /// Block row of a free clip's translation; that of its rotation follows.
+  int clip_row(int clip) const { return clips_[static_cast<size_t>(clip)].row; }
+  /// Largest distance of a clip's points from its origin (m).
+  double clip_radius(int clip, const Configuration& at) const;
   bool is_free(int point) const { return row(point) >= 0; }
   bool is_prescribed(int point) const;
   /// Whether a free point's position along an axis comes from outside.
@@ -57,6 +61,9 @@ class Coordinates {
   /// dE / d unknowns from dE / d points; zero for axes that are prescribed.
   Eigen::VectorXd reduce(const Configuration& at, const Eigen::Matrix3Xd& gradient) const;
 
+  /// How the points move with the unknowns, to first order: one column a point.
+  Eigen::Matrix3Xd motion(const Configuration& at, const Eigen::VectorXd& change) const;
+
   /// Adds d2E / (d point i d point j), i != j or i = j, to a Hessian in the unknowns. A pair of
   /// different points is added once, for both orders.
   void add_coupling(const Configuration& at, int i, int j, const Eigen::Matrix3d& value,
@@ -70,6 +77,10 @@ class Coordinates {
   /// Takes the axes that are prescribed out of a Hessian: their rows and columns become those of a
   /// diagonal matrix.
   void decouple_prescribed_axes(BlockMatrix& hessian) const;
+
+  /// Gives stiffness to rotations that move no point: of a clip that holds one point, and about
+  /// the line of a clip whose points are on one. No force acts on them.
+  void hold_neutral_rotations(const Configuration& at, BlockMatrix& hessian) const;
 
   /// The configuration after a change of the unknowns.
   Configuration moved(const Configuration& from, const Eigen::VectorXd& change) const;

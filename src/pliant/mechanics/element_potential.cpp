@@ -83,6 +83,10 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
       parameter_places_(std::move(parameter_places)),
       field_names_(std::move(field_names)) {
   PLIANT_ASSERT(count_ > 0, "a potential of elements has at least one");
+  PLIANT_ASSERT(
+      parameter_places_.empty() ||
+          density_->parameters().size() == static_cast<Eigen::Index>(parameter_places_.size()),
+      "one place for each parameter of the density");
   while (points_.size() % kLanes != 0) {
     points_.push_back(points_.back());
     rests_.push_back(rests_.back());
@@ -265,10 +269,11 @@ void ElementPotential<Measure>::add_force_sensitivity(
     Eigen::MatrixXd& gradient_by_parameter) const {
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size(), count = static_cast<int>(parameter_places_.size());
+  const auto parameters = static_cast<int>(density_->parameters().size());
   for (int e = 0; e < count_; ++e) {
     const int batch = e / kLanes, lane = e % kLanes;
     const Batch elements(*this, batch, at.configuration, at.history);
-    SampleDerivatives d(m, own, count);
+    SampleDerivatives d(m, own, parameters);
     density_->differentiate(elements.samples, lane, 0, 0, d);
     const Eigen::Index first = Eigen::Index(kLanes) * columns() * batch + lane;
     Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(m, history_by_parameter.cols());
@@ -298,12 +303,13 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
                                                     Eigen::MatrixXd& history_by_parameter) const {
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size(), count = static_cast<int>(parameter_places_.size());
+  const auto parameters = static_cast<int>(density_->parameters().size());
   const Eigen::Index all = history_by_parameter.cols();
   for (int e = 0; e < count_; ++e) {
     const int batch = e / kLanes, lane = e % kLanes;
     const auto l = static_cast<size_t>(lane);
     const Batch elements(*this, batch, at.configuration, at.history);
-    SampleDerivatives d(m, own, count);
+    SampleDerivatives d(m, own, parameters);
     density_->differentiate(elements.samples, lane, 0, 0, d);
 
     Eigen::MatrixXd nodes(Measure::kUnknowns, all);

@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// Eight hinges at once; the formulas are those of DiscreteShells. The exact Hessian goes hinge by
-/// hinge: statics asks for it, and there the factorisation is the larger part.
+/// Eight hinges at once; the formulas are those of DiscreteShells. Rows and columns of a Hessian
+/// sum to zero over the nodes, so that those of the edge's first node follow from the others.
 template <>
 class LaneKernel<DiscreteShells> {
  public:
@@ -17,22 +17,22 @@ class LaneKernel<DiscreteShells> {
     const auto node = [&](int i) -> LaneVector {
       return {positions.col(3 * i), positions.col(3 * i + 1), positions.col(3 * i + 2)};
     };
-    const LaneVector edge = node(1) - node(0);
-    const LaneVector side1 = node(2) - node(0), side2 = node(3) - node(0);
-    const LaneVector n1 = cross(edge, side1), n2 = cross(side2, edge);
-    const Lane square = dot(edge, edge);
-    const Lane length = square.sqrt();
-    const Lane share1 = dot(side1, edge) / square, share2 = dot(side2, edge) / square;
-    Lane scale;
-    for (int l = 0; l < kLanes; ++l) scale(l) = 3 / rests[l].height;
-    const LaneVector g1 = Lane(-scale * length / dot(n1, n1)) * n1;
-    const LaneVector g2 = Lane(-scale * length / dot(n2, n2)) * n2;
-    gradient_[1] = Lane(-share1) * g1 - share2 * g2;
-    gradient_[0] = Lane(share1 - 1) * g1 - Lane(1 - share2) * g2;
-    gradient_[2] = g1;
-    gradient_[3] = g2;
-    sine_ = dot(cross(n1, n2), edge) / length;
-    cosine_ = dot(n1, n2);
+    edge_ = node(1) - node(0);
+    side_[0] = node(2) - node(0);
+    side_[1] = node(3) - node(0);
+    normal_[0] = cross(edge_, side_[0]);
+    normal_[1] = cross(side_[1], edge_);
+    squared_length_ = dot(edge_, edge_);
+    length_ = squared_length_.sqrt();
+    for (int l = 0; l < kLanes; ++l) scale_(l) = 3 / rests[l].height;
+    for (int w = 0; w < 2; ++w) {
+      share_[w] = dot(side_[w], edge_) / squared_length_;
+      gradient_[2 + w] = Lane(-scale_ * length_ / dot(normal_[w], normal_[w])) * normal_[w];
+    }
+    gradient_[1] = Lane(-share_[0]) * gradient_[2] - share_[1] * gradient_[3];
+    gradient_[0] = Lane(share_[0] - 1) * gradient_[2] - Lane(1 - share_[1]) * gradient_[3];
+    sine_ = dot(cross(normal_[0], normal_[1]), edge_) / length_;
+    cosine_ = dot(normal_[0], normal_[1]);
   }
 
   LaneStrains strain() const {
@@ -71,7 +71,7 @@ class LaneKernel<DiscreteShells> {
         }
       }
     }
-    if (!convex) add_stress_part(response, size, result);
+    if (!convex) add_stress_part(size * response.stress.col(0), result);
   }
 
   DiscreteShells::Positions at(int lane) const {
@@ -81,22 +81,98 @@ class LaneKernel<DiscreteShells> {
   }
 
  private:
-  void add_stress_part(const Response& response, const Lane& size,
-                       LaneHessian<DiscreteShells>& result) const {
-    for (int l = 0; l < kLanes; ++l) {
-      const DiscreteShells::Strain stress(size(l) * response.stress(l, 0));
-      const DiscreteShells::Hessian k = DiscreteShells::weighted_hessian(rests_[l], at(l), stress);
-      int column = 0;
-      for (const auto& [i, j] : node_pairs<DiscreteShells>()) {
-        for (int b = 0; b < 3; ++b) {
-          for (int a = 0; a < 3; ++a) result(l, column++) += k(3 * i + a, 3 * j + b);
-        }
+  struct LaneMatrix {
+    Lane entry[3][3];
+  };
+
+  // d vertex gradient / d side of a wing: by_normal turn [edge]x, with the row n_a of the normal's
+  // derivative -scale |e| / n^2 (I - 2 n n^T / n^2).
+  LaneMatrix by_side(int wing) const { return by_normal_times_cross(wing, edge_, 1); }
+
+  // d vertex gradient / d edge: -scale n e^T / (n^2 |e|) - by_normal turn [side]x.
+  LaneMatrix by_edge(int wing) const {
+    LaneMatrix m = by_normal_times_cross(wing, side_[wing], -1);
+    const Lane factor = -scale_ / (dot(normal_[wing], normal_[wing]) * length_);
+    const LaneVector column = factor * normal_[wing];
+    add_outer(column, edge_, m);
+    return m;
+  }
+
+  LaneMatrix by_normal_times_cross(int wing, const LaneVector& a, double sign) const {
+    const LaneVector& n = normal_[wing];
+    const Lane squared = dot(n, n);
+    const double turn = wing == 0 ? 1 : -1;
+    const Lane factor = -scale_ * length_ / squared * (sign * turn);
+    // n^T [a]x = (n x a)^T
+    const LaneVector row = Lane(-2 * factor / squared) * cross(n, a);
+    LaneMatrix m{{{Lane::Zero(), -factor * a.z, factor * a.y},
+                  {factor * a.z, Lane::Zero(), -factor * a.x},
+                  {-factor * a.y, factor * a.x, Lane::Zero()}}};
+    add_outer(n, row, m);
+    return m;
+  }
+
+  static void add_outer(const LaneVector& a, const LaneVector& b, LaneMatrix& m) {
+    const Lane* const rows[3] = {&a.x, &a.y, &a.z};
+    const Lane* const columns[3] = {&b.x, &b.y, &b.z};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) m.entry[i][j] += *rows[i] * *columns[j];
+    }
+  }
+
+  // Adds factor * (m, or m transposed) to block (i, j), i <= j.
+  static void add_block(int i, int j, const Lane& factor, const LaneMatrix& m, bool transposed,
+                        LaneHessian<DiscreteShells>& result) {
+    const int first = 9 * pair_number<DiscreteShells>(i, j);
+    for (int b = 0; b < 3; ++b) {
+      for (int a = 0; a < 3; ++a) {
+        result.col(first + 3 * b + a) += factor * (transposed ? m.entry[b][a] : m.entry[a][b]);
       }
     }
   }
 
+  void add_stress_part(const Lane& stress, LaneHessian<DiscreteShells>& result) const {
+    const Lane zero = Lane::Zero();
+    LaneMatrix second{
+        {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};  // block (1, 1)
+    for (int w = 0; w < 2; ++w) {
+      const LaneMatrix side = by_side(w), edge = by_edge(w);
+      const Lane& t = share_[w];
+      const LaneVector& g = gradient_[2 + w];
+      const LaneVector share_by_side = Lane(-1 / squared_length_) * edge_;
+      const LaneVector share_by_edge =
+          Lane(-1 / squared_length_) * (side_[w] - Lane(2 * t) * edge_);
+      LaneMatrix with_vertex;  // block (1, 2 + w)
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) {
+          with_vertex.entry[a][b] = -t * side.entry[a][b];
+          second.entry[a][b] -= t * edge.entry[a][b];
+        }
+      }
+      add_outer(g, share_by_side, with_vertex);
+      add_outer(g, share_by_edge, second);
+      add_pair(2 + w, 2 + w, stress, side, result);
+      add_pair(1, 2 + w, stress, with_vertex, result);
+    }
+    add_pair(1, 1, stress, second, result);
+  }
+
+  // Adds block (i, j), 0 < i <= j, and what follows from it for the edge's first node: K_0j = -sum
+  // K_ij, K_00 = sum of all.
+  static void add_pair(int i, int j, const Lane& factor, const LaneMatrix& m,
+                       LaneHessian<DiscreteShells>& result) {
+    add_block(i, j, factor, m, false, result);
+    add_block(0, j, -factor, m, false, result);
+    add_block(0, 0, factor, m, false, result);
+    if (i == j) return;
+    add_block(0, i, -factor, m, true, result);
+    add_block(0, 0, factor, m, true, result);
+  }
+
   const DiscreteShells::Rest* rests_;
   const LanePositions<DiscreteShells>& positions_;
+  LaneVector edge_, side_[2], normal_[2];  // of the two wings
+  Lane squared_length_, length_, share_[2], scale_;
   LaneVector gradient_[4];  // of the strain, by node
   Lane sine_, cosine_;      // of the angle, times the product of the normals' lengths
 };

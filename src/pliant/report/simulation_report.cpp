@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/base/number_text.h"
 #include "pliant/io/base64.h"
 #include "pliant/report/energy_figure.h"
 #include "pliant/report/html.h"
@@ -17,19 +18,19 @@ namespace {
 
 using Align = HtmlTable::Align;
 
-/// `38 ms`; the unit that leaves the number between 1 and 1000.
+std::string number_text(std::optional<double> number) {
+  return number ? format_number(*number, 3) : kNoValue;
+}
+
+/// `38 ms`: in the unit that leaves the number between 1 and 1000.
 std::string time_text(std::optional<double> seconds) {
-  if (!seconds) return kNoValue;
-  if (*seconds != 0 && std::abs(*seconds) < 1e-3) {
-    return format_significant(1e6 * *seconds, 3) + " µs";
-  }
-  if (*seconds != 0 && std::abs(*seconds) < 1) return format_significant(1e3 * *seconds, 3) + " ms";
-  return format_significant(seconds, 3) + " s";
+  if (!seconds || *seconds == 0 || *seconds >= 1) return number_text(seconds) + " s";
+  if (*seconds >= 1e-3) return number_text(1e3 * *seconds) + " ms";
+  return number_text(1e6 * *seconds) + " µs";
 }
 
 std::string energy_text(double joules) {
-  if (joules != 0 && std::abs(joules) < 0.1) return format_significant(1e3 * joules, 3) + " mJ";
-  return format_significant(joules, 3) + " J";
+  return std::abs(joules) < 0.1 ? number_text(1e3 * joules) + " mJ" : number_text(joules) + " J";
 }
 
 double simulated_time(const SimulationResults& results) {
@@ -62,11 +63,11 @@ std::string facts(const SimulationResults& results) {
     all.emplace_back("Computing time", time_text(*results.seconds.mean * results.steps));
   }
   if (results.peak_memory) {
-    all.emplace_back("Memory", format_significant(results.peak_memory, 3) + " MB");
+    all.emplace_back("Memory", number_text(results.peak_memory) + " MB");
   }
   if (results.min_contact_distance) {
     all.emplace_back("Least contact distance",
-                     format_significant(1e3 * *results.min_contact_distance, 3) + " mm");
+                     number_text(1e3 * *results.min_contact_distance) + " mm");
   }
   if (results.energy.rows() > 0) {
     all.emplace_back("Lost to friction and damping", energy_text(results.energy.work.back()));
@@ -87,9 +88,9 @@ std::string energy_section(const SimulationResults& results, FigureSheet& figure
   std::string html = "<section class=\"figure-block\"><h2>Energy</h2>\n";
   if (figures.can_draw()) html += legend_html(energy.legend);
   return html + figures.add(energy.figure, "figure-medium") +
-         "<p class=\"small\">Stored energy and the sum less what they are at the first frame. "
-         "Where nothing is moved or pulled from outside, the sum never grows; what is moved from "
-         "outside puts its work into it.</p></section>\n";
+         "<p class=\"small\">Stored energy and the sum less what they are at the first frame. The "
+         "sum falls by what the time integrator damps, and takes up the work of whatever is moved "
+         "from outside.</p></section>\n";
 }
 
 std::string image(const std::string& png, const std::string& description) {
@@ -111,14 +112,11 @@ std::string motion_section(const SimulationResults& results, const SimulationPic
 std::string field_section(const SimulationResults& results, const SimulationPictures& pictures) {
   if (pictures.fields.empty()) return {};
   std::string html = fmt::format(
-      "<section id=\"fields\"><h2>Fields at {}</h2>\n<p>Means over the triangles or hinges at each "
-      "vertex. <code>strain.bend.*</code> is three times the curvature.</p>\n"
-      "<div class=\"pair\">\n",
+      "<section id=\"fields\"><h2>Fields at {}</h2>\n<p>Means at each vertex of the triangles or "
+      "hinges around it. The strain of bending is three times the curvature.</p>\n"
+      "<div class=\"loops\">\n",
       time_text(results.last_time));
-  for (const FieldPicture& field : pictures.fields) {
-    html += "<figure>" + element("figcaption", field.name) + image(field.png, field.name) +
-            "</figure>\n";
-  }
+  for (const FieldPicture& field : pictures.fields) html += image(field.png, field.name);
   return html + "</div></section>\n";
 }
 
@@ -136,10 +134,9 @@ std::string step_section(const SimulationResults& results) {
       table.cell(text(number));
     }
   };
-  const auto count = [](std::optional<double> number) { return format_significant(number, 4); };
   row("Computing time", results.seconds, time_text);
-  row("Newton iterations", results.newton_iterations, count);
-  row("Iterations of the linear solver, all together", results.linear_iterations, count);
+  row("Newton iterations", results.newton_iterations, number_text);
+  row("Iterations of the linear solver, all together", results.linear_iterations, number_text);
   if (table.empty()) return {};
   return "<section id=\"steps\"><h2>Steps</h2>\n" + table.html() +
          "<p class=\"small\">A direct linear solver counts no iterations.</p></section>\n";

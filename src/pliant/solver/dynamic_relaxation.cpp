@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "pliant/solver/newton.h"
-#include "pliant/solver/point_motion.h"
 
 namespace pliant {
 namespace {
@@ -15,8 +14,8 @@ Eigen::VectorXd row_lengths(const Coordinates& coordinates, const Configuration&
   Eigen::VectorXd lengths = Eigen::VectorXd::Ones(coordinates.block_rows());
   for (int k = 0; k < coordinates.clips(); ++k) {
     if (coordinates.clip_is_prescribed(k)) continue;
-    const double radius = clip_radius(coordinates, at, k);
-    if (radius > 0) lengths(clip_row(coordinates, k) + 1) = radius;
+    const double radius = coordinates.clip_radius(k, at);
+    if (radius > 0) lengths(coordinates.clip_row(k) + 1) = radius;
   }
   return lengths;
 }

@@ -33,6 +33,25 @@ bool factorize_shifted(BlockMatrix& matrix, LinearSolver& solver, int& factoriza
   return false;
 }
 
+// The largest force of a reduced gradient.
+double largest_force(const Coordinates& coordinates, const Configuration& at,
+                     const Eigen::VectorXd& reduced) {
+  if (!reduced.allFinite()) return INFINITY;
+  double largest = 0;
+  for (int i = 0; i < coordinates.points(); ++i) {
+    if (!coordinates.is_free(i)) continue;
+    largest = std::max(largest, reduced.segment<3>(3 * coordinates.row(i)).cwiseAbs().maxCoeff());
+  }
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (coordinates.clip_is_prescribed(k)) continue;
+    const auto forces = reduced.segment<6>(3 * coordinates.clip_row(k));
+    const double radius = coordinates.clip_radius(k, at);
+    largest = std::max(largest, forces.head<3>().cwiseAbs().maxCoeff());
+    if (radius > 0) largest = std::max(largest, forces.tail<3>().cwiseAbs().maxCoeff() / radius);
+  }
+  return largest;
+}
+
 // Halves the step until the energy falls by a part of what its slope promises. Where the change is
 // lost in rounding, the step must bring the forces down instead.
 bool line_search(const Objective& objective, const Eigen::VectorXd& step, double slope,
@@ -63,66 +82,61 @@ bool solve(const LinearSolver& solver, const Eigen::VectorXd& force, Eigen::Vect
   return linear.converged;
 }
 
+// Computes Newton's step with a new Hessian.
+// @return false where no shift makes the Hessian positive definite
+bool fresh_step(const Objective& objective, const NewtonOptions& options, LinearSolver& solver,
+                Hessian& hessian, const Configuration& at, const Eigen::VectorXd& force,
+                Eigen::VectorXd& step, NewtonSummary& summary) {
+  Eigen::Matrix3Xd gradient;
+  if (options.curvature == Curvature::exact) {
+    objective.linearize(at, Curvature::exact, gradient, hessian);
+    ++summary.factorizations;
+    if (solver.factorize(hessian.matrix) && solve(solver, force, step, summary)) return true;
+  }
+  objective.linearize(at, Curvature::convex, gradient, hessian);
+  if (!factorize_shifted(hessian.matrix, solver, summary.factorizations)) return false;
+  solve(solver, force, step, summary);
+  return true;
+}
+
 }  // namespace
 
 double largest_force(const Coordinates& coordinates, const Configuration& at,
                      const Eigen::Matrix3Xd& gradient) {
-  double largest = 0;
-  bool finite = true;
-  for (int i = 0; i < coordinates.points(); ++i) {
-    if (!coordinates.is_free(i)) continue;
-    const double force = gradient.col(i).cwiseAbs().maxCoeff();
-    finite = finite && std::isfinite(force);
-    largest = std::max(largest, force);
-  }
-  for (int k = 0; k < coordinates.clips(); ++k) {
-    if (coordinates.clip_is_prescribed(k)) continue;
-    const Eigen::Vector3d origin = at.clips[static_cast<size_t>(k)].translation;
-    Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
-    double radius = 0;
-    for (const int point : coordinates.clip_points(k)) {
-      const Eigen::Vector3d arm = at.positions.col(point) - origin, g = gradient.col(point);
-      force += g;
-      moment += arm.cross(g);
-      radius = std::max(radius, arm.norm());
-    }
-    finite = finite && force.allFinite() && moment.allFinite();
-    largest = std::max(largest, force.cwiseAbs().maxCoeff());
-    if (radius > 0) largest = std::max(largest, moment.cwiseAbs().maxCoeff() / radius);
-  }
-  return finite ? largest : INFINITY;
+  return largest_force(coordinates, at, coordinates.reduce(at, gradient));
 }
 
 NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
                        LinearSolver& solver, Hessian& hessian, Configuration& at) {
+  constexpr double kFast = 0.2;  // fall of the forces that makes an old factor worth keeping
   const Coordinates& coordinates = objective.system().coordinates();
   NewtonSummary summary;
-  Eigen::Matrix3Xd gradient;
+  bool has_factor = false;
+  double last_residual = INFINITY;
   for (;; ++summary.iterations) {
-    summary.energy = objective.linearize(at, options.curvature, gradient, hessian);
-    summary.residual = largest_force(coordinates, at, gradient);
+    Eigen::Matrix3Xd gradient;
+    summary.energy = objective.evaluate(at, gradient);
+    const Eigen::VectorXd force = -coordinates.reduce(at, gradient);
+    summary.residual = largest_force(coordinates, at, force);
     summary.converged = summary.residual < options.tolerance;
     if (summary.converged || summary.iterations == options.max_iterations ||
         !std::isfinite(summary.residual)) {
       return summary;
     }
-    const Eigen::VectorXd force = -coordinates.reduce(at, gradient);
     Eigen::VectorXd step;
-    bool solved = false;
-    if (options.curvature == Curvature::exact) {
-      ++summary.factorizations;
-      solved = solver.factorize(hessian.matrix) && solve(solver, force, step, summary);
-      if (!solved) objective.linearize(at, Curvature::convex, gradient, hessian);
-    }
-    if (!solved) {
-      if (!factorize_shifted(hessian.matrix, solver, summary.factorizations)) return summary;
+    const auto descend = [&] {
+      const double slope = -force.dot(step);
+      return slope < 0 && line_search(objective, step, slope, summary.energy, summary.residual, at);
+    };
+    const bool reuse =
+        options.reuse_factor && has_factor && summary.residual < kFast * last_residual;
+    last_residual = summary.residual;
+    if (reuse) {
       solve(solver, force, step, summary);
+      if (descend()) continue;
     }
-    const double slope = -force.dot(step);
-    if (!(slope < 0) ||
-        !line_search(objective, step, slope, summary.energy, summary.residual, at)) {
-      return summary;
-    }
+    has_factor = fresh_step(objective, options, solver, hessian, at, force, step, summary);
+    if (!has_factor || !descend()) return summary;
   }
 }
 

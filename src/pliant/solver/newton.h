@@ -11,6 +11,9 @@ struct NewtonOptions {
   /// Exact: where the Hessian is not positive definite, its convex stand-in takes its place for the
   /// iteration.
   Curvature curvature = Curvature::exact;
+  /// Steps go on with a factorised Hessian of an earlier iteration while the forces fall fast: for
+  /// solvers that factorise slowly and solve quickly.
+  bool reuse_factor = false;
 };
 
 struct NewtonSummary {
@@ -22,8 +25,8 @@ struct NewtonSummary {
   Energy energy;
 };
 
-/// The largest force on an unknown: on free points and clips (N; moments of clips divided by the
-/// clip's radius).
+/// The largest force that is not balanced: on free points, but for axes that are prescribed, and on
+/// clips (N; moments of clips divided by the clip's radius).
 double largest_force(const Coordinates& coordinates, const Configuration& at,
                      const Eigen::Matrix3Xd& gradient);
 

@@ -16,11 +16,17 @@ Energy Objective::energy(const Configuration& at) const {
 }
 
 Eigen::Matrix3Xd Objective::gradient(const Configuration& at) const {
-  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, system_.points());
+  Eigen::Matrix3Xd gradient;
+  evaluate(at, gradient);
+  return gradient;
+}
+
+Energy Objective::evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) const {
+  gradient.setZero(3, system_.points());
   Derivatives derivatives;
   derivatives.gradient = &gradient;
   evaluate(at, Curvature::exact, derivatives);
-  return gradient;
+  return derivatives.energy;
 }
 
 Energy Objective::linearize(const Configuration& at, Curvature curvature,
@@ -32,6 +38,7 @@ Energy Objective::linearize(const Configuration& at, Curvature curvature,
   derivatives.hessian = &hessian;
   evaluate(at, curvature, derivatives);
   system_.coordinates().add_rotation_terms(at, gradient, hessian.matrix);
+  system_.coordinates().hold_neutral_rotations(at, hessian.matrix);
   system_.coordinates().decouple_prescribed_axes(hessian.matrix);
   return derivatives.energy;
 }

@@ -23,6 +23,8 @@ class Objective {
   Energy energy(const Configuration& at) const;
   /// dE / d points, N; on prescribed points the force that holds them.
   Eigen::Matrix3Xd gradient(const Configuration& at) const;
+  /// Energy and dE / d points.
+  Energy evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) const;
   /// Energy, dE / d points and the Hessian in the unknowns.
   Energy linearize(const Configuration& at, Curvature curvature, Eigen::Matrix3Xd& gradient,
                    Hessian& hessian) const;

@@ -4,7 +4,6 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
-#include "pliant/solver/point_motion.h"
 
 namespace pliant {
 namespace {
@@ -13,16 +12,6 @@ std::string at_time(double time) { return " at " + std::to_string(time) + " s"; 
 
 Eigen::Map<const Eigen::Matrix3Xd> by_points(const Eigen::MatrixXd& all, Eigen::Index column) {
   return {all.col(column).data(), 3, all.rows() / 3};
-}
-
-// Stiffness for directions that have none, such as a clip that turns about its own line of points;
-// below what rounding does to all others.
-void hold_neutral_directions(BlockMatrix& matrix) {
-  double largest = 0;
-  for (int i = 0; i < matrix.pattern().size(); ++i) {
-    largest = std::max(largest, matrix.block(matrix.pattern().diagonal(i)).diagonal().maxCoeff());
-  }
-  for (int i = 0; i < matrix.pattern().size(); ++i) matrix.add_to_diagonal(i, 1e-14 * largest);
 }
 
 }  // namespace
@@ -47,6 +36,11 @@ StaticPath::StaticPath(const System& system, const StaticPathOptions& options, S
   PLIANT_ASSERT(options.substeps >= 1, "a step has an equilibrium at its end");
   if (!options.sensitivities) return;
   history_by_parameter_ = Eigen::MatrixXd::Zero(state_.history.size(), system.parameter_count());
+}
+
+void StaticPath::go_on_from(const State& state) {
+  state_ = state;
+  if (options_.sensitivities) history_by_parameter_.setZero();
 }
 
 PathPoint StaticPath::step(double time) {
@@ -109,12 +103,9 @@ void StaticPath::differentiate(const Configuration& at, PathPoint& point) {
   // Newton's own factor belongs to the iterate before the last, and may be shifted.
   Objective(system_, state_).linearize(at, Curvature::exact, point.forces, hessian_);
   if (!solver_.factorize(hessian_.matrix)) {
-    hold_neutral_directions(hessian_.matrix);
-    if (!solver_.factorize(hessian_.matrix)) {
-      throw SolverError("the sensitivity of the equilibrium" + at_time(point.time) +
-                            ", which is not stable (its Hessian is not positive definite)",
-                        point.newton.iterations, point.newton.residual);
-    }
+    throw SolverError("the sensitivity of the equilibrium" + at_time(point.time) +
+                          ", which is not stable (its Hessian is not positive definite)",
+                      point.newton.iterations, point.newton.residual);
   }
 
   const Eigen::Index rows = 3 * system_.points();
@@ -126,7 +117,7 @@ void StaticPath::differentiate(const Configuration& at, PathPoint& point) {
   Eigen::VectorXd rates;
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {
     solver_.solve(-coordinates.reduce(at, by_points(forces, k)), rates);
-    positions.col(k) = point_motion(coordinates, at, rates).reshaped();
+    positions.col(k) = coordinates.motion(at, rates).reshaped();
   }
   forces += forces_along(at, positions);
 }

@@ -6,7 +6,7 @@
 namespace pliant {
 
 struct StaticPathOptions {
-  NewtonOptions newton;
+  NewtonOptions newton{.reuse_factor = true};
   int substeps = 1;            ///< equilibria per step of the schedule, at equal times, >= 1
   int max_halvings = 6;        ///< of a step whose equilibrium is not found
   bool sensitivities = false;  ///< derivatives by the parameters of the material
@@ -49,6 +49,8 @@ class StaticPath {
   PathPoint step(double time);
 
   const State& state() const { return state_; }
+  /// Goes on from another state of the system, on whose history no parameter has an influence yet.
+  void go_on_from(const State& state);
   /// d history / d parameters of the state; empty without sensitivities.
   const Eigen::MatrixXd& history_by_parameter() const { return history_by_parameter_; }
 

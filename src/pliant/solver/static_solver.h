@@ -9,7 +9,8 @@ namespace pliant {
 /// done once ([T] 3.4.1).
 class StaticSolver {
  public:
-  explicit StaticSolver(const System& system, const NewtonOptions& options = {});
+  explicit StaticSolver(const System& system,
+                        const NewtonOptions& options = {.reuse_factor = true});
 
   /// Moves the configuration of `state` to an equilibrium, under what its drives say at
   /// `state.time`. Friction history stays as it is until `accept`.

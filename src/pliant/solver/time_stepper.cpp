@@ -75,6 +75,7 @@ StepSummary TimeStepper::linear_step(const Objective& objective, const State& st
   const LinearSummary linear = solver_->solve(-coordinates.reduce(at, gradient), change);
   summary.linear_iterations = linear.iterations;
   summary.converged = linear.converged;
+  summary.residual = linear.residual;
   at = coordinates.moved(at, change);
   return summary;
 }

@@ -24,7 +24,7 @@ struct StepSummary {
   bool converged = true;  ///< the linear solve, or Newton's method
   int newton_iterations = 1;
   int linear_iterations = 0;
-  double residual = 0;  ///< largest force left (N), of a converged step
+  double residual = 0;  ///< largest force left (N); of a linearised step that of its equations
   double work = 0;      ///< done against friction, damping and drag during the step (J)
 };
 

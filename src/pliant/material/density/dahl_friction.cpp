@@ -9,20 +9,19 @@ DahlParameters dahl_of(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
 Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// Signs and parameters of a stretch that lies on one side of zero in every lane: the same solution
+// Work, stress and slope of a stretch that lies on one side of zero in every lane: the same solution
 // as `friction_stress`, eight points at once. Plain loops, which become vector instructions.
 struct Lanes {
   Lane work, stress, slope;
 
   Lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last, const Lane& before,
         const Lane& from) {
-    const Lane way = strain - last;
-    Lane s;
+    const Lane way = strain - last, last_way = last - before;
+    Lane s, g, a, b, tau;
     for (int i = 0; i < kLanes; ++i) {
-      const double direction = way(i) == 0 ? last(i) - before(i) : way(i);
+      const double direction = way(i) == 0 ? last_way(i) : way(i);
       s(i) = direction < 0 ? -1 : 1;
     }
-    Lane g, a, b, tau;
     for (int i = 0; i < kLanes; ++i) {
       const bool negative = strain(i) + last(i) < 0;
       g(i) = negative ? -1 : 1;
@@ -30,12 +29,19 @@ struct Lanes {
       b(i) = negative ? dahl.negative.b : dahl.positive.b;
       tau(i) = negative ? dahl.negative.tau : dahl.positive.tau;
     }
-    const Lane decay = (-s * way / tau).exp();
-    const Lane at_start = s * (a + g * b * last) - g * b * tau;
+    const Lane per_tau = 1 / tau, s_g_b = s * g * b;
+    if ((way == 0).all()) {  // where a linearised step asks
+      work = Lane::Zero();
+      stress = from;
+      slope = (a + g * b * last - s * from) * per_tau;
+      return;
+    }
+    const Lane decay = (-s * way * per_tau).exp();
+    const Lane at_start = s * a + s_g_b * last - g * b * tau;
     const Lane excess = from - at_start;
-    work = at_start * way + s * g * b * way.square() / 2 + excess * s * tau * (1 - decay);
-    stress = at_start + s * g * b * way + excess * decay;
-    slope = s * (g * b - excess * decay / tau);
+    work = at_start * way + s_g_b * way.square() / 2 + excess * s * tau * (1 - decay);
+    stress = at_start + s_g_b * way + excess * decay;
+    slope = s_g_b - s * excess * decay * per_tau;
   }
 };
 

@@ -1,13 +1,12 @@
 // What the mechanics of cloth cost, against the thesis' own methods: finite-difference Hessians,
 // dynamic relaxation, conjugate gradients for every parameter; and what a time step costs.
 
-#include <filesystem>
+#include <cmath>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <benchmark/benchmark.h>
 
 #include "pliant/geometry/regular_grid.h"
-#include "pliant/geometry/topology.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/dynamic_relaxation.h"
@@ -45,11 +44,10 @@ struct HangingSheet {
   ParameterList parameters;
   std::unique_ptr<System> system;
 
-  HangingSheet(int nodes, double size, bool friction)
+  HangingSheet(int nodes, double size, bool friction, bool upright = true)
       : mesh(regular_grid(size, size, nodes, nodes)) {
     const Material material = cotton();
-    mesh.positions.row(2) = mesh.positions.row(1);  // upright
-    mesh.positions.row(1).setZero();
+    if (upright) mesh.positions.row(2).swap(mesh.positions.row(1));
     system = std::make_unique<System>(mesh.positions, material.density * vertex_areas(mesh));
     DensityOptions options;
     options.friction = friction;
@@ -124,6 +122,18 @@ std::vector<std::vector<int>> uncoupled_groups(const BlockPattern& pattern) {
   return groups;
 }
 
+// Columns of the Hessian from the change of the forces with one axis of the points of some rows.
+void put_columns(const std::vector<int>& rows, int axis, const Eigen::Matrix3Xd& changes,
+                 const std::vector<int>& point_of_row, BlockMatrix& hessian) {
+  const BlockPattern& pattern = hessian.pattern();
+  for (const int row : rows) {
+    for (int k = pattern.row_begin(row); k < pattern.row_end(row); ++k) {
+      const int point = point_of_row[static_cast<size_t>(pattern.column(k))];
+      hessian.block(k).row(axis) = changes.col(point).transpose();
+    }
+  }
+}
+
 void BM_HessianByForwardDifferences(benchmark::State& run) {
   const HangingSheet sheet(kThesisNodes, kThesisSize, true);
   const State state = sheet.equilibrium();
@@ -139,55 +149,82 @@ void BM_HessianByForwardDifferences(benchmark::State& run) {
   for (auto _ : run) {
     Configuration at = state.configuration;
     const Eigen::Matrix3Xd here = objective.gradient(at);
-    for (const auto& group : groups) {
+    for (const auto& rows : groups) {
       for (int axis = 0; axis < 3; ++axis) {
-        for (const int row : group)
+        for (const int row : rows)
           at.positions(axis, point_of_row[static_cast<size_t>(row)]) += kStep;
-        Eigen::Matrix3Xd columns = (objective.gradient(at) - here) / kStep;
-        benchmark::DoNotOptimize(columns.data());
-        for (const int row : group)
+        const Eigen::Matrix3Xd changes = (objective.gradient(at) - here) / kStep;
+        put_columns(rows, axis, changes, point_of_row, hessian.matrix);
+        for (const int row : rows)
           at.positions(axis, point_of_row[static_cast<size_t>(row)]) -= kStep;
       }
     }
+    benchmark::DoNotOptimize(hessian.matrix.block(0).data());
   }
   run.counters["force_evaluations"] = static_cast<double>(3 * groups.size() + 1);
 }
 BENCHMARK(BM_HessianByForwardDifferences)->Unit(benchmark::kMillisecond);
 
-void find_equilibrium_from(benchmark::State& run, double way) {
-  const HangingSheet sheet(kThesisNodes, kThesisSize, false);
+// The same sheet under one load, found from some distance to some tolerance.
+struct EquilibriumProblem {
+  HangingSheet sheet{kThesisNodes, kThesisSize, false};
   State start = sheet.equilibrium();
-  sheet.disturb(way, start.configuration);
-  StaticSolver solver(*sheet.system);
+  Configuration exact;
+
+  explicit EquilibriumProblem(double way) {
+    State reference = start;
+    StaticSolver(*sheet.system, {.tolerance = 1e-11}).find_equilibrium(reference);
+    exact = reference.configuration;
+    sheet.disturb(way, start.configuration);
+  }
+
+  double error_mm(const Configuration& at) const {
+    return 1e3 * (at.positions - exact.positions).colwise().norm().maxCoeff();
+  }
+};
+
+void find_by_newton(benchmark::State& run, double way) {
+  const EquilibriumProblem problem(way);
+  const double tolerance = std::pow(10.0, -static_cast<double>(run.range(0)));
+  StaticSolver solver(*problem.sheet.system, {.tolerance = tolerance, .reuse_factor = true});
   NewtonSummary summary;
+  State state;
   for (auto _ : run) {
-    State state = start;
+    state = problem.start;
     summary = solver.find_equilibrium(state);
   }
   if (!summary.converged) run.SkipWithError("not converged");
   run.counters["iterations"] = summary.iterations;
+  run.counters["error_mm"] = problem.error_mm(state.configuration);
 }
 
-void BM_EquilibriumFrom2mm(benchmark::State& run) { find_equilibrium_from(run, 2e-3); }
-BENCHMARK(BM_EquilibriumFrom2mm)->Unit(benchmark::kMillisecond);
+// The argument is the tolerance: 10^-N newton.
+void BM_EquilibriumFrom2mm(benchmark::State& run) { find_by_newton(run, 2e-3); }
+BENCHMARK(BM_EquilibriumFrom2mm)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
 
-void BM_EquilibriumFromNeighbour(benchmark::State& run) { find_equilibrium_from(run, 0.1e-3); }
-BENCHMARK(BM_EquilibriumFromNeighbour)->Unit(benchmark::kMillisecond);
+void BM_EquilibriumFromNeighbour(benchmark::State& run) { find_by_newton(run, 0.1e-3); }
+BENCHMARK(BM_EquilibriumFromNeighbour)->Arg(5)->Unit(benchmark::kMillisecond);
 
 void BM_EquilibriumFrom2mmByDynamicRelaxation(benchmark::State& run) {
-  const HangingSheet sheet(kThesisNodes, kThesisSize, false);
-  State start = sheet.equilibrium();
-  sheet.disturb(2e-3, start.configuration);
-  Hessian hessian = sheet.system->make_hessian();
+  const EquilibriumProblem problem(2e-3);
+  const double tolerance = std::pow(10.0, -static_cast<double>(run.range(0)));
+  Hessian hessian = problem.sheet.system->make_hessian();
   RelaxationSummary summary;
+  Configuration at;
   for (auto _ : run) {
-    Configuration at = start.configuration;
-    summary = relax(Objective(*sheet.system, start), {}, hessian, at);
+    at = problem.start.configuration;
+    summary = relax(Objective(*problem.sheet.system, problem.start), {.tolerance = tolerance},
+                    hessian, at);
   }
   if (!summary.converged) run.SkipWithError("not converged");
   run.counters["iterations"] = summary.iterations;
+  run.counters["error_mm"] = problem.error_mm(at);
 }
-BENCHMARK(BM_EquilibriumFrom2mmByDynamicRelaxation)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(BM_EquilibriumFrom2mmByDynamicRelaxation)
+    ->Arg(5)
+    ->Arg(8)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 // The right-hand sides of [T] Eq. 3.7 at an equilibrium, and its matrix.
 struct SensitivityProblem {
@@ -196,7 +233,8 @@ struct SensitivityProblem {
   Eigen::MatrixXd forces;
 
   SensitivityProblem() {
-    const State state = sheet.equilibrium();
+    State state = sheet.equilibrium();
+    state.history.setZero();  // friction loaded from the rest shape: every parameter matters
     Eigen::Matrix3Xd gradient;
     Objective(*sheet.system, state)
         .linearize(state.configuration, Curvature::exact, gradient, hessian);
@@ -234,26 +272,27 @@ void BM_SensitivitiesByConjugateGradients(benchmark::State& run) {
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
   solver.setTolerance(1e-8);
   solver.setMaxIterations(100000);
+  double iterations = 0;
   for (auto _ : run) {
     solver.compute(matrix);
     for (Eigen::Index p = 0; p < problem.forces.cols(); ++p) {
       Eigen::VectorXd x = solver.solve(problem.forces.col(p));
       benchmark::DoNotOptimize(x.data());
+      iterations += static_cast<double>(solver.iterations());
     }
   }
-  run.counters["iterations"] = static_cast<double>(solver.iterations());
+  run.counters["iterations"] = iterations;
 }
 BENCHMARK(BM_SensitivitiesByConjugateGradients)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 // Steps of examples/step-29k.yaml: arguments are the step in ms, friction, and Newton's method.
 void BM_Step29k(benchmark::State& run) {
-  const HangingSheet sheet(121, 1, run.range(1) != 0);
+  const HangingSheet sheet(121, 1, run.range(1) != 0, false);
   TimeStepOptions options;
   options.step = static_cast<double>(run.range(0)) * 1e-3;
   options.solve = run.range(2) != 0 ? StepSolve::converged : StepSolve::linearized;
   TimeStepper stepper(*sheet.system, options);
   State state = sheet.system->initial_state();
-  sheet.disturb(1e-3, state.configuration);
   double linear = 0, newton = 0;
   for (auto _ : run) {
     const StepSummary step = stepper.advance(state);
@@ -273,7 +312,7 @@ BENCHMARK(BM_Step29k)
 // One linearised step of 1 ms at one edge length and more and more triangles.
 void BM_StepOfTriangles(benchmark::State& run) {
   const int nodes = static_cast<int>(run.range(0));
-  const HangingSheet sheet(nodes, (nodes - 1) / 120.0, true);
+  const HangingSheet sheet(nodes, (nodes - 1) / 120.0, true, false);
   TimeStepOptions options;
   options.solve = StepSolve::linearized;
   TimeStepper stepper(*sheet.system, options);

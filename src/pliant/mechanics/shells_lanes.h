@@ -58,7 +58,7 @@ class LaneKernel<DiscreteShells> {
   void hessian(const Response& response, const Lane& size, bool convex,
                LaneHessian<DiscreteShells>& result) const {
     const Lane tangent = size * response.tangent.col(0);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = convex ? 0 : 1; i < 4; ++i) {
       const LaneVector row = tangent * gradient_[i];
       for (int j = i; j < 4; ++j) {
         const LaneVector& column = gradient_[j];
@@ -71,7 +71,9 @@ class LaneKernel<DiscreteShells> {
         }
       }
     }
-    if (!convex) add_stress_part(size * response.stress.col(0), result);
+    if (convex) return;
+    add_stress_part(size * response.stress.col(0), result);
+    complete_first_node(result);
   }
 
   DiscreteShells::Positions at(int lane) const {
@@ -120,14 +122,12 @@ class LaneKernel<DiscreteShells> {
     }
   }
 
-  // Adds factor * (m, or m transposed) to block (i, j), i <= j.
-  static void add_block(int i, int j, const Lane& factor, const LaneMatrix& m, bool transposed,
+  // Adds factor * m to block (i, j), i <= j.
+  static void add_block(int i, int j, const Lane& factor, const LaneMatrix& m,
                         LaneHessian<DiscreteShells>& result) {
     const int first = 9 * pair_number<DiscreteShells>(i, j);
     for (int b = 0; b < 3; ++b) {
-      for (int a = 0; a < 3; ++a) {
-        result.col(first + 3 * b + a) += factor * (transposed ? m.entry[b][a] : m.entry[a][b]);
-      }
+      for (int a = 0; a < 3; ++a) result.col(first + 3 * b + a) += factor * m.entry[a][b];
     }
   }
 
@@ -151,22 +151,29 @@ class LaneKernel<DiscreteShells> {
       }
       add_outer(g, share_by_side, with_vertex);
       add_outer(g, share_by_edge, second);
-      add_pair(2 + w, 2 + w, stress, side, result);
-      add_pair(1, 2 + w, stress, with_vertex, result);
+      add_block(2 + w, 2 + w, stress, side, result);
+      add_block(1, 2 + w, stress, with_vertex, result);
     }
-    add_pair(1, 1, stress, second, result);
+    add_block(1, 1, stress, second, result);
   }
 
-  // Adds block (i, j), 0 < i <= j, and what follows from it for the edge's first node: K_0j = -sum
-  // K_ij, K_00 = sum of all.
-  static void add_pair(int i, int j, const Lane& factor, const LaneMatrix& m,
-                       LaneHessian<DiscreteShells>& result) {
-    add_block(i, j, factor, m, false, result);
-    add_block(0, j, -factor, m, false, result);
-    add_block(0, 0, factor, m, false, result);
-    if (i == j) return;
-    add_block(0, i, -factor, m, true, result);
-    add_block(0, 0, factor, m, true, result);
+  // K_0j = -sum of K_ij over i > 0, and K_00 = -sum of K_0j.
+  static void complete_first_node(LaneHessian<DiscreteShells>& k) {
+    const auto column = [](int i, int j, int a, int b) {
+      return 9 * pair_number<DiscreteShells>(i, j) + 3 * b + a;
+    };
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        k.col(column(0, 1, a, b)) =
+            -k.col(column(1, 1, a, b)) - k.col(column(1, 2, b, a)) - k.col(column(1, 3, b, a));
+        k.col(column(0, 2, a, b)) =
+            -k.col(column(1, 2, a, b)) - k.col(column(2, 2, a, b)) - k.col(column(2, 3, b, a));
+        k.col(column(0, 3, a, b)) =
+            -k.col(column(1, 3, a, b)) - k.col(column(2, 3, a, b)) - k.col(column(3, 3, a, b));
+        k.col(column(0, 0, a, b)) =
+            -k.col(column(0, 1, a, b)) - k.col(column(0, 2, a, b)) - k.col(column(0, 3, a, b));
+      }
+    }
   }
 
   const DiscreteShells::Rest* rests_;

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/io/atomic_file.h"
+#include "pliant/io/result_manifest.h"
 
 #include "input_error_of.h"
 #include "temporary_folder.h"
@@ -246,6 +248,171 @@ TEST(ResultDirectory, TakesSafeNamesOnceOnly) {
   EXPECT_THROW(results.write("/a", ""), AssertionError);
   results.write("a", "");
   EXPECT_THROW(results.write("a", ""), AssertionError);
+}
+
+using Names = std::vector<std::string>;
+
+/// Names in the hidden list of results, in its order.
+Names listed_files(const fs::path& folder) {
+  const auto manifest = read_manifest(folder);
+  if (!manifest) return {};
+  return {manifest->files.begin(), manifest->files.end()};
+}
+
+TEST(ResultDirectoryPublish, PutsWhatIsThereIntoPlaceAgainAndAgain) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path() / "out", "simulate");
+  results.write("frames/0.ply", "first");
+  results.write("simulation.json", "1 frame");
+  results.publish();
+  EXPECT_EQ(content_of(results.path() / "frames/0.ply"), "first");
+  EXPECT_EQ(listed_files(results.path()), (Names{"frames/0.ply", "simulation.json"}));
+
+  results.write("frames/1.ply", "second");
+  results.write("simulation.json", "2 frames");
+  EXPECT_FALSE(fs::exists(results.path() / "frames/1.ply"));
+  EXPECT_EQ(content_of(results.path() / "simulation.json"), "1 frame");
+  results.commit();
+  EXPECT_EQ(content_of(results.path() / "frames/0.ply"), "first");
+  EXPECT_EQ(content_of(results.path() / "frames/1.ply"), "second");
+  EXPECT_EQ(content_of(results.path() / "simulation.json"), "2 frames");
+  EXPECT_EQ(listed_files(results.path()),
+            (Names{"frames/0.ply", "frames/1.ply", "simulation.json"}));
+  EXPECT_EQ(entries_in(results.path()), 3);  // no staging folder is left
+}
+
+TEST(ResultDirectoryPublish, StaysWhenTheRunEndsWithoutCommit) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  {
+    ResultDirectory results(out, "simulate");
+    results.write("a", "published");
+    results.publish();
+    results.write("a", "half");
+    results.write("b", "half");
+  }
+  EXPECT_EQ(content_of(out / "a"), "published");
+  EXPECT_EQ(listed_files(out), Names{"a"});
+  EXPECT_EQ(entries_in(out), 2);
+}
+
+TEST(ResultDirectoryPublish, RemovesEarlierResultsTheFirstTime) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "simulate", {"frames/0.ply", "frames/1.ply", "energy.csv"});
+  ResultDirectory results(folder.path(), "simulate");
+  results.write("frames/0.ply", "new");
+  EXPECT_TRUE(fs::exists(folder.path() / "energy.csv"));
+  results.publish();
+  EXPECT_EQ(content_of(folder.path() / "frames/0.ply"), "new");
+  EXPECT_FALSE(fs::exists(folder.path() / "frames/1.ply"));
+  EXPECT_FALSE(fs::exists(folder.path() / "energy.csv"));
+  EXPECT_EQ(listed_files(folder.path()), Names{"frames/0.ply"});
+}
+
+TEST(ResultDirectoryPublish, LeavesEverythingAsItWasWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path() / "out", "simulate");
+  results.write("a", "old");
+  results.publish();
+  results.write("a", "new");
+  {
+    const FileSizeLimit limit(10);
+    EXPECT_THROW(results.publish(), OutputError);
+  }
+  EXPECT_EQ(content_of(results.path() / "a"), "old");
+  EXPECT_EQ(listed_files(results.path()), Names{"a"});
+}
+
+TEST(ResultDirectoryPublish, PutsFilesIntoPlaceInTheOrderInWhichTheyWereWritten) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "in-the-way");
+  ResultDirectory results(folder.path(), "simulate");
+  for (const char* name : {"z", "in-the-way", "a"}) results.write(name, "1");
+  EXPECT_THROW(results.publish(), OutputError);
+  EXPECT_TRUE(fs::exists(folder.path() / "z"));
+  EXPECT_FALSE(fs::exists(folder.path() / "a"));
+}
+
+TEST(ResultDirectoryPublish, IsNotPossibleAfterCommit) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path(), "simulate");
+  results.commit();
+  EXPECT_THROW(results.publish(), AssertionError);
+  EXPECT_THROW(results.grow("a"), AssertionError);
+}
+
+TEST(ResultDirectoryGrow, GivesAPlaceThatBelongsToTheResultsAtOnce) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  {
+    ResultDirectory results(out, "simulate");
+    const fs::path file = results.grow("cache/cloth.pc2");
+    EXPECT_EQ(file, out / "cache/cloth.pc2");
+    EXPECT_EQ(listed_files(out), Names{"cache/cloth.pc2"});
+    std::ofstream(file) << "grown";
+  }
+  // The run has died, and the next one may replace what it left.
+  EXPECT_EQ(content_of(out / "cache/cloth.pc2"), "grown");
+  make_results(out, "simulate", {"energy.csv"});
+  EXPECT_FALSE(fs::exists(out / "cache"));
+}
+
+TEST(ResultDirectoryGrow, StaysWhereItIsAtCommit) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path(), "simulate");
+  std::ofstream(results.grow("cloth.pc2")) << "grown";
+  results.write("energy.csv", "1");
+  results.commit();
+  EXPECT_EQ(content_of(folder.path() / "cloth.pc2"), "grown");
+  EXPECT_EQ(listed_files(folder.path()), (Names{"cloth.pc2", "energy.csv"}));
+}
+
+TEST(ResultDirectoryGrow, TakesSafeNamesOnly) {
+  const TemporaryFolder folder;
+  ResultDirectory results(folder.path(), "simulate");
+  EXPECT_THROW(results.grow("../a"), AssertionError);
+}
+
+TEST(ResultDirectoryKeep, AddsToEarlierResults) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "simulate", {"frames/0.ply", "energy.csv"});
+  {
+    ResultDirectory results(folder.path(), "simulate", ResultDirectory::Earlier::keep);
+    results.write("frames/1.ply", "new");
+    results.write("energy.csv", "new");
+    results.commit();
+  }
+  EXPECT_EQ(content_of(folder.path() / "frames/0.ply"), "simulate frames/0.ply");
+  EXPECT_EQ(content_of(folder.path() / "frames/1.ply"), "new");
+  EXPECT_EQ(content_of(folder.path() / "energy.csv"), "new");
+  EXPECT_EQ(listed_files(folder.path()), (Names{"energy.csv", "frames/0.ply", "frames/1.ply"}));
+}
+
+TEST(ResultDirectoryKeep, LeavesThemAsTheyWereWithoutCommit) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "simulate", {"energy.csv"});
+  {
+    ResultDirectory results(folder.path(), "simulate", ResultDirectory::Earlier::keep);
+    results.write("energy.csv", "half");
+  }
+  EXPECT_EQ(content_of(folder.path() / "energy.csv"), "simulate energy.csv");
+  EXPECT_EQ(listed_files(folder.path()), Names{"energy.csv"});
+}
+
+TEST(ResultDirectoryKeep, RefusesWhatIsNotOfTheSameCommand) {
+  const TemporaryFolder folder;
+  make_results(folder.path() / "fit", "fit", {"fit.json"});
+  folder.write("foreign/mine.txt", "precious");
+  for (const char* name : {"fit", "foreign"}) {
+    input_error_of(
+        [&] { ResultDirectory(folder.path() / name, "simulate", ResultDirectory::Earlier::keep); });
+  }
+}
+
+TEST(ResultDirectoryKeep, LeavesNoFolderWhereThereWasNone) {
+  const TemporaryFolder folder;
+  { ResultDirectory(folder.path() / "out", "simulate", ResultDirectory::Earlier::keep); }
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
 TEST(WriteFileAtomically, ReplacesAFileAsAWhole) {

@@ -6,11 +6,13 @@
 #include "pliant/estimation/result_files.h"
 #include "pliant/estimation/study_evaluation.h"
 #include "pliant/estimation/study_fit.h"
+#include "pliant/experiment/simulation_result.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/u3m_import.h"
 #include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/digest.h"
 #include "pliant/io/text_file.h"
+#include "pliant/material/material_file.h"
 
 namespace pliant::test {
 namespace {
@@ -62,6 +64,39 @@ std::vector<NamedDocument> fenced_documents(const fs::path& page) {
   return documents;
 }
 
+/// Scenes, and materials made up for them.
+std::vector<NamedDocument> examples() {
+  std::vector<NamedDocument> documents;
+  for (const fs::path& file : files_in(kSource / "examples")) {
+    const std::string name = file.filename().string();
+    if (file.extension() == ".json") documents.push_back(named(name, read_json(file)));
+    if (file.extension() != ".yaml") continue;
+    documents.push_back(named(name, read_yaml(file)));
+    for (Json& cloth : documents.back().document.document["cloth"]) {
+      cloth["material"] = "spandex.json";  // where it stands while it is read here
+    }
+  }
+  return documents;
+}
+
+/// simulation.json of a scene with everything that it can tell of: clips, fields, steps.
+NamedDocument written_simulation() {
+  const DocumentFolder folder;
+  const Scene scene = read_scene(folder.write(
+      "scene.yaml",
+      "pliant: scene/1\n"
+      "info: {shot: '12'}\n"
+      "cloth: [{name: sheet, mesh: {grid: 1 m x 1 m, nodes: 3x3}, material: spandex.json}]\n"
+      "clips: [{name: left, cloth: sheet, edges: [left], mass: 1 g}]\n"
+      "time: {step: 1 ms, duration: 2 ms}\n"
+      "output: {fields: [strain, friction]}\n"));
+  Simulation simulation(scene, read_material(kSource / "examples" / "assumed-cloth.json"));
+  simulation.record_frame();
+  simulation.advance();
+  const SimulationFacts facts{"pliant simulate", "2024-01-01T00:00:00Z", "0", sha256_of(""), 1, 20};
+  return from_json("simulation.json", simulation_text(simulation, facts));
+}
+
 /// A document with one value replaced; a pointer to nothing adds it.
 NamedDocument changed(const std::string& what, SchemaCase document, const char* pointer,
                       Json value) {
@@ -105,6 +140,7 @@ std::vector<NamedDocument> shipped_documents() {
   NamedDocument lab = named("demo's lab", read_yaml(kSource / "examples" / "demo" / "lab.yaml"));
   lab.document.document["material"] = "spandex.json";  // where it stands while it is read here
   documents.push_back(std::move(lab));
+  for (NamedDocument& example : examples()) documents.push_back(std::move(example));
   for (NamedDocument& example : fenced_documents(kSource / "docs" / "formats.md")) {
     documents.push_back(std::move(example));
   }
@@ -135,6 +171,7 @@ std::vector<NamedDocument> written_documents() {
   }
   const fs::path record = kSource / "tests" / "corpus" / "u3m" / "two_directions.json";
   documents.push_back(from_yaml("study of a U3M file", import_u3m(record).study_yaml));
+  documents.push_back(written_simulation());
   return documents;
 }
 
@@ -248,6 +285,7 @@ std::vector<NamedDocument> broken_scenes() {
       changed("negative damping", scene, "/damping/fraction", -1),
       changed("a step of zero", scene, "/time/step", "0 ms"),
       changed("unknown integrator", scene, "/time/integrator", "euler"),
+      changed("unknown friction", scene, "/time/friction", "coulomb"),
       changed("steps of dynamics", scene, "/time/steps", 20),
       changed("no formats", scene, "/output/formats", Json::array()),
       changed("a format twice", scene, "/output/formats", {"ply", "ply"}),

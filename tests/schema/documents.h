@@ -26,11 +26,11 @@ class DocumentFolder : public TemporaryFolder {
 std::vector<NamedDocument> full_documents();
 
 /// What users find: the examples of docs/formats.md, the materials that come with the program, the
-/// demo's lab.
+/// demo's lab, the example scenes.
 std::vector<NamedDocument> shipped_documents();
 
-/// What the program itself writes from a virtual lab: study, resolved study, material, fit and
-/// evaluation.
+/// What the program itself writes: from a virtual lab study, resolved study, material, fit and
+/// evaluation; from a scene a simulation.
 std::vector<NamedDocument> written_documents();
 
 /// Documents that every reader must refuse, with what is wrong with them as a name.

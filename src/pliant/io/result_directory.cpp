@@ -121,6 +121,7 @@ void ResultDirectory::write(const std::string& relative_name, std::string_view c
   stage(relative_name, content);
   files_.insert(relative_name);
   pending_.insert(relative_name);
+  order_.push_back(relative_name);
 }
 
 void ResultDirectory::publish() {
@@ -137,7 +138,8 @@ void ResultDirectory::publish() {
   for (const std::string& file : std::exchange(earlier_files_, {})) {
     if (!files_.contains(file)) remove_file(directory_, file);
   }
-  for (const std::string& file : std::exchange(pending_, {})) {
+  pending_.clear();
+  for (const std::string& file : std::exchange(order_, {})) {
     move_into_place(staging_ / file, directory_ / file);
   }
   move_into_place(staging_ / kListOfNew, directory_ / kManifestName);
@@ -147,7 +149,11 @@ fs::path ResultDirectory::grow(const std::string& relative_name) {
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
   files_.insert(relative_name);
   publish();
-  return directory_ / relative_name;
+  const fs::path file = directory_ / relative_name;
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) throw OutputError(file.string(), error.message());
+  return file;
 }
 
 void ResultDirectory::commit() {

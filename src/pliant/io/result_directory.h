@@ -46,7 +46,8 @@ class ResultDirectory {
   /// @throws OutputError when writing fails
   void write(const std::string& relative_name, std::string_view content);
 
-  /// Puts what was written so far into place; more can be written afterwards.
+  /// Puts what was written so far into place, in the order in which it was written; more can be
+  /// written afterwards. What tells of other files, such as a checkpoint, is best written last.
   /// @throws OutputError
   void publish();
 
@@ -72,9 +73,10 @@ class ResultDirectory {
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> created_;  // folders made by the constructor, outermost first
   std::set<std::string> earlier_files_;
-  std::set<std::string> files_;    // of this run
-  std::set<std::string> pending_;  // those of them that are not in place yet
-  int lock_ = -1;                  // descriptor of directory_; closing it releases the lock
+  std::set<std::string> files_;     // of this run
+  std::set<std::string> pending_;   // those of them that are not in place yet
+  std::vector<std::string> order_;  // in which the pending ones were written
+  int lock_ = -1;                   // descriptor of directory_; closing it releases the lock
   bool published_ = false;
   bool committed_ = false;
 };

@@ -45,7 +45,8 @@ Syntax syntax_of(const fs::path& path) {
 }
 
 FileInfo document_info(const fs::path& path, const Document& document) {
-  const std::string expected = "study/1, lab/1, scene/1, material/1, fit/1 or evaluation/1";
+  const std::string expected =
+      "study/1, lab/1, scene/1, material/1, fit/1, evaluation/1 or simulation/1";
   const std::optional<std::string> type = document_type(document);
   if (!type) {
     throw InputError({document.file, document.root.line, "pliant"}, "is missing",
@@ -58,6 +59,7 @@ FileInfo document_info(const fs::path& path, const Document& document) {
   if (name == "scene") return scene_info(path);
   if (name == "material") return material_info(path);
   if (name == "fit" || name == "evaluation") return results_file_info(path);
+  if (name == "simulation") return simulation_info(path);
   throw InputError({document.file, document.root.line, "pliant"},
                    "unknown type of document " + quoted_value(*type), expected);
 }

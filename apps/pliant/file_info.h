@@ -38,6 +38,7 @@ FileInfo material_info(const std::filesystem::path& path);
 FileInfo csv_info(const std::filesystem::path& path);
 FileInfo u3m_file_info(const std::filesystem::path& path);
 FileInfo results_file_info(const std::filesystem::path& path);
+FileInfo simulation_info(const std::filesystem::path& path);
 FileInfo directory_info(const std::filesystem::path& path);
 
 }  // namespace pliant

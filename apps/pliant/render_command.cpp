@@ -165,7 +165,7 @@ void add_view_options(CLI::App& command, RenderArguments& arguments) {
 void add_colour_options(CLI::App& command, RenderArguments& arguments) {
   PictureOptions& options = arguments.options;
   command.add_option("--field", options.field,
-                     "Show a field of the frames by colour, e.g. strain_weft");
+                     "Show a field of the frames by colour, e.g. strain.stretch.weft");
   command.add_option("--range", arguments.range, "Values of the first and last colour")
       ->type_name("LOW:HIGH")
       ->needs("--field");
@@ -206,6 +206,12 @@ void add_render(CommandRegistry& registry) {
       ->capture_default_str();
   add_view_options(command, *arguments);
   add_colour_options(command, *arguments);
+  command.footer(
+      "Writes 000000.png, 000001.png, ..., one a frame, all in one view and one range of colours; "
+      "or\n"
+      "contact-sheet.png. Fields are those of the scene's `output: {fields: [strain, friction]}`.\n"
+      "A film of them:  ffmpeg -framerate 25 -i pictures/%06d.png -pix_fmt yuv420p film.mp4\n"
+      "Exit status: 0 done, 1 stopped, 2 bad usage or bad input.");
   registry.on(command, [arguments](CommandContext& context) { run_render(context, *arguments); });
 }
 

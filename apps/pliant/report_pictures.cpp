@@ -1,5 +1,7 @@
 #include "apps/pliant/report_pictures.h"
 
+#include <algorithm>
+
 #include "pliant/render/contact_sheet.h"
 #include "pliant/render/png.h"
 #include "pliant/render/simulation_pictures.h"
@@ -7,8 +9,15 @@
 namespace pliant {
 namespace {
 
-constexpr int kSheetPictures = 9;
-constexpr PictureSize kPictureSize = {400, 300};
+constexpr int kSheetPictures = 6;
+
+/// Small and coarse: a short simulation must not wait for its pictures.
+PictureOptions picture_options() {
+  PictureOptions options;
+  options.size = {400, 300};
+  options.quality.samples = 4;
+  return options;
+}
 
 SimulationFrames with_frames(const SimulationFrames& simulation,
                              std::vector<SimulationFrame> frames) {
@@ -28,21 +37,30 @@ SimulationFrames chosen_frames(const SimulationFrames& simulation) {
 }
 
 std::string motion_picture(const SimulationFrames& simulation, const RunContext& run) {
-  PictureOptions options;
-  options.size = kPictureSize;
+  const PictureOptions options = picture_options();
   const SimulationFrames chosen = chosen_frames(simulation);
   const PictureSetting setting = setting_of(chosen, options, LegendPlace::beside, run);
   return png_bytes(sheet_picture(chosen, chosen.frames, setting, options, run));
+}
+
+/// Names of the fields, strains first.
+std::vector<std::string> field_names(const SimulationFrames& simulation) {
+  std::vector<std::string> names;
+  for (const auto& [name, unit] : simulation.units) names.push_back(name);
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name.starts_with("strain."); });
+  return names;
 }
 
 /// The fields at the last frame, less those that are the same everywhere.
 std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation,
                                          const RunContext& run) {
   const SimulationFrames last = with_frames(simulation, {simulation.frames.back()});
+  PictureOptions options = picture_options();
+  options.colour_map = ColourMap::coolwarm;
+  options.ground = false;
   std::vector<FieldPicture> pictures;
-  for (const auto& [name, unit] : simulation.units) {
-    PictureOptions options;
-    options.size = kPictureSize;
+  for (const std::string& name : field_names(simulation)) {
     options.field = name;
     const PictureSetting setting = setting_of(last, options, LegendPlace::in_picture, run);
     if (!(setting.legend->scale.low < setting.legend->scale.high)) continue;

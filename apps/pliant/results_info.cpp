@@ -155,12 +155,14 @@ FileInfo directory_info(const fs::path& path) {
   const bool results = fs::exists(path / "fit.json") || fs::exists(path / "evaluation.json");
   const bool fitted = manifest && (manifest->command == "fit" || manifest->command == "evaluate");
   if (manifest) refuse_missing_files(path, *manifest);
-  if (!results && !fitted && !fs::exists(path / "study.yaml")) {
+  const bool simulated = fs::exists(path / "simulation.json");
+  if (!results && !fitted && !simulated && !fs::exists(path / "study.yaml")) {
     throw InputError({path.string(), 0, ""}, "a directory without study or results",
-                     "one with study.yaml, fit.json or evaluation.json");
+                     "one with study.yaml, fit.json, evaluation.json or simulation.json");
   }
-  FileInfo info =
-      results || fitted ? results_directory_info(path) : study_info(path / "study.yaml");
+  FileInfo info = results || fitted ? results_directory_info(path)
+                  : simulated       ? simulation_info(path)
+                                    : study_info(path / "study.yaml");
   if (manifest) add_manifest(*manifest, info);
   info.json["warnings"] = info.warnings;
   return info;

@@ -27,7 +27,20 @@ struct SimulateArguments {
   std::string fill;
   std::string checkpoint_every;
   bool resume = false;
+  bool no_report = false;
 };
+
+std::optional<double> checkpoint_period(const SimulateArguments& arguments) {
+  const Location where{"--checkpoint-every", 0, ""};
+  if (arguments.checkpoint_every.empty()) return std::nullopt;
+  try {
+    const double period = parse_quantity(arguments.checkpoint_every, Dimension::time);
+    if (period > 0) return period;
+  } catch (const QuantityError& error) {
+    throw InputError(where, error.problem(), error.expected());
+  }
+  throw InputError(where, "is not positive", "e.g. 1 s");
+}
 
 double peak_memory() {
   rusage usage{};
@@ -41,15 +54,16 @@ class SimulationRun {
   SimulationRun(const CommandContext& context, const SimulateArguments& arguments)
       : context_(context),
         arguments_(arguments),
+        checkpoint_period_(checkpoint_period(arguments)),
         scene_(read_scene(arguments.scene)),
         simulation_(scene_, filler()),
         identity_(scene_identity(scene_, arguments.fill)),
         results_(
             arguments.output, "simulate",
             arguments.resume ? ResultDirectory::Earlier::keep : ResultDirectory::Earlier::replace) {
-    if (!arguments.checkpoint_every.empty()) {
-      const double period = parse_quantity(arguments.checkpoint_every, Dimension::time);
-      steps_per_checkpoint_ = std::max(1, static_cast<int>(std::lround(period / scene_.time.step)));
+    if (checkpoint_period_) {
+      const double steps = std::round(*checkpoint_period_ / scene_.time.step);
+      steps_per_checkpoint_ = static_cast<int>(std::clamp(steps, 1.0, 1e9));
     }
   }
 
@@ -63,27 +77,26 @@ class SimulationRun {
     while (!simulation_.is_finished()) {
       if (context_.run.stop.stop_requested()) {
         stop();
+        context_.say("--resume goes on from " + last_state());
         throw Interrupted();
       }
       try {
         simulation_.advance();
-      } catch (const SolverError&) {
+      } catch (const SolverError& error) {
         stop();
-        throw;
+        throw std::runtime_error(
+            fmt::format("{}; the last good state is that of {}", error.what(), last_state()));
       }
       if (simulation_.is_frame()) write_frame();
       if (steps_per_checkpoint_ > 0 && simulation_.now().steps % steps_per_checkpoint_ == 0) {
-        write_checkpoint();
         write_summary();
+        write_checkpoint();
         results_.publish();
       }
       progress.advance(simulation_.now().steps);
     }
     write_summary();
-    results_.publish();
-    results_.write(
-        "report.html",
-        make_simulation_report(results_.path(), report_pictures(results_.path(), context_.run)));
+    if (!arguments_.no_report) write_report();
     results_.commit();
   }
 
@@ -100,6 +113,20 @@ class SimulationRun {
   }
 
  private:
+  void write_report() {
+    results_.publish();  // the report is made of the results
+    results_.write("report.html", make_simulation_report(results_.path(), pictures()));
+  }
+
+  // A simulation that went astray has frames that nobody can draw, but it has a report.
+  SimulationPictures pictures() const {
+    try {
+      return report_pictures(results_.path(), context_.run);
+    } catch (const InputError& error) {
+      return {.missing = std::string("No pictures: ") + error.what()};
+    }
+  }
+
   std::optional<Material> filler() const {
     if (arguments_.fill.empty()) return std::nullopt;
     return read_material(arguments_.fill);
@@ -113,6 +140,7 @@ class SimulationRun {
   void begin() {
     const int points = simulation_.built().vertices;
     if (arguments_.resume) {
+      require_checkpoint();
       simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_,
                                          context_.common.threads));
       if (writes_pc2()) {
@@ -128,6 +156,12 @@ class SimulationRun {
     write_frame();
   }
 
+  void require_checkpoint() const {
+    if (std::filesystem::exists(results_.path() / kCheckpoint)) return;
+    throw InputError({results_.path().string()}, "holds no checkpoint to go on from",
+                     "results of a run with --checkpoint-every, or of one that was stopped");
+  }
+
   void write_frame() {
     const int index = static_cast<int>(simulation_.now().energies.size());
     simulation_.record_frame();
@@ -135,6 +169,7 @@ class SimulationRun {
     if (pc2_) pc2_->append(cloth_points(simulation_));
   }
 
+  // Comes last, so that what it goes on from is in place when it is.
   void write_checkpoint() {
     results_.write(kCheckpoint,
                    checkpoint_bytes(simulation_.now(), identity_, context_.common.threads));
@@ -145,18 +180,22 @@ class SimulationRun {
     results_.write("simulation.json", summary());
   }
 
+  // Leaves what there is so far as results that can be gone on with.
   void stop() {
-    write_checkpoint();
     write_summary();
+    write_checkpoint();
     results_.commit();
-    context_.say(fmt::format("stopped after step {} of {} ({:.6g} s); to go on: --resume from {}",
-                             simulation_.now().steps, scene_.time.step_count(),
-                             simulation_.now().state.time,
-                             (results_.path() / kCheckpoint).string()));
+  }
+
+  std::string last_state() const {
+    return fmt::format("{} (after step {} of {}, at {:.6g} s)",
+                       (results_.path() / kCheckpoint).string(), simulation_.now().steps,
+                       scene_.time.step_count(), simulation_.now().state.time);
   }
 
   const CommandContext& context_;
   const SimulateArguments& arguments_;
+  std::optional<double> checkpoint_period_;  // s, simulated
   Scene scene_;
   Simulation simulation_;
   std::string identity_;
@@ -173,8 +212,10 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           run.simulation().scene().name, run.simulation().built().faces.cols(),
                           now.steps, run.simulation().scene().time.step, now.energies.size(),
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
-  context.say(fmt::format("report: {}",
-                          (std::filesystem::path(arguments.output) / "report.html").string()));
+  if (!arguments.no_report) {
+    context.say(fmt::format("report: {}",
+                            (std::filesystem::path(arguments.output) / "report.html").string()));
+  }
   context.print_json(run.summary());
 }
 
@@ -196,6 +237,14 @@ void add_simulate(CommandRegistry& registry) {
                      "writes one in any case");
   command.add_flag("--resume", arguments->resume,
                    "Go on from the checkpoint in DIR, to the same result");
+  command.add_flag("--no-report", arguments->no_report, "Leave out report.html and its pictures");
+  command.footer(
+      "Writes frames/, energy.csv, simulation.json and report.html; docs/formats.md tells what a\n"
+      "scene may say. `pliant info SCENE` checks one without simulating it.\n"
+      "A first simulation:  pliant simulate examples/curtain.yaml --fill "
+      "examples/assumed-cloth.json\n"
+      "                     -o curtain; pliant render curtain -o pictures.\n"
+      "Exit status: 0 done, 1 it did not converge or was stopped (--resume goes on), 2 bad input.");
   registry.on(command, [arguments](CommandContext& context) { run_simulate(context, *arguments); });
 }
 

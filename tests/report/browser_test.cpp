@@ -10,8 +10,10 @@
 
 #include "pliant/report/embedded_bundle.h"
 #include "pliant/report/report.h"
+#include "pliant/report/simulation_report.h"
 
 #include "report/sample_results.h"
+#include "report/sample_simulation.h"
 
 namespace pliant {
 namespace {
@@ -21,6 +23,7 @@ using ::testing::Not;
 using testing::SampleOptions;
 using testing::TemporaryFolder;
 using testing::write_sample_results;
+using testing::write_sample_simulation;
 using testing::write_text;
 
 /// The first Chromium in PATH; empty when there is none.
@@ -119,6 +122,25 @@ std::string when_drawn(std::string html, const std::string& script) {
               "clearInterval(wait);" +
                   script + "}, 20);</script>");
   return html;
+}
+
+// A picture of one pixel: the policy lets data in.
+TEST_F(BrowserReport, OfASimulationIsDrawnWithItsPictures) {
+  const TemporaryFolder folder;
+  write_sample_simulation(folder.path());
+  const std::string_view pixel(
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\0\0\0\0:~\x9b"
+      "U\0\0\0\nIDATx\x9c"
+      "c`\0\0\0\2\0\1H\xaf\xa4q\0\0\0\0IEND\xae"
+      "B`\x82",
+      67);
+  std::string html = make_simulation_report(folder.path(), {std::string(pixel), {}, ""});
+  html = when_drawn(html, "document.body.dataset.width = document.images[0].naturalWidth;");
+  const std::string document = without_script(document_of(html));
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), 1u);
+  EXPECT_THAT(document, HasSubstr("data-width=\"1\""));
+  EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
+  EXPECT_THAT(document, Not(HasSubstr("data-violation")));
 }
 
 TEST_F(BrowserReport, ALegendEntryHidesItsSeries) {

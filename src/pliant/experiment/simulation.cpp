@@ -1,5 +1,6 @@
 #include "pliant/experiment/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -19,12 +20,20 @@ class Simulation::Stepper {
 
 namespace {
 
-TimeStepOptions time_step_options(const Scene& scene) {
+// 10 uN ([T] 3.4.1), but never more than a thousandth of what a node weighs on earth: with more, a
+// fine mesh would not notice gravity.
+double default_tolerance(const System& system) {
+  constexpr double kOfThesis = 1e-5, kOfWeight = 1e-3;
+  const double weight = kStandardGravity * system.masses().sum() / system.points();
+  return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
+}
+
+TimeStepOptions time_step_options(const Scene& scene, const System& system) {
   TimeStepOptions options;
   options.step = scene.time.step;
   options.integrator = scene.time.integrator;
   options.solve = scene.time.solution;
-  options.tolerance = scene.time.tolerance;
+  options.tolerance = scene.time.tolerance.value_or(default_tolerance(system));
   options.linear_tolerance = scene.time.linear_tolerance;
   options.air = scene.air;
   return options;
@@ -47,7 +56,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
  public:
   TimeSteps(const Scene& scene, const SceneSystem& built)
       : adaptive_(scene.time.adaptive),
-        stepper_(*built.system, time_step_options(scene), built.faces),
+        stepper_(*built.system, time_step_options(scene, *built.system), built.faces),
         step_(scene.time.step) {}
 
   StepSummary advance(State& state) override { return advance(state, step_, 0); }
@@ -88,7 +97,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
 class Simulation::Equilibria : public Simulation::Stepper {
  public:
   Equilibria(const Scene& scene, const SceneSystem& built)
-      : path_(*built.system, options(scene), built.start), step_(scene.time.step) {}
+      : path_(*built.system, options(scene, *built.system), built.start), step_(scene.time.step) {}
 
   StepSummary advance(State& state) override {
     path_.go_on_from(state);
@@ -102,9 +111,9 @@ class Simulation::Equilibria : public Simulation::Stepper {
   }
 
  private:
-  static StaticPathOptions options(const Scene& scene) {
+  static StaticPathOptions options(const Scene& scene, const System& system) {
     StaticPathOptions options;
-    options.newton.tolerance = scene.time.tolerance;
+    options.newton.tolerance = scene.time.tolerance.value_or(default_tolerance(system));
     return options;
   }
 

@@ -5,7 +5,7 @@
 namespace pliant {
 
 /// A potential with parameters of a material, for estimation: how its forces and its history depend
-/// on them along a quasi-static path ([T] Eqs. 3.7, 4.9; DESIGN section 3).
+/// on them along a quasi-static path ([T] Eqs. 3.7, 4.9).
 class ParametricPotential : public HistoryPotential {
  public:
   /// @param all  the parameters of the whole system

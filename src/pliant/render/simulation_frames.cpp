@@ -78,10 +78,15 @@ FrameMesh read_frame(const std::filesystem::path& file) {
   if (ply.positions.empty() || ply.faces.size() == 0) {
     throw InputError({file.string()}, "has no faces", "the surface of a cloth");
   }
+  constexpr double kFarthest = 1e15;  // m; beyond it, products of coordinates overflow in the rays
   FrameMesh mesh;
   static_assert(sizeof(Point3) == 3 * sizeof(double));
   mesh.positions = Eigen::Map<const Eigen::Matrix3Xd>(ply.positions.front().data(), 3,
                                                       std::ssize(ply.positions));
+  if (!(mesh.positions.cwiseAbs().maxCoeff() < kFarthest)) {
+    throw InputError({file.string()}, "has vertices too far away to be drawn",
+                     "coordinates below 1e15 m");
+  }
   mesh.triangles = fan_triangles(ply.faces);
   for (const PlyColumn& column : ply.vertex_columns) {
     mesh.fields[column.name] =

@@ -18,8 +18,10 @@ namespace {
 
 using Align = HtmlTable::Align;
 
+/// Three digits, and all of a whole number that has more.
 std::string number_text(std::optional<double> number) {
-  return number ? format_number(*number, 3) : kNoValue;
+  if (!number) return kNoValue;
+  return std::abs(*number) < 1000 ? format_number(*number, 3) : fmt::format("{:.0f}", *number);
 }
 
 /// `38 ms`: in the unit that leaves the number between 1 and 1000.

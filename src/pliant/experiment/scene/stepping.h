@@ -22,8 +22,9 @@ struct Stepping {
   Integrator integrator = Integrator::backward_euler;
   StepSolve solution = StepSolve::converged;
   std::optional<FrictionForm> friction = FrictionForm::variational;  ///< nothing: left out
-  bool adaptive = false;           ///< steps may be shortened where they fail
-  double tolerance = 1e-5;         ///< N, largest force left at a node of a converged step
+  bool adaptive = false;  ///< steps may be shortened where they fail
+  /// Largest force left at a node of a converged step, N; `default_tolerance` where absent.
+  std::optional<double> tolerance;
   double linear_tolerance = 1e-4;  ///< relative residual of a linearized step's equations
   Location where;
 

@@ -9,8 +9,9 @@ DahlParameters dahl_of(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
 Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// Work, stress and slope of a stretch that lies on one side of zero in every lane: the same solution
-// as `friction_stress`, eight points at once. Plain loops, which become vector instructions.
+// Work, stress and slope of a stretch that lies on one side of zero in every lane: the same
+// solution as `friction_stress`, eight points at once. Plain loops, which become vector
+// instructions.
 struct Lanes {
   Lane work, stress, slope;
 

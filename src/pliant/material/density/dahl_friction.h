@@ -9,9 +9,9 @@ namespace pliant {
 ///
 /// Within a step the friction stress is a function of the new strain alone, the exact solution of
 /// [T] Eq. 5.2 from the last accepted strain: the loading branch above it, the unloading branch
-/// below. It is the derivative of a potential whose second derivative is never below -b; no sign of
-/// the rate is guessed. The slope jumps at the last strain: there it is that of the direction of
-/// the last step.
+/// below. It is the derivative of a potential whose second derivative is never below -b, where both
+/// sides of zero are alike; no sign of the rate is guessed. The slope jumps at the last strain:
+/// there it is that of the direction of the last step.
 ///
 /// History: the friction stress.
 class DahlFriction : public ParametricDensity {

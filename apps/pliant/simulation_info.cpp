@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
+#include "pliant/report/simulation_results.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kDigits = 4;
+
+void describe(const report::SimulationResults& results, FileInfo& info) {
+  info.json["name"] = results.name;
+  info.json["created"] = results.created;
+  info.json["version"] = results.version;
+  info.json["command"] = results.command;
+  info.json["scene"] = results.scene;
+  info.json["finished"] = results.finished;
+  info.json["triangles"] = results.triangles;
+  info.json["vertices"] = results.vertices;
+  info.json["steps"] = results.steps;
+  info.json["time_step"] = results.time_step;
+  info.json["frames"] = results.frames;
+  info.json["last_time"] = results.last_time;
+  info.lines.push_back(labelled("name", results.name));
+  info.lines.push_back(labelled("made", fmt::format("{} by version {}: {}", results.created,
+                                                    results.version, results.command)));
+  info.lines.push_back(
+      labelled("finished", results.finished ? "yes" : "no: `pliant simulate --resume` goes on"));
+  info.lines.push_back(labelled(
+      "mesh", fmt::format("{} vertices, {} triangles", results.vertices, results.triangles)));
+  info.lines.push_back(labelled("steps", fmt::format("{} of {} s", results.steps,
+                                                     format_number(results.time_step, kDigits))));
+  info.lines.push_back(labelled("frames", fmt::format("{}, up to {} s", results.frames,
+                                                      format_number(results.last_time, kDigits))));
+  info.warnings = results.warnings;
+}
+
+}  // namespace
+
+FileInfo simulation_info(const std::filesystem::path& path) {
+  const bool directory = std::filesystem::is_directory(path);
+  if (!directory && path.filename() != "simulation.json") {
+    throw InputError({path.string(), 0, ""}, "results under another name",
+                     "simulation.json in a directory of its own, as the program writes it");
+  }
+  const report::SimulationResults results = report::read_simulation_results(
+      directory ? path : std::filesystem::absolute(path).parent_path());
+  FileInfo info = begin_info(path, directory ? "simulation/1 results" : "simulation/1");
+  describe(results, info);
+  info.json["warnings"] = info.warnings;
+  return info;
+}
+
+}  // namespace pliant

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "report/sample_results.h"
+
+namespace pliant::testing {
+
+/// A results directory as `pliant simulate` writes it, less its frames.
+struct SampleSimulation {
+  std::string name = "curtain";
+  std::string warning = {};
+  bool finished = true;
+  bool energy = true;
+  bool statistics = true;
+};
+
+inline void write_sample_simulation(const std::filesystem::path& directory,
+                                    const SampleSimulation& sample = {}) {
+  constexpr int kFrames = 20;
+  std::string frames, energy = "time_s,kinetic_J,stored_J,work_J,total_J\n";
+  for (int i = 0; i < kFrames; ++i) {
+    frames += fmt::format("{}{{\"index\": {}, \"time\": {}}}", i == 0 ? "" : ", ", i, 0.01 * i);
+    const double stored = 5 - 0.02 * i, work = 0.01 * i;
+    energy += fmt::format("{},{},{},{},{}\n", 0.01 * i, 0.005 * i, stored, work,
+                          stored + work + 0.005 * i);
+  }
+  const std::string numbers =
+      sample.statistics ? R"({"min": 1, "median": 3, "mean": 3.25, "max": 9})" : "null";
+  const std::string seconds =
+      sample.statistics ? R"({"min": 0.011, "median": 0.0125, "mean": 0.014, "max": 0.052})"
+                        : "null";
+  write_text(directory / "simulation.json",
+             fmt::format(
+                 R"({{"pliant": "simulation/1", "name": "{}", "info": {{"lot": "A7"}},
+ "command": "pliant simulate curtain.yaml -o out", "created": "2024-01-01T00:00:00Z",
+ "version": "0.1.0", "scene": "scenes/curtain.yaml", "scene_sha256": "e3b0", "threads": 2,
+ "finished": {}, "triangles": 4800, "vertices": 2501, "steps": 40, "time_step": 0.005,
+ "frames": [{}], "seconds_per_step": {}, "newton_iterations": {}, "linear_iterations": {},
+ "peak_memory_MB": 96, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
+                 sample.name, sample.finished, frames, seconds, numbers, numbers,
+                 sample.energy ? "\"energy.csv\"" : "null",
+                 sample.warning.empty() ? "" : "\"" + sample.warning + "\""));
+  if (sample.energy) write_text(directory / "energy.csv", energy);
+}
+
+}  // namespace pliant::testing

@@ -1,0 +1,146 @@
+#include "pliant/report/simulation_report.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/io/base64.h"
+#include "pliant/report/embedded_bundle.h"
+#include "pliant/report/energy_figure.h"
+
+#include "report/sample_results.h"
+#include "report/sample_simulation.h"
+
+namespace pliant {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::SampleSimulation;
+using testing::TemporaryFolder;
+using testing::write_sample_simulation;
+using testing::write_text;
+
+std::string report_of(const SampleSimulation& sample, const SimulationPictures& pictures = {}) {
+  const TemporaryFolder folder;
+  write_sample_simulation(folder.path(), sample);
+  return make_simulation_report(folder.path(), pictures);
+}
+
+/// The report less the drawing script, whose text is another project's.
+std::string own_text(std::string html) {
+  const std::string_view script = embedded_report_script();
+  const std::size_t begin = script.empty() ? std::string::npos : html.find(script);
+  if (begin != std::string::npos) html.erase(begin, script.size());
+  return html;
+}
+
+TEST(SimulationReport, OpensWithWhatWasDone) {
+  EXPECT_THAT(report_of({}), HasSubstr("Finished: 40 steps of 5 ms for 4800 triangles, 12.5 ms of "
+                                       "computing time a step (median)."));
+}
+
+TEST(SimulationReport, SaysWhereAnUnfinishedSimulationStopped) {
+  const std::string html = report_of({.finished = false});
+  EXPECT_THAT(html, HasSubstr("Not finished: 40 steps of 5 ms"));
+  EXPECT_THAT(html, HasSubstr("It stopped at 200 ms; `pliant simulate --resume` goes on"));
+}
+
+TEST(SimulationReport, HoldsItsFactsItsStepsAndItsWarnings) {
+  const std::string html = report_of({.warning = "bend.warp of cotton was not measured"});
+  EXPECT_THAT(html, HasSubstr("<dt>Scene</dt><dd>curtain.yaml</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dt>Memory</dt><dd>96 MB</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dt>Lost to friction and damping</dt><dd>0.19 J</dd>"));
+  EXPECT_THAT(html, HasSubstr("<td>Newton iterations</td><td class=\"number\">1</td>"
+                              "<td class=\"number\">3</td><td class=\"number\">3.25</td>"));
+  EXPECT_THAT(html, HasSubstr("<li>bend.warp of cotton was not measured</li>"));
+}
+
+TEST(SimulationReport, LeavesOutWhatIsNotThere) {
+  const std::string html = own_text(report_of({.energy = false, .statistics = false}));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Energy</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Steps</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Warnings</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<img")));
+}
+
+TEST(SimulationReport, CarriesItsPictures) {
+  const std::string html = report_of({}, {"motion as png", {{"strain.shear", "shear as png"}}, ""});
+  for (const char* png : {"motion as png", "shear as png"}) {
+    EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64," + base64(png) + "\""));
+  }
+  EXPECT_THAT(html, HasSubstr("alt=\"strain.shear\""));
+}
+
+TEST(SimulationReport, SaysWhyItHasNoPictures) {
+  EXPECT_THAT(report_of({}, {"", {}, "This program cannot draw."}),
+              HasSubstr("<p class=\"note\">This program cannot draw.</p>"));
+}
+
+TEST(SimulationReport, NamesNothingOutsideItselfAndEscapesTextOfTheUser) {
+  const std::string html = own_text(
+      report_of({.name = "</title><script>alert(1)</script>", .warning = "<img src=x onerror=y>"}));
+  for (const char* reference :
+       {"http:", "https:", "<img", " href=", "@import", "url(", "<script>alert"}) {
+    EXPECT_THAT(html, Not(HasSubstr(reference)));
+  }
+  EXPECT_THAT(html, HasSubstr("content=\"default-src 'none';"));
+}
+
+TEST(SimulationReport, RefusesResultsThatAreDamaged) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(make_simulation_report(folder.path(), {}), InputError);
+  write_sample_simulation(folder.path());
+  std::filesystem::remove(folder.path() / "energy.csv");
+  EXPECT_THROW(make_simulation_report(folder.path(), {}), InputError);
+  for (const char* json : {"{", R"({"pliant": "fit/1"})", R"({"pliant": "simulation/2"})",
+                           R"({"pliant": "simulation/1", "energy": "../energy.csv"})",
+                           R"({"pliant": "simulation/1", "steps": "many"})"}) {
+    write_text(folder.path() / "simulation.json", json);
+    EXPECT_THROW(make_simulation_report(folder.path(), {}), InputError) << json;
+  }
+}
+
+report::SimulationResults results_with(report::EnergyTable energy) {
+  report::SimulationResults results;
+  results.energy = std::move(energy);
+  return results;
+}
+
+std::vector<double> values_of(const report::EnergyFigure& energy, std::size_t series) {
+  return energy.figure.traces.at(series).at("y").get<std::vector<double>>();
+}
+
+TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
+  const auto energy = report::energy_figure(
+      results_with({{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}}));
+  ASSERT_EQ(energy.legend.size(), 4u);
+  EXPECT_THAT(values_of(energy, 0), ElementsAre(0, 0.25, 0.125));
+  EXPECT_THAT(values_of(energy, 1), ElementsAre(0, -0.5, -0.75));
+  EXPECT_THAT(values_of(energy, 2), ElementsAre(0, 0.125, 0.375));
+  EXPECT_THAT(values_of(energy, 3), ElementsAre(0, -0.125, -0.25));
+}
+
+TEST(EnergyFigure, OfAPathOfEquilibriaHasNoKineticEnergy) {
+  const auto energy = report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}}));
+  EXPECT_EQ(energy.legend.size(), 3u);
+}
+
+TEST(EnergyFigure, KeepsPeaksOfALongSimulation) {
+  report::EnergyTable table;
+  for (int i = 0; i < 50'000; ++i) {
+    table.time.push_back(0.001 * i);
+    table.kinetic.push_back(i == 31'415 ? 9 : 0.5);
+    table.stored.push_back(0);
+    table.work.push_back(0);
+  }
+  const auto kinetic = values_of(report::energy_figure(results_with(table)), 0);
+  EXPECT_LT(kinetic.size(), 5'000u);
+  EXPECT_THAT(kinetic, ::testing::Contains(9));
+}
+
+}  // namespace
+}  // namespace pliant

@@ -108,7 +108,7 @@ double largest_force(const Coordinates& coordinates, const Configuration& at,
 
 NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
                        LinearSolver& solver, Hessian& hessian, Configuration& at) {
-  constexpr double kFast = 0.2;  // fall of the forces that makes an old factor worth keeping
+  constexpr double kFast = 0.8;  // fall of the forces with which an old factor is worth keeping
   const Coordinates& coordinates = objective.system().coordinates();
   NewtonSummary summary;
   bool has_factor = false;

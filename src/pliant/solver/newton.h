@@ -11,7 +11,7 @@ struct NewtonOptions {
   /// Exact: where the Hessian is not positive definite, its convex stand-in takes its place for the
   /// iteration.
   Curvature curvature = Curvature::exact;
-  /// Steps go on with a factorised Hessian of an earlier iteration while the forces fall fast: for
+  /// Steps go on with a factorised Hessian of an earlier iteration while the forces fall: for
   /// solvers that factorise slowly and solve quickly.
   bool reuse_factor = false;
 };

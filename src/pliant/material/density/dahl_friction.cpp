@@ -46,10 +46,16 @@ struct Lanes {
   }
 };
 
+// Whether nothing changes where strain passes zero.
+bool is_blind_to_zero(const DahlBySide& dahl) {
+  const DahlParameters &p = dahl.positive, &n = dahl.negative;
+  return p.b == 0 && n.b == 0 && p.a == n.a && p.tau == n.tau;
+}
+
 Lanes friction_lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last,
                      const Lane& before, const Lane& from) {
   Lanes lanes(dahl, strain, last, before, from);
-  if ((strain * last).minCoeff() >= 0) return lanes;
+  if (is_blind_to_zero(dahl) || (strain * last).minCoeff() >= 0) return lanes;
   for (int i = 0; i < kLanes; ++i) {
     if (strain(i) * last(i) >= 0) continue;  // does not cross zero
     const FrictionState start{last(i), from(i)};

@@ -34,7 +34,7 @@ void fill(const Json& json, Array& array) {
   const auto& bytes = json.get_binary();
   const size_t size = sizeof(*array.data()) * static_cast<size_t>(array.size());
   if (bytes.size() != size) throw std::length_error("an array of another size");
-  std::memcpy(array.data(), bytes.data(), size);
+  if (size > 0) std::memcpy(array.data(), bytes.data(), size);
 }
 
 template <class T>

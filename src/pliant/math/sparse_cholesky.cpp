@@ -7,6 +7,7 @@ SparseCholesky::SparseCholesky(const BlockMatrix& matrix) : lower_(matrix.lower_
 }
 
 bool SparseCholesky::factorize(const BlockMatrix& matrix) {
+  if (lower_.rows() == 0) return true;
   matrix.copy_to(lower_);
   // A pivot that is not a number would pass for positive.
   if (!lower_.coeffs().allFinite()) return false;
@@ -15,7 +16,7 @@ bool SparseCholesky::factorize(const BlockMatrix& matrix) {
 }
 
 LinearSummary SparseCholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  x = factor_.solve(b);
+  x = b.size() == 0 ? b : Eigen::VectorXd(factor_.solve(b));
   return {};
 }
 

@@ -1,20 +1,18 @@
-#include <ctime>
 #include <sys/resource.h>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/checkpoint.h"
 #include "pliant/experiment/frame_files.h"
 #include "pliant/experiment/simulation_result.h"
-#include "pliant/io/digest.h"
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/report_pictures.h"
+#include "apps/pliant/run_facts.h"
 
 namespace pliant {
 namespace {
@@ -102,14 +100,13 @@ class SimulationRun {
 
   const Simulation& simulation() const { return simulation_; }
   std::string summary() const {
-    SimulationFacts facts;
-    facts.command = context_.command_line();
-    facts.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    facts.version = PLIANT_VERSION;
-    facts.scene_sha256 = sha256_of_file(scene_.file);
-    facts.threads = context_.common.threads;
-    facts.peak_memory = peak_memory();
-    return simulation_text(simulation_, facts);
+    const RunFacts run = run_facts(context_, scene_.file);
+    return simulation_text(simulation_, {.command = run.command,
+                                         .created = run.created,
+                                         .version = run.version,
+                                         .scene_sha256 = run.study_sha256,
+                                         .threads = context_.common.threads,
+                                         .peak_memory = peak_memory()});
   }
 
  private:
@@ -132,24 +129,19 @@ class SimulationRun {
     return read_material(arguments_.fill);
   }
 
-  bool writes_pc2() const {
-    const auto& formats = scene_.output.formats;
-    return std::find(formats.begin(), formats.end(), FrameFormat::pc2) != formats.end();
-  }
-
   void begin() {
     const int points = simulation_.built().vertices;
     if (arguments_.resume) {
       require_checkpoint();
       simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_,
                                          context_.common.threads));
-      if (writes_pc2()) {
+      if (scene_.output.has(FrameFormat::pc2)) {
         pc2_.emplace(Pc2Writer::resume(results_.path() / "cloth.pc2", points,
                                        static_cast<int>(simulation_.now().energies.size())));
       }
       return;
     }
-    if (writes_pc2()) {
+    if (scene_.output.has(FrameFormat::pc2)) {
       results_.write("cloth.obj", cloth_obj(simulation_));
       pc2_.emplace(results_.grow("cloth.pc2"), points);
     }

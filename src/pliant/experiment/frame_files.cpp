@@ -15,11 +15,6 @@
 namespace pliant {
 namespace {
 
-bool asks_for(const Simulation& simulation, FrameFormat format) {
-  const auto& formats = simulation.scene().output.formats;
-  return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
 bool asks_for_field(const Simulation& simulation, const std::string& name) {
   const auto& fields = simulation.scene().output.fields;
   const FrameField kind = name.starts_with("friction.") ? FrameField::friction : FrameField::strain;
@@ -133,10 +128,10 @@ std::vector<std::pair<std::string, std::string>> frame_fields(const Simulation& 
 
 std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
   std::vector<NamedFile> files;
-  if (asks_for(simulation, FrameFormat::ply)) {
+  if (simulation.scene().output.has(FrameFormat::ply)) {
     files.emplace_back(fmt::format("frames/{:06}.ply", index), ply_bytes(simulation));
   }
-  if (asks_for(simulation, FrameFormat::vtu)) {
+  if (simulation.scene().output.has(FrameFormat::vtu)) {
     files.emplace_back(fmt::format("frames/{:06}.vtu", index), vtu_bytes(simulation));
   }
   return files;
@@ -145,7 +140,7 @@ std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
 std::vector<NamedFile> series_files(const Simulation& simulation) {
   std::vector<NamedFile> files{{"energy.csv", energy_table(simulation)}};
   if (!simulation.scene().clips.empty()) files.emplace_back("clips.csv", clip_table(simulation));
-  if (asks_for(simulation, FrameFormat::vtu)) {
+  if (simulation.scene().output.has(FrameFormat::vtu)) {
     files.emplace_back("simulation.pvd", pvd_text(simulation));
   }
   return files;

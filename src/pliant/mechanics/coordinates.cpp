@@ -6,15 +6,10 @@
 #include <Eigen/Eigenvalues>
 
 #include "pliant/base/assert.h"
+#include "pliant/math/cross_matrix.h"
 
 namespace pliant {
 namespace {
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector) {
   const double angle = vector.norm();

@@ -20,10 +20,6 @@ class StaticSolver {
   /// @return the work done against friction (J)
   double accept(State& state) const;
 
-  const System& system() const { return system_; }
-  /// d2E / d unknowns^2 at the last configuration that `find_equilibrium` looked at, factorised.
-  const LinearSolver& factor() const { return solver_; }
-
  private:
   const System& system_;
   NewtonOptions options_;

@@ -44,8 +44,6 @@ class TimeStepper {
   StepSummary advance(State& state) { return advance(state, options_.step); }
   StepSummary advance(State& state, double step);
 
-  const TimeStepOptions& options() const { return options_; }
-
  private:
   struct Scheme;  // the weights of the step's formula
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "pliant/experiment/scene/stepping.h"
@@ -20,6 +21,10 @@ struct FrameOutput {
   double every = 0;  ///< s, from one frame to the next; frames stand at 0, every, 2 every, ...
   std::vector<FrameFormat> formats{FrameFormat::ply};
   std::vector<FrameField> fields;
+
+  bool has(FrameFormat format) const {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  }
 };
 
 /// @param value  nothing where the scene says nothing of output

@@ -52,9 +52,10 @@ bool is_blind_to_zero(const DahlBySide& dahl) {
   return p.b == 0 && n.b == 0 && p.a == n.a && p.tau == n.tau;
 }
 
-Lanes friction_lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last,
-                     const Lane& before, const Lane& from) {
-  Lanes lanes(dahl, strain, last, before, from);
+Lanes friction_lanes(const DahlBySide& dahl, int component, const Samples& samples) {
+  const Lane strain = samples.strain.col(component), last = samples.last.col(component);
+  const Lane from = samples.history.col(0);
+  Lanes lanes(dahl, strain, last, samples.before.col(component), from);
   if (is_blind_to_zero(dahl) || (strain * last).minCoeff() >= 0) return lanes;
   for (int i = 0; i < kLanes; ++i) {
     if (strain(i) * last(i) >= 0) continue;  // does not cross zero
@@ -76,9 +77,7 @@ DahlFriction::DahlFriction(int component, const DahlBySide& dahl)
     : component_(component), dahl_(dahl), by_side_(true) {}
 
 void DahlFriction::add(const Samples& samples, const StepTime&, Response& response) const {
-  const Lanes lanes =
-      friction_lanes(dahl_, samples.strain.col(component_), samples.last.col(component_),
-                     samples.before.col(component_), samples.history.col(0));
+  const Lanes lanes = friction_lanes(dahl_, component_, samples);
   response.work += lanes.work;
   response.stress.col(component_) += lanes.stress;
   response.tangent.col(component_ * samples.strain.cols() + component_) += lanes.slope;
@@ -86,9 +85,7 @@ void DahlFriction::add(const Samples& samples, const StepTime&, Response& respon
 
 void DahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneHistory next,
                            Lane& work) const {
-  const Lanes lanes =
-      friction_lanes(dahl_, samples.strain.col(component_), samples.last.col(component_),
-                     samples.before.col(component_), samples.history.col(0));
+  const Lanes lanes = friction_lanes(dahl_, component_, samples);
   next.col(0) = lanes.stress;
   work += lanes.work;
 }

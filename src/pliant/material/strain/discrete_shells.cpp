@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "pliant/math/cross_matrix.h"
+
 namespace pliant {
 namespace {
 
@@ -12,12 +14,6 @@ using Vector = Eigen::Vector3d;
 using RowVector = Eigen::RowVector3d;
 using Matrix = Eigen::Matrix3d;
 using ByEdges = Eigen::Matrix<double, 3, 9>;  // derivatives w.r.t. (edge, side 1, side 2)
-
-Matrix cross_matrix(const Vector& a) {
-  Matrix m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 // One wing of a hinge: the triangle of the edge and a vertex at `side` from the edge's first node.
 // `turn` is 1 for the triangle that has the edge in its own direction, -1 for the other.

@@ -5,6 +5,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/mechanics/cloth.h"
@@ -291,9 +292,11 @@ BENCHMARK(BM_SensitivitiesByConjugateGradients)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 
-// Steps of examples/step-29k.yaml: arguments are the step in ms, friction, and Newton's method.
+// Steps of examples/step-29k.yaml: arguments are the step in ms, friction, Newton's method and
+// threads.
 void BM_Step29k(benchmark::State& run) {
   const HangingSheet sheet(121, 1, run.range(1) != 0, false);
+  sheet.system->set_threads(static_cast<int>(run.range(3)));
   TimeStepOptions options;
   options.step = static_cast<double>(run.range(0)) * 1e-3;
   options.solve = run.range(2) != 0 ? StepSolve::converged : StepSolve::linearized;
@@ -310,14 +313,22 @@ void BM_Step29k(benchmark::State& run) {
   run.counters["newton_iterations"] = newton / static_cast<double>(run.iterations());
 }
 BENCHMARK(BM_Step29k)
-    ->ArgNames({"ms", "friction", "newton"})
-    ->ArgsProduct({{1, 5}, {0, 1}, {0, 1}})
+    ->ArgNames({"ms", "friction", "newton", "threads"})
+    ->ArgsProduct({{1, 5}, {0, 1}, {0, 1}, {1}})
+    ->ArgsProduct({{1, 5}, {1}, {0, 1}, {2}})
+    ->UseRealTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(50);
+
+double bytes_in_use() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
+}
 
 // One linearised step of 1 ms at one edge length and more and more triangles.
 void BM_StepOfTriangles(benchmark::State& run) {
   const int nodes = static_cast<int>(run.range(0));
+  const double before = bytes_in_use();
   const HangingSheet sheet(nodes, (nodes - 1) / 120.0, true, false);
   TimeStepOptions options;
   options.solve = StepSolve::linearized;
@@ -326,6 +337,7 @@ void BM_StepOfTriangles(benchmark::State& run) {
   for (auto _ : run) stepper.advance(state);
   run.SetItemsProcessed(run.iterations() * sheet.mesh.triangle_count());
   run.counters["triangles"] = sheet.mesh.triangle_count();
+  run.counters["bytes_per_triangle"] = (bytes_in_use() - before) / sheet.mesh.triangle_count();
 }
 BENCHMARK(BM_StepOfTriangles)
     ->Arg(72)

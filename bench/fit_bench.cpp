@@ -1,17 +1,15 @@
 // How long a fit takes, and what one sample of a friction path costs, against the thesis' own
 // method.
 
-#include <filesystem>
-#include <fstream>
-
 #include <benchmark/benchmark.h>
 
 #include "pliant/estimation/study_fit.h"
 #include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/strip_pull.h"
-#include "pliant/experiment/virtual_lab.h"
 #include "pliant/experiment/weight_path.h"
 #include "pliant/material/density/dahl_published.h"
+
+#include "support/virtual_lab.h"
 
 namespace {
 
@@ -22,70 +20,33 @@ ComponentLaw spandex() {
   return {ScalarCurve::affine(4.42, 32.19), FrictionLaw::dahl, {0.40, 4.84, 0.088}};
 }
 
-Material spandex_material() {
-  Material material;
-  material.name = "spandex";
-  material.density = 0.157;
-  MaterialComponent& warp = material.components["stretch.warp"];
-  warp.stiffness = spandex().stiffness;
-  warp.friction = ComponentFriction{{0.40, 4.84, 0.088}, {}};
-  return material;
+test::LabFolder measured(const LabExperiment& experiment) {
+  const Material fabric = test::made_up_material("stretch.warp", spandex());
+  return test::LabFolder(test::measurements_of(test::lab_of(fabric, experiment)));
 }
 
-// A study of virtual measurements in a folder of its own.
-class VirtualStudy {
- public:
-  explicit VirtualStudy(const LabExperiment& experiment) {
-    folder_ = std::filesystem::temp_directory_path() / ("pliant-bench-" + experiment.name);
-    std::filesystem::create_directories(folder_);
-    VirtualLab lab{"bench", spandex_material(), 1, 0, {experiment}, {}};
-    for (const auto& [name, text] : make_measurements(lab, {})) {
-      std::ofstream(folder_ / name) << text;
-    }
-    study_ = read_study(folder_ / "study.yaml");
-  }
-  ~VirtualStudy() { std::filesystem::remove_all(folder_); }
-  VirtualStudy(const VirtualStudy&) = delete;
-  VirtualStudy& operator=(const VirtualStudy&) = delete;
-
-  Study& study() { return study_; }
-
- private:
-  std::filesystem::path folder_;
-  Study study_;
-};
-
-LabExperiment hanging_weights() {
-  LabExperiment experiment;
-  experiment.name = "warp-weights";
-  experiment.type = "hanging-weights";
-  experiment.direction = "warp";
-  experiment.clip_mass = 0.02;
-  experiment.peaks = {1, 2, 3, 4, 5, 6};
-  experiment.repeats = 3;
+// Weights of [T] 5.3.2 on spandex, read with a ruler.
+test::LabFolder hung_weights() {
+  LabExperiment experiment = test::hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
-  return experiment;
+  return measured(experiment);
 }
 
-LabExperiment tensile_cycles() {
-  LabExperiment experiment;
-  experiment.name = "warp-cycles";
-  experiment.type = "tensile-cycles";
-  experiment.direction = "warp";
+// Cycles of a tensile tester.
+test::LabFolder tensile_cycles() {
+  LabExperiment experiment = test::strip_cycles({0.15, 0.3, 0.45, 0.6});
   experiment.width = 0.05;
-  experiment.peaks = {0.15, 0.3, 0.45, 0.6};
   experiment.samples = 250;
   experiment.instrument.force_noise = 5e-3;
-  return experiment;
+  return measured(experiment);
 }
 
 // 3 repeats x 6 hanging-weight cycles, 144 rows; data read once, as a fit reads it.
 void fit_hanging_weights(benchmark::State& state, EstimatorKind estimator) {
-  VirtualStudy virtual_study(hanging_weights());
-  virtual_study.study().fit.estimator = estimator;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(fit_study(virtual_study.study(), {}, {}));
-  }
+  const test::LabFolder folder = hung_weights();
+  Study study = folder.study();
+  study.fit.estimator = estimator;
+  for (auto _ : state) benchmark::DoNotOptimize(fit_study(study, {}, {}));
 }
 BENCHMARK_CAPTURE(fit_hanging_weights, path, EstimatorKind::path)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fit_hanging_weights, anchor_as_published, EstimatorKind::anchor)
@@ -93,10 +54,9 @@ BENCHMARK_CAPTURE(fit_hanging_weights, anchor_as_published, EstimatorKind::ancho
 
 // Four nested cycles of a tensile tester, Hermite stiffness grown up to five control points.
 void fit_tensile_cycles(benchmark::State& state) {
-  VirtualStudy virtual_study(tensile_cycles());
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(fit_study(virtual_study.study(), {}, {}));
-  }
+  const test::LabFolder folder = tensile_cycles();
+  const Study study = folder.study();
+  for (auto _ : state) benchmark::DoNotOptimize(fit_study(study, {}, {}));
 }
 BENCHMARK(fit_tensile_cycles)->Unit(benchmark::kMillisecond);
 

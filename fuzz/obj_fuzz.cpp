@@ -24,6 +24,7 @@ void require_sound(const pliant::ObjMesh& mesh) {
   }
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) require(mesh.faces[i].size() >= 3);
   require(mesh.face_lines.size() == mesh.faces.size());
+  require(mesh.vertex_lines.size() == mesh.positions.size());
 }
 
 }  // namespace

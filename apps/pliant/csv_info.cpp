@@ -149,6 +149,13 @@ std::vector<std::string> usable_types(const std::map<std::string, UnderstoodColu
   if (has("angle", Dimension::angle) && has("force", Dimension::force_per_length)) {
     types.emplace_back("shear-cycles");
   }
+  if (has("curvature", Dimension::curvature) && has("moment", Dimension::force)) {
+    types.emplace_back("pure-bending");
+  }
+  if (has("x", Dimension::length) && has("y", Dimension::length)) {
+    if (has("overhang", Dimension::length)) types.emplace_back("cantilever");
+    if (has("radius", Dimension::length)) types.emplace_back("rolled-strip");
+  }
   if (force && has("distance", Dimension::length)) types.emplace_back("buckling-bend");
   return types;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/checkpoint.h"
 #include "pliant/experiment/u3m_file.h"
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/io/document.h"
@@ -81,6 +82,8 @@ std::string labelled(std::string_view label, std::string_view text, int indent) 
 FileInfo describe_file(const fs::path& path) {
   if (fs::is_directory(path)) return directory_info(path);
   if (is_mesh_file(path)) return mesh_info(path);
+  if (lower_case_extension(path) == ".vtu") return vtu_info(path);
+  if (is_checkpoint(path)) return checkpoint_info(path);
   if (is_u3m(path)) return u3m_file_info(path);
   switch (syntax_of(path)) {
     case Syntax::yaml:

@@ -39,6 +39,8 @@ FileInfo csv_info(const std::filesystem::path& path);
 FileInfo u3m_file_info(const std::filesystem::path& path);
 FileInfo results_file_info(const std::filesystem::path& path);
 FileInfo simulation_info(const std::filesystem::path& path);
+FileInfo checkpoint_info(const std::filesystem::path& path);
+FileInfo vtu_info(const std::filesystem::path& path);
 FileInfo directory_info(const std::filesystem::path& path);
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
 
 #include "apps/pliant/file_info.h"
@@ -16,6 +17,7 @@ constexpr int kDigits = 4;
 
 Dimension peak_dimension(const std::string& type) {
   if (type == "hanging-weights") return Dimension::force;
+  if (type == "pure-bending") return Dimension::curvature;
   return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
 }
 
@@ -27,6 +29,14 @@ std::string peaks_text(const LabExperiment& experiment) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string settings_text(const LabExperiment& experiment) {
+  std::vector<std::string> texts;
+  for (const double setting : experiment.settings) {
+    texts.push_back(format_quantity(setting, Dimension::length, kDigits));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 std::string noise_text(const LabExperiment& experiment) {
   const Dimension force =
       experiment.type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
@@ -34,6 +44,16 @@ std::string noise_text(const LabExperiment& experiment) {
     return value > 0 ? format_quantity(value, dimension, kDigits) : std::string("none");
   };
   const Instrument& instrument = experiment.instrument;
+  if (measures_profiles(experiment.type)) {
+    return fmt::format("noise: position {}; resolution: position {}",
+                       text(instrument.length_noise, Dimension::length),
+                       text(instrument.length_resolution, Dimension::length));
+  }
+  if (experiment.type == "pure-bending") {
+    return fmt::format("noise: moment {}; resolution: moment {}",
+                       text(instrument.force_noise, force),
+                       text(instrument.force_resolution, force));
+  }
   return fmt::format("noise: force {}, length {}; resolution: force {}, length {}",
                      text(instrument.force_noise, force),
                      text(instrument.length_noise, Dimension::length),
@@ -53,6 +73,7 @@ Json experiment_json(const LabExperiment& experiment) {
           {"type", experiment.type},
           {"direction", experiment.direction},
           {"peaks", experiment.peaks},
+          {"settings", experiment.settings},
           {"repeats", experiment.repeats},
           {"force_noise", instrument.force_noise},
           {"length_noise", instrument.length_noise},
@@ -60,11 +81,27 @@ Json experiment_json(const LabExperiment& experiment) {
           {"length_resolution", instrument.length_resolution}};
 }
 
+void add_profile_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  const bool rolled = experiment.type == "rolled-strip";
+  lines.push_back(labelled(experiment.name, experiment.type + ", " + experiment.direction));
+  if (rolled) {
+    lines.push_back(labelled(
+        "strip", format_quantity(experiment.length, Dimension::length, kDigits) + " long", 1));
+  }
+  lines.push_back(labelled(
+      rolled ? "radii" : "overhangs",
+      fmt::format("{}; {} repeat{}, {} points a profile", settings_text(experiment),
+                  experiment.repeats, experiment.repeats == 1 ? "" : "s", experiment.points),
+      1));
+  lines.push_back(labelled("instrument", noise_text(experiment), 1));
+}
+
 void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  if (measures_profiles(experiment.type)) return add_profile_lines(experiment, lines);
   const bool shear = experiment.type == "shear-cycles";
   lines.push_back(labelled(
       experiment.name, shear ? experiment.type : experiment.type + ", " + experiment.direction));
-  if (!shear) {
+  if (!shear && experiment.type != "pure-bending") {
     lines.push_back(
         labelled("strip",
                  fmt::format("{} long, {} wide",

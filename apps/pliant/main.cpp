@@ -49,27 +49,14 @@ int run(CLI::App& app, pliant::CommandRegistry& registry, int argc, char** argv)
       std::cerr, {isatty(STDERR_FILENO) != 0, common.quiet, level_of(common.log_level)});
   pliant::CommandContext context{
       common, {argv, argv + argc}, {progress, stop_flag.token(), common.threads, common.seed}};
-  try {
-    for (auto& [command, action] : registry.actions) {
-      if (app.got_subcommand(command)) action(context);
-    }
-  } catch (const pliant::InputError& error) {
-    return fail(error.what(), 2);
-  } catch (const pliant::Interrupted& error) {
-    return fail(error.what(), 1);
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory", 1);
-  } catch (const std::exception& error) {
-    return fail(error.what(), 1);
+  for (auto& [command, action] : registry.actions) {
+    if (app.got_subcommand(command)) action(context);
   }
   if (!std::cout.flush()) return fail("standard output: cannot be written", 1);
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  stop_on_signals();
+int parse_and_run(int argc, char** argv) {
   CLI::App app(
       "Measures, fits and simulates deformable materials: force-deformation measurements of cloth "
       "in, "
@@ -102,4 +89,21 @@ int main(int argc, char** argv) {
     return 2;
   }
   return run(app, registry, argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  stop_on_signals();
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const pliant::InputError& error) {
+    return fail(error.what(), 2);
+  } catch (const pliant::Interrupted& error) {
+    return fail(error.what(), 1);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
 }

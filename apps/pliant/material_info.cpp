@@ -11,6 +11,7 @@
 
 #include "apps/pliant/component_facts.h"
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/textile_info.h"
 
 namespace pliant {
 namespace {
@@ -106,6 +107,15 @@ Json friction_json(const FrictionFacts& facts) {
   return json;
 }
 
+std::string snapping_text(const FrictionFacts& facts, const ComponentUnits& units) {
+  if (facts.snapping.empty()) return "never: the elastic tangent k + k' strain is b or more";
+  std::vector<std::string> texts;
+  for (const StrainInterval& interval : facts.snapping) {
+    texts.push_back(interval_text(interval, units));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 void add_friction_lines(const std::string& label, const FrictionFacts& facts,
                         const ComponentUnits& units, std::vector<std::string>& lines) {
   lines.push_back(labelled(label,
@@ -117,9 +127,12 @@ void add_friction_lines(const std::string& label, const FrictionFacts& facts,
                                                          ", after saturated unloading"
                                                    : "friction holds every strain of the range",
                            2));
-  if (!facts.appearance) return;
-  lines.push_back(labelled("  by a and k(0) alone", units.strain(facts.appearance->persistent), 2));
-  lines.push_back(labelled("saturation strain", units.strain(facts.appearance->saturation), 2));
+  if (facts.appearance) {
+    lines.push_back(
+        labelled("  by a and k(0) alone", units.strain(facts.appearance->persistent), 2));
+    lines.push_back(labelled("saturation strain", units.strain(facts.appearance->saturation), 2));
+  }
+  lines.push_back(labelled("snaps on unloading", snapping_text(facts, units), 2));
 }
 
 void warn_of_snapping(const std::string& name, const FrictionFacts& facts,
@@ -164,7 +177,8 @@ void add_measured(const std::string& name, const MaterialComponent& component, F
   warn_of_snapping(name + " (negative strain)", *facts.negative_friction, units, info);
 }
 
-Json component_info(const std::string& name, const MaterialComponent& component, FileInfo& info) {
+Json component_info(const Material& material, const std::string& name, FileInfo& info) {
+  const MaterialComponent& component = material.components.at(name);
   const ComponentUnits units{is_bending(name)};
   Json json{{"status", name_of(component.status)}, {"range", nullptr}};
   std::string text(name_of(component.status));
@@ -177,6 +191,9 @@ Json component_info(const std::string& name, const MaterialComponent& component,
   }
   info.lines.push_back(labelled(name, text));
   if (component.stiffness) add_measured(name, component, info, json);
+  if (component.stiffness && units.bending && material.bending_of == "sheet") {
+    json["textile"] = textile_info(material, name, info);
+  }
   return json;
 }
 
@@ -217,7 +234,7 @@ FileInfo material_info(const std::filesystem::path& path) {
   info.lines.push_back(labelled("components", status_counts(material)));
   Json components = Json::object();
   for (const auto& [name, component] : material.components) {
-    components[name] = component_info(name, component, info);
+    components[name] = component_info(material, name, info);
   }
   info.json["components"] = std::move(components);
   if (material.damping_fraction) info.json["damping_fraction"] = *material.damping_fraction;

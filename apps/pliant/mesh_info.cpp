@@ -165,8 +165,8 @@ FileInfo mesh_info(const std::filesystem::path& path) {
   const std::vector<MeshProblem> problems = find_mesh_problems(sheet.mesh, sheet.numbering);
   if (problems.empty()) add_boundary(sheet.mesh, info);
   for (const MeshProblem& problem : problems) {
-    info.warnings.push_back(
-        problem.line > 0 ? fmt::format("line {}: {}", problem.line, problem.text) : problem.text);
+    const std::string line = problem.line > 0 ? fmt::format("line {}: ", problem.line) : "";
+    info.warnings.push_back(fmt::format("{}{}; needed: {}", line, problem.text, problem.expected));
   }
   info.json["left_out"] = polygons.ignored;
   if (!polygons.ignored.empty()) {

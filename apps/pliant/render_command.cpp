@@ -1,5 +1,4 @@
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -24,20 +23,14 @@ struct RenderArguments {
   std::string frames;
   std::string camera, target = "0,0,0";
   double field_of_view = 30;  // degrees
+  std::string view = "three-quarter";
   std::string range;
+  std::string colour_map;
   std::string colour;
   bool no_ground = false;
   int contact_sheet = 0;  // pictures; 0: one picture a frame
   PictureOptions options;
 };
-
-const std::map<std::string, ViewDirection> kViews = {
-    {"front", ViewDirection::front},
-    {"side", ViewDirection::side},
-    {"top", ViewDirection::top},
-    {"three-quarter", ViewDirection::three_quarter}};
-const std::map<std::string, ColourMap> kColourMaps = {{"viridis", ColourMap::viridis},
-                                                      {"coolwarm", ColourMap::coolwarm}};
 
 Camera camera_of(const RenderArguments& arguments) {
   Camera camera;
@@ -67,6 +60,8 @@ void refuse_large_sheet(int count, const PictureSize& size) {
 PictureOptions picture_options(const RenderArguments& arguments) {
   PictureOptions options = arguments.options;
   options.ground = !arguments.no_ground;
+  options.view = parse_view(arguments.view);
+  if (!arguments.colour_map.empty()) options.colour_map = parse_colour_map(arguments.colour_map);
   if (arguments.contact_sheet > 0) options.size = {400, 300};
   if (!arguments.size.empty()) options.size = parse_picture_size(arguments.size);
   if (arguments.contact_sheet > 0) refuse_large_sheet(arguments.contact_sheet, options.size);
@@ -100,7 +95,8 @@ std::string summary_json(const RenderArguments& arguments, const std::vector<std
     json["field"] = {{"name", setting.legend->name},
                      {"unit", setting.legend->unit},
                      {"low", setting.legend->scale.low},
-                     {"high", setting.legend->scale.high}};
+                     {"high", setting.legend->scale.high},
+                     {"percentiles", setting.legend->percentiles}};
   }
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -145,9 +141,9 @@ void run_render(const CommandContext& context, const RenderArguments& arguments)
 }
 
 void add_view_options(CLI::App& command, RenderArguments& arguments) {
-  command.add_option("--view", arguments.options.view, "Seen from, fitted to all frames")
-      ->transform(CLI::CheckedTransformer(kViews).description("{front,side,top,three-quarter}"))
-      ->default_str("three-quarter");
+  command.add_option("--view", arguments.view, "Seen from, fitted to all frames")
+      ->type_name("{front,side,top,three-quarter}")
+      ->capture_default_str();
   command.add_option("--camera", arguments.camera, "Fixed camera in place of --view: X,Y,Z in m")
       ->type_name("X,Y,Z");
   command.add_option("--target", arguments.target, "What --camera looks at (m)")
@@ -166,12 +162,16 @@ void add_colour_options(CLI::App& command, RenderArguments& arguments) {
   PictureOptions& options = arguments.options;
   command.add_option("--field", options.field,
                      "Show a field of the frames by colour, e.g. strain.stretch.weft");
-  command.add_option("--range", arguments.range, "Values of the first and last colour")
+  command
+      .add_option("--range", arguments.range,
+                  "Values of the first and last colour (default: the 2nd and 98th percentile over "
+                  "all frames; with coolwarm, as far on both sides of zero)")
       ->type_name("LOW:HIGH")
       ->needs("--field");
-  command.add_option("--colour-map", options.colour_map, "Colours for --field")
-      ->transform(CLI::CheckedTransformer(kColourMaps).description("{viridis,coolwarm}"))
-      ->default_str("viridis")
+  command
+      .add_option("--colour-map", arguments.colour_map,
+                  "Colours for --field (default: coolwarm where it has both signs, else viridis)")
+      ->type_name("{viridis,coolwarm}")
       ->needs("--field");
   command.add_option("--colour", arguments.colour, "Of cloth without --field")
       ->type_name("#RRGGBB");

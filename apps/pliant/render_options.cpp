@@ -1,11 +1,13 @@
 #include "apps/pliant/render_options.h"
 
+#include <initializer_list>
 #include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
 
 namespace pliant {
@@ -28,6 +30,18 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   throw InputError({option}, quoted_value(text) + " cannot be used", expected);
 }
 
+/// The value that a name stands for.
+template <typename T>
+T named(const std::string& option, const std::string& text,
+        std::initializer_list<std::pair<const char*, T>> choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) {
+    if (text == name) return value;
+    names.emplace_back(name);
+  }
+  throw InputError({option}, quoted_value(text) + did_you_mean(text, names), list_of_names(names));
+}
+
 /// First and last number and step of "FIRST:LAST:STEP".
 struct FrameRange {
   long first = 0;
@@ -39,13 +53,13 @@ std::optional<FrameRange> parse_frame_range(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
   if (parts.size() > 3) return std::nullopt;
   FrameRange range;
-  long* const values[] = {&range.first, &range.last, &range.step};
-  for (size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].empty()) continue;
-    const std::optional<long> number = parse_integer(parts[i]);
-    if (!number || *number < 0) return std::nullopt;
-    *values[i] = *number;
-  }
+  const auto read = [&](size_t part, long& value) {
+    if (part >= parts.size() || parts[part].empty()) return true;
+    const std::optional<long> number = parse_integer(parts[part]);
+    value = number.value_or(-1);
+    return value >= 0;
+  };
+  if (!read(0, range.first) || !read(1, range.last) || !read(2, range.step)) return std::nullopt;
   if (parts.size() == 1) range.last = range.first;
   if (range.step == 0) return std::nullopt;
   return range;
@@ -67,6 +81,19 @@ PictureSize parse_picture_size(const std::string& text) {
                        kLargestSide));
   }
   return size;
+}
+
+ViewDirection parse_view(const std::string& text) {
+  return named<ViewDirection>("--view", text,
+                              {{"front", ViewDirection::front},
+                               {"side", ViewDirection::side},
+                               {"top", ViewDirection::top},
+                               {"three-quarter", ViewDirection::three_quarter}});
+}
+
+ColourMap parse_colour_map(const std::string& text) {
+  return named<ColourMap>("--colour-map", text,
+                          {{"viridis", ColourMap::viridis}, {"coolwarm", ColourMap::coolwarm}});
 }
 
 Eigen::Vector3d parse_point(const std::string& option, const std::string& text) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/render/camera.h"
+#include "pliant/render/colour_map.h"
 #include "pliant/render/render.h"
 #include "pliant/render/simulation_frames.h"
 
@@ -16,6 +18,14 @@ inline constexpr long kMostPixels = 200'000'000;
 /// "800x600": width and height in pixels.
 /// @throws InputError
 PictureSize parse_picture_size(const std::string& text);
+
+/// "front", "side", "top" or "three-quarter".
+/// @throws InputError
+ViewDirection parse_view(const std::string& text);
+
+/// "viridis" or "coolwarm".
+/// @throws InputError
+ColourMap parse_colour_map(const std::string& text);
 
 /// "X,Y,Z".
 /// @param option  as the user wrote it, for the message

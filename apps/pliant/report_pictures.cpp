@@ -57,7 +57,6 @@ std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation,
                                          const RunContext& run) {
   const SimulationFrames last = with_frames(simulation, {simulation.frames.back()});
   PictureOptions options = picture_options();
-  options.colour_map = ColourMap::coolwarm;
   options.ground = false;
   std::vector<FieldPicture> pictures;
   for (const std::string& name : field_names(simulation)) {

@@ -51,6 +51,15 @@ void add_parameter(const report::ResultParameter& parameter, FileInfo& info) {
       1));
 }
 
+std::string error_text(const report::ResultExperiment& experiment) {
+  if (experiment.rms_percent_of_length) {
+    return fmt::format("{} mm, {} % of the strip's length", number_text(experiment.rms_position_mm),
+                       number_text(experiment.rms_percent_of_length));
+  }
+  return fmt::format("{} % of the largest {}", number_text(experiment.rms_percent_of_peak),
+                     experiment.measures_lengths() ? "extension" : "force");
+}
+
 void add_experiment(const report::ResultExperiment& experiment, FileInfo& info) {
   info.json["experiments"].push_back(
       {{"name", experiment.name},
@@ -58,14 +67,13 @@ void add_experiment(const report::ResultExperiment& experiment, FileInfo& info) 
        {"role", experiment.validation ? "validate" : "fit"},
        {"points", experiment.points},
        {"specimens", experiment.specimens},
-       {"rms_percent_of_peak", or_null(experiment.rms_percent_of_peak)}});
-  info.lines.push_back(labelled(
-      experiment.name,
-      fmt::format("{}, {}: error {} % of the largest {}; {} rows", experiment.type,
-                  experiment.validation ? "predicted" : "fitted",
-                  number_text(experiment.rms_percent_of_peak),
-                  experiment.measures_lengths() ? "extension" : "force", experiment.points),
-      1));
+       {"rms_percent_of_peak", or_null(experiment.rms_percent_of_peak)},
+       {"rms_percent_of_length", or_null(experiment.rms_percent_of_length)}});
+  info.lines.push_back(labelled(experiment.name,
+                                fmt::format("{}, {}: error {}; {} rows", experiment.type,
+                                            experiment.validation ? "predicted" : "fitted",
+                                            error_text(experiment), experiment.points),
+                                1));
 }
 
 void describe_results(const report::Results& results, FileInfo& info) {

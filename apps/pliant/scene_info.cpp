@@ -9,6 +9,8 @@
 #include "pliant/experiment/scene/cloth_mesh.h"
 #include "pliant/experiment/scene/held_vertices.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/positive_stiffness.h"
+#include "pliant/material/use_warnings.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -106,6 +108,9 @@ void describe_cloth(const MeshedCloth& meshed, FileInfo& info) {
 
 /// What a simulation would refuse of a material.
 void warn_of_material(const Material& material, FileInfo& info) {
+  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
+    info.warnings.push_back(warning);
+  }
   const auto warn_where_refused = [&](auto check) {
     try {
       check();
@@ -203,22 +208,13 @@ void describe_surroundings(const Scene& scene, FileInfo& info) {
   }
 }
 
-const char* integrator_name(Integrator integrator) {
-  return integrator == Integrator::bdf2 ? "bdf2" : "backward-euler";
-}
-
-const char* friction_name(const std::optional<FrictionForm>& friction) {
-  if (!friction) return "none";
-  return *friction == FrictionForm::linearized ? "linearized" : "variational";
-}
-
 std::string stepping_text(const Stepping& time) {
-  const char* friction = friction_name(time.friction);
+  const char* friction = name_of(time.friction);
   if (time.kind == SimulationKind::quasi_static) {
     return fmt::format("{} equilibria, friction {}", time.step_count(), friction);
   }
   return fmt::format("{} steps of {}, {}, {}, friction {}{}", time.step_count(),
-                     format_quantity(time.step, Dimension::time), integrator_name(time.integrator),
+                     format_quantity(time.step, Dimension::time), name_of(time.integrator),
                      time.solution == StepSolve::linearized ? "solved once" : "converged", friction,
                      time.adaptive ? ", adaptive" : "");
 }
@@ -237,18 +233,17 @@ const char* format_name(FrameFormat format) {
 
 void describe_run(const Scene& scene, FileInfo& info) {
   const Stepping& time = scene.time;
-  const bool dynamic = time.kind == SimulationKind::dynamic;
   // Adaptive steps are counted as if none was shortened.
   const int frames = 1 + static_cast<int>(time.duration / scene.output.every * (1 + 1e-6));
   std::vector<std::string> formats;
   for (const FrameFormat format : scene.output.formats) formats.emplace_back(format_name(format));
-  info.json["kind"] = dynamic ? "dynamic" : "quasi-static";
+  info.json["kind"] = name_of(time.kind);
   info.json["steps"] = time.step_count();
   info.json["time_step"] = time.step;
   info.json["duration"] = time.duration;
   info.json["frames"] = frames;
   info.json["formats"] = formats;
-  info.lines.push_back(labelled(dynamic ? "dynamic" : "quasi-static", stepping_text(time)));
+  info.lines.push_back(labelled(name_of(time.kind), stepping_text(time)));
   info.lines.push_back(labelled(
       "output",
       fmt::format("{} frames, one each {}; {}", frames,

@@ -54,7 +54,7 @@ class SimulationRun {
         arguments_(arguments),
         checkpoint_period_(checkpoint_period(arguments)),
         scene_(read_scene(arguments.scene)),
-        simulation_(scene_, filler()),
+        simulation_(scene_, filler(), context.common.threads),
         identity_(scene_identity(scene_, arguments.fill)),
         results_(
             arguments.output, "simulate",
@@ -67,7 +67,7 @@ class SimulationRun {
 
   void run() {
     for (const std::string& warning : simulation_.built().warnings) {
-      context_.say("warning: " + warning);
+      context_.run.progress.message(Level::warning, warning);
     }
     begin();
     ProgressTask progress(context_.run.progress, "simulating", scene_.time.step_count());
@@ -133,8 +133,7 @@ class SimulationRun {
     const int points = simulation_.built().vertices;
     if (arguments_.resume) {
       require_checkpoint();
-      simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_,
-                                         context_.common.threads));
+      simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_));
       if (scene_.output.has(FrameFormat::pc2)) {
         pc2_.emplace(Pc2Writer::resume(results_.path() / "cloth.pc2", points,
                                        static_cast<int>(simulation_.now().energies.size())));
@@ -163,8 +162,7 @@ class SimulationRun {
 
   // Comes last, so that what it goes on from is in place when it is.
   void write_checkpoint() {
-    results_.write(kCheckpoint,
-                   checkpoint_bytes(simulation_.now(), identity_, context_.common.threads));
+    results_.write(kCheckpoint, checkpoint_bytes(simulation_.now(), identity_));
   }
 
   void write_summary() {

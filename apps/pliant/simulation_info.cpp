@@ -12,6 +12,7 @@ namespace {
 constexpr int kDigits = 4;
 
 void describe(const report::SimulationResults& results, FileInfo& info) {
+  const std::string method = report::method_text(results.method);
   info.json["name"] = results.name;
   info.json["created"] = results.created;
   info.json["version"] = results.version;
@@ -22,6 +23,7 @@ void describe(const report::SimulationResults& results, FileInfo& info) {
   info.json["vertices"] = results.vertices;
   info.json["steps"] = results.steps;
   info.json["time_step"] = results.time_step;
+  info.json["method"] = method;
   info.json["frames"] = results.frames;
   info.json["last_time"] = results.last_time;
   info.lines.push_back(labelled("name", results.name));
@@ -33,6 +35,7 @@ void describe(const report::SimulationResults& results, FileInfo& info) {
       "mesh", fmt::format("{} vertices, {} triangles", results.vertices, results.triangles)));
   info.lines.push_back(labelled("steps", fmt::format("{} of {} s", results.steps,
                                                      format_number(results.time_step, kDigits))));
+  if (!method.empty()) info.lines.push_back(labelled("method", method));
   info.lines.push_back(labelled("frames", fmt::format("{}, up to {} s", results.frames,
                                                       format_number(results.last_time, kDigits))));
   info.warnings = results.warnings;

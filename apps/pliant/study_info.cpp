@@ -85,7 +85,12 @@ std::string specimens_text(const std::vector<std::string>& names) {
 }
 
 void add_strip(const ExperimentSpec& spec, std::vector<std::string>& lines) {
-  if (spec.length == 0 || spec.width == 0) return;
+  if (spec.width == 0) return;
+  if (spec.length == 0) {
+    lines.push_back(
+        labelled("strip", format_quantity(spec.width, Dimension::length, kDigits) + " wide", 1));
+    return;
+  }
   lines.push_back(labelled(
       "strip",
       fmt::format("{} long, {} wide", format_quantity(spec.length, Dimension::length, kDigits),
@@ -145,8 +150,9 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
                            fmt::format("{}: {} rows, {} used, {}", spec.data.written,
                                        experiment.rows(), used, specimens_text(about.specimens)),
                            1));
+  const bool moment = is_bending(about.component);
   lines.push_back(
-      labelled("peak force",
+      labelled(moment ? "peak moment" : "peak force",
                format_quantity(peak_force(path),
                                per_width ? Dimension::force_per_length : Dimension::force, kDigits),
                1));

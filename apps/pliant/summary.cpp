@@ -1,6 +1,11 @@
 #include "apps/pliant/summary.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "pliant/material/bending_strain.h"
 
 namespace pliant {
 namespace {
@@ -12,7 +17,25 @@ std::string uncertainty_text(const ParameterEstimate& p) {
   return fmt::format("+- {:.2g}", *p.std_error);
 }
 
+/// Of strips whose profiles are measured: there is no force, and bending has two sides.
+std::string distance_text(const ExperimentResult& e) {
+  std::string text = fmt::format("{:.3g} mm ({:.2f} % of length", e.rms * 1e3, e.rms_percent);
+  if (e.elastic_rms) text += fmt::format("; best elastic curve: {:.3g} mm", *e.elastic_rms * 1e3);
+  return text + ")";
+}
+
+std::string data_text(const ExperimentResult& e) {
+  if (e.quantity.kind == "distance") {
+    const auto [low, high] = e.strain_range;
+    return fmt::format("curvature to {:.3g} 1/m",
+                       std::max(std::abs(low), std::abs(high)) / kStrainPerCurvature);
+  }
+  return fmt::format("peak {:.3g} {}, strain to {:.3g}", e.peak_force,
+                     e.quantity.kind == "force per width" ? "N/m" : "N", e.strain_range.second);
+}
+
 std::string error_text(const ExperimentResult& e) {
+  if (e.quantity.kind == "distance") return distance_text(e);
   std::string text = fmt::format("{:.2f} % of peak", e.rms_percent);
   if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
   if (e.elastic_percent && e.quantity.kind != "length") {
@@ -25,10 +48,9 @@ std::string error_text(const ExperimentResult& e) {
 
 void say_experiments(const CommandContext& context, const StudyResult& result) {
   for (const ExperimentResult& e : result.experiments) {
-    context.say(fmt::format(
-        "{:<24} {:<9} {} rows, peak {:.3g} {}, strain to {:.3g}: error {}", e.name,
-        e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points, e.peak_force,
-        e.quantity.kind == "force per width" ? "N/m" : "N", e.strain_range.second, error_text(e)));
+    context.say(fmt::format("{:<24} {:<9} {} rows, {}: error {}", e.name,
+                            e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points,
+                            data_text(e), error_text(e)));
   }
   for (const std::string& warning : result.warnings) {
     context.run.progress.message(Level::warning, warning);

@@ -130,6 +130,36 @@ const BadScene kBadScenes[] = {
      "",
      "scene.yaml:4",
      {"stiffness shear", "is -1"}},
+    {"StiffnessThatTurnsNegative",
+     {},
+     {{R"({"curve": "constant", "value": 10})", R"({"curve": "affine", "k1": 10, "k2": -100})"}},
+     "",
+     "scene.yaml:4",
+     {"stiffness shear", "turns negative at strain 0.1", "a `range` of the component"}},
+    {"VertexWithoutFaces",
+     with_file(", unit: m, rest: shape"),
+     {},
+     kSquare + "f 1 2 3\nf 1 3 4\n",
+     "mesh.obj:5",
+     {"vertex 5 belongs to no triangle", "expected only vertices of faces"}},
+    {"MaterialThatIsNoMaterialFile",
+     {{"net.json", "scene.yaml"}},
+     {},
+     "",
+     "scene.yaml:1",
+     {"expected a material file"}},
+    {"NumberThatOverflows",
+     {},
+     {{"\"value\": 10", "\"value\": 1e400"}},
+     "",
+     "net.json:5",
+     {"components.shear.stiffness.value: \"1e400\" is not a finite number"}},
+    {"NoDuration",
+     {{", duration: 20 ms", ""}},
+     {},
+     "",
+     "scene.yaml:6",
+     {"time.duration: is missing; expected a time with its unit"}},
     {"PinOnAVertexThatIsNotThere",
      {{"corners: [top-left, top-right]", "vertices: [3, 25]"}},
      {},
@@ -195,6 +225,17 @@ TEST(RefusedFill, ThatDoesNotKnowTheComponentEither) {
                                       "--fill", folder.file("net.json")});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.last_line(), HasSubstr("shear of the material \"net\" was not measured"));
+}
+
+TEST(RefusedFill, ThatIsAScene) {
+  const SceneFolder folder;
+  folder.write("net.json", kNet);
+  folder.write("scene.yaml", kScene);
+  std::vector<std::string> command = folder.command();
+  command[5] = folder.file("scene.yaml");
+  const ProgramRun run = run_program(command);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), HasSubstr("expected a material file"));
 }
 
 TEST(RefusedFill, OfAnotherStrain) {
@@ -264,6 +305,22 @@ TEST(UnsolvableScene, NeverWritesNaN) {
       expect_no_nan(folder);
     }
   }
+}
+
+TEST(FallingStiffness, IsSimulatedBeyondItsRangeWithoutGainingEnergy) {
+  const SceneFolder folder;
+  folder.write(
+      "net.json",
+      edited_text(kNet, {{R"("stretch.warp": {"stiffness": {"curve": "constant", "value": 30}})",
+                          R"("stretch.warp": {"stiffness": {"curve": "affine", "k1": 30,)"
+                          R"( "k2": -100}, "range": [0, 0.02]})"}}));
+  folder.write("scene.yaml", edited_text(kScene, {{"duration: 20 ms", "duration: 500 ms"}}) +
+                                 "gravity: [0, 0, -300]\n");
+  const ProgramRun run = folder.simulate();
+  EXPECT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(content_of(folder.results() / "simulation.json"));
+  EXPECT_EQ(result["finished"], true);
+  expect_no_nan(folder);
 }
 
 }  // namespace

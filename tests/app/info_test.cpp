@@ -265,6 +265,50 @@ TEST(Info, OfAMaterialWarnsOfSnapping) {
                                 HasSubstr("curvature 56.8"))));
 }
 
+TEST(Info, OfAMaterialTellsWhatTextileInstrumentsWouldRead) {
+  const FileInfo info = describe_file(kSource / "materials" / "doublecloth.json");
+  const auto& textile = info.json["components"]["bend.warp"]["textile"];
+  // Saturated closed forms: 3 k1 + 1800 k2 and 2 (a + 300 b); friction settles within a tau of 8.
+  const double rigidity = 3 * 62.19e-7 + 1800 * 0.07e-7,
+               hysteresis = 2 * (12.84e-4 + 300 * 0.05e-4);
+  EXPECT_NEAR(textile["kes_B_N_m"].get<double>(), rigidity, 1e-5 * rigidity);
+  EXPECT_NEAR(textile["kes_B_gf_cm2_per_cm"].get<double>(), rigidity / 9.80665e-5, 1e-4);
+  EXPECT_NEAR(textile["kes_2HB_gf_cm_per_cm"].get<double>(), hysteresis / 9.80665e-3, 1e-4);
+  EXPECT_FALSE(textile["kes_beyond_range"].get<bool>());
+  const double length = textile["bending_length_m"].get<double>();
+  EXPECT_GT(length, std::cbrt(3 * 62.19e-7 / (0.255 * 9.80665)));  // friction stiffens
+  EXPECT_NEAR(textile["flexural_rigidity_N_m"].get<double>(), 0.255 * 9.80665 * std::pow(length, 3),
+              1e-12);
+  EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("snaps on unloading"), HasSubstr("never"))));
+  EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("KES bending B"), HasSubstr("gf cm^2/cm"))));
+}
+
+TEST(Info, OfAMaterialTellsWhereBendingSnaps) {
+  const FileInfo info = describe_file(kSource / "materials" / "felt.json");
+  EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("snaps on unloading"), HasSubstr("below strain"),
+                                         HasSubstr("curvature 5.2"))));
+}
+
+TEST(Info, OfHingesTellsNoTextileNumbers) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("hinges.json", R"({"pliant": "material/1", "name": "h",
+      "kind": "cloth", "density": 0.2, "bending_of": "hinges", "bending_mesh": "grid", "components":
+      {"bend.warp": {"stiffness": {"curve": "constant", "value": 1e-5}}}})");
+  EXPECT_FALSE(describe_file(file).json["components"]["bend.warp"].contains("textile"));
+}
+
+TEST(Info, OfASheetWithoutDensityTellsNoBendingLength) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("light.json", R"({"pliant": "material/1", "name": "light",
+      "kind": "cloth", "components": {"bend.warp": {"stiffness": {"curve": "constant", "value": 1e-5},
+      "range": [0, 300]}}})");
+  const FileInfo info = describe_file(file);
+  const auto& textile = info.json["components"]["bend.warp"]["textile"];
+  EXPECT_TRUE(textile["bending_length_m"].is_null());
+  EXPECT_TRUE(textile["kes_beyond_range"].get<bool>());
+  EXPECT_NEAR(textile["kes_B_N_m"].get<double>(), 3e-5, 1e-15);
+}
+
 TEST(Info, OfEveryMaterialThatComesWithTheProgramIsGiven) {
   for (const auto& entry : fs::directory_iterator(kSource / "materials")) {
     EXPECT_NO_THROW(describe_file(entry.path())) << entry.path();

@@ -116,6 +116,7 @@ TEST_F(RenderCommand, SaysInJsonWhatItDrew) {
   EXPECT_EQ(json["pictures"], (nlohmann::json{"000000.png", "000001.png"}));
   EXPECT_EQ(json["field"]["name"], "strain_weft");
   EXPECT_NEAR(json["field"]["high"].get<double>(), 0.04, 1e-15);
+  EXPECT_EQ(json["field"]["percentiles"], false);
 }
 
 TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
@@ -126,7 +127,11 @@ TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
       {{"--frames", "a:b"}, "--frames"},
       {{"--frames", "7:9"}, "0 to 4"},
       {{"--frames", "::0"}, "--frames"},
-      {{"--view", "below"}, "--view"},
+      {{"--view", "frnt"},
+       "--view: \"frnt\" (did you mean \"front\"?); expected \"front\", \"side\", \"top\" or "
+       "\"three-quarter\""},
+      {{"--field", "strain_weft", "--colour-map", "jet"},
+       "--colour-map: \"jet\"; expected \"viridis\" or \"coolwarm\""},
       {{"--camera", "1,2"}, "--camera"},
       {{"--camera", "0,0,0"}, "--target"},
       {{"--target", "1,2,3"}, "--camera"},

@@ -41,6 +41,13 @@ TEST(SceneInfo, WarnsOfWhatSimulateWouldRefuse) {
   EXPECT_THAT(info.warnings, Contains(HasSubstr("--fill FILE")));
 }
 
+TEST(SceneInfo, WritesAreasInUnitsThatRead) {
+  const std::string grid = "grid: 100 mm x 100 mm";
+  std::string scene = with_more("");
+  scene.replace(scene.find(grid), grid.size(), "grid: 0.7 m x 1.42857142857 m");
+  EXPECT_THAT(info_of(scene).lines, Contains(HasSubstr("1 m^2,")));
+}
+
 TEST(SceneInfo, RefusesAVertexThatIsNotThere) {
   const InputError error =
       input_error_of([] { info_of(with_more("pins: [{cloth: sheet, vertices: [9]}]\n")); });

@@ -87,9 +87,50 @@ TEST_F(Simulate, LeavesFrictionOutWhereTheSceneSaysNone) {
 
 TEST_F(Simulate, SaysWhatItAssumed) {
   simulate(kShort, "{every: 60 ms}");
-  EXPECT_THAT(run.err, HasSubstr("warning: shear of cotton was not measured: assumed"));
+  EXPECT_THAT(run.err, HasSubstr("warning: shear of \"cotton\" was not measured: that of \"assumed "
+                                 "light cloth\" is assumed"));
   EXPECT_THAT(result["warnings"].get<std::vector<std::string>>(),
-              Contains(HasSubstr("bend.diagonal of cotton")));
+              Contains(HasSubstr("bend.diagonal of \"cotton\"")));
+}
+
+TEST_F(Simulate, WritesFramesAndCheckpointsThatInfoDescribes) {
+  simulate(kShort, "{every: 60 ms, formats: [ply, vtu], fields: [strain]}",
+           {"--checkpoint-every", "40 ms"});
+  const auto info = [&](const char* name) {
+    return json::parse(run_program({"info", (folder.results() / name).string(), "--json"}).out);
+  };
+  const json frame = info("frames/000001.vtu");
+  EXPECT_EQ(frame["vertices"], 81);
+  EXPECT_EQ(frame["cells"], 128);
+  EXPECT_EQ(frame["fields"].size(), result["fields"].size());
+  EXPECT_EQ(frame["fields"][0]["of"], "vertex");
+  EXPECT_TRUE(result["fields"].contains(frame["fields"][0]["name"]));
+  const json checkpoint = info("checkpoint.bin");
+  EXPECT_EQ(checkpoint["type"], "checkpoint/1");
+  EXPECT_EQ(checkpoint["steps"], 4);
+  EXPECT_NEAR(checkpoint["time"].get<double>(), 0.04, 1e-15);
+  EXPECT_EQ(checkpoint["scene_identity"].get<std::string>().size(), 64u);
+
+  std::string damaged = bytes("checkpoint.bin");
+  damaged.back() ^= 1;
+  const auto file = folder.write("damaged.bin", damaged);
+  EXPECT_THAT(run_program({"info", file.string()}).err, HasSubstr("is a damaged checkpoint"));
+}
+
+TEST_F(Simulate, NamesWhatItDoesNotUseOnce) {
+  std::string material = content_of(PLIANT_SOURCE_DIR "/materials/cotton.json");
+  const std::string components = "\"components\": {";
+  material.insert(material.find(components) + components.size(),
+                  R"("stretch.bias": {"stiffness": {"curve": "constant", "value": 5}},)");
+  folder.write("cotton.json", material);
+  folder.write("scene.yaml",
+               edited_text(small_scene(kShort, "{every: 60 ms}"),
+                           {{PLIANT_SOURCE_DIR "/materials/cotton.json",
+                             "cotton.json\n    regions: [{material: cotton.json, faces: [0]}]"}}));
+  const std::string err = folder.simulate().err;
+  const std::string warning = "stretch.bias of \"cotton\" was measured, but";
+  EXPECT_THAT(err, HasSubstr(warning));
+  EXPECT_EQ(err.find(warning), err.rfind(warning));
 }
 
 TEST_F(Simulate, PrintsItsResultAsJson) {

@@ -78,6 +78,7 @@ TEST(UnitScale, KnowsTheSpellingsOfColumnNames) {
   EXPECT_EQ(unit_scale("mm\u00b2", Dimension::area), 1e-6);
   EXPECT_EQ(unit_scale("\u00b5m", Dimension::length), 1e-6);
   EXPECT_EQ(unit_scale("N*m", Dimension::bending_stiffness), 1.0);
+  EXPECT_EQ(unit_scale("gf.cm/cm", Dimension::force), unit_scale("gf cm/cm", Dimension::force));
   EXPECT_EQ(unit_scale("percent", Dimension::fraction), 1e-2);
   EXPECT_EQ(unit_scale("\u00b0", Dimension::angle), unit_scale("deg", Dimension::angle));
   EXPECT_EQ(unit_scale("furlong", Dimension::length), std::nullopt);
@@ -106,6 +107,8 @@ TEST(Units, OfEveryDimensionAreReadBack) {
 TEST(FormatQuantity, ChoosesAReadableUnit) {
   EXPECT_EQ(format_quantity(0.1, Dimension::length), "100 mm");
   EXPECT_EQ(format_quantity(2.0, Dimension::length), "2 m");
+  EXPECT_EQ(format_quantity(1 - 1e-9, Dimension::area), "1 m^2") << "rounded before its unit";
+  EXPECT_EQ(format_quantity(0.9998, Dimension::area), "9998 cm^2");
   EXPECT_EQ(format_quantity(0.3, Dimension::area_density), "300 g/m^2");
   EXPECT_EQ(format_quantity(6.2e-6, Dimension::bending_stiffness), "6.2 uN m");
   EXPECT_EQ(format_quantity(-0.05, Dimension::force), "-50 mN");

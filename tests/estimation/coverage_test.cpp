@@ -140,6 +140,29 @@ TEST_P(SlowCoverage, IntervalsHoldTheTruthWithNuisanceParametersAndNoiseInBothCh
       table);
 }
 
+class SlowBendingCoverage : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SlowBendingCoverage, IntervalsOfPureBendingHoldTheTruthAtTheStatedRate) {
+  const Material fabric = published_fabric(GetParam());
+  LabExperiment experiment;
+  experiment.name = "bending";
+  experiment.type = "pure-bending";
+  experiment.direction = "warp";
+  experiment.peaks = {100, 250};
+  experiment.instrument.force_noise = 50e-6;
+  const auto table =
+      coverage_over_seeds(lab_of(fabric, experiment), "bend.warp", [](VirtualStudy& study) {
+        study.set_model("stiffness: affine");
+        study.set_in_experiment("initial_friction", "unknown");
+      });
+  expect_stated_rates(fmt::format("{}, pure bending, moments +- 50 uN, unknown start", GetParam()),
+                      table);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table52, SlowBendingCoverage,
+                         ::testing::Values("felt", "doublecloth", "paper"),
+                         [](const auto& fabric) { return std::string(fabric.param); });
+
 INSTANTIATE_TEST_SUITE_P(Table51, SlowCoverage, ::testing::Values("cotton", "spandex", "polyester"),
                          [](const auto& fabric) { return std::string(fabric.param); });
 

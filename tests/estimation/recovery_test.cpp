@@ -19,14 +19,10 @@ using test::hung_weights;
 using test::lab_of;
 using test::made_up_material;
 using test::published_fabric;
+using test::relative_error;
 using test::strip_cycles;
 using test::truth_of;
 using test::VirtualStudy;
-
-double relative_error(const StudyResult& result, const Material& truth, const std::string& name) {
-  const double expected = truth_of(truth, name);
-  return std::abs(estimate_named(result, name).value - expected) / expected;
-}
 
 // The project's number; far above rounding and the solver's stopping rule (relative steps of
 // 1e-11).
@@ -152,6 +148,61 @@ TEST(ShearCycles, GiveAffineStiffnessAndFrictionBack) {
   for (const std::string& name : test::names_of(material, "shear")) {
     EXPECT_LT(relative_error(result, material, name), kRecovered) << name;
   }
+}
+
+LabExperiment bent_both_ways(std::vector<double> curvatures) {
+  LabExperiment experiment;
+  experiment.name = "bending";
+  experiment.type = "pure-bending";
+  experiment.direction = "warp";
+  experiment.peaks = std::move(curvatures);
+  return experiment;
+}
+
+/// Table 5.2 of [T], bent as KES-FB2 does.
+StudyResult fit_bending(const Material& fabric, EstimatorKind estimator, int samples) {
+  LabExperiment experiment = bent_both_ways({100, 250});
+  experiment.samples = samples;
+  VirtualStudy study(lab_of(fabric, experiment));
+  study.set_model("stiffness: affine");
+  if (estimator == EstimatorKind::anchor) study.add("fit: {estimator: anchor}");
+  return study.fit();
+}
+
+class BentFabric : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BentFabric, PureBendingGivesAllFiveParametersBack) {
+  const Material fabric = published_fabric(GetParam());
+  const StudyResult result = fit_bending(fabric, EstimatorKind::path, 100);
+  ASSERT_EQ(result.parameters.size(), 5u);
+  for (const std::string& name : test::names_of(fabric, "bend.warp")) {
+    EXPECT_LT(relative_error(result, fabric, name), kRecovered) << name;
+  }
+  EXPECT_EQ(estimate_named(result, "bend.warp.k1").unit, "N m");
+  EXPECT_EQ(estimate_named(result, "bending.moment_offset").unit, "N");
+}
+
+INSTANTIATE_TEST_SUITE_P(Table52, BentFabric, ::testing::Values("felt", "doublecloth", "paper"),
+                         [](const auto& fabric) { return std::string(fabric.param); });
+
+// Whole cycles saturate friction, and samples so dense hold the reversals: what is left is the
+// first rise, which was not saturated, and the offset b tau. The range holds that.
+TEST(AnchorEstimator, FindsBendingStiffnessAndFrictionOfWholeCycles) {
+  const Material fabric = published_fabric("doublecloth");
+  const StudyResult result = fit_bending(fabric, EstimatorKind::anchor, 2000);
+  for (const std::string& name : test::names_of(fabric, "bend.warp")) {
+    EXPECT_LT(relative_error(result, fabric, name), 0.1) << name;
+  }
+}
+
+TEST(PureBending, GivesAStiffnessCurveBackOnItsOwnKnots) {
+  ComponentLaw law;
+  law.stiffness =
+      ScalarCurve::hermite({0, 75, 225, 450, 750}, {6e-6, 4e-6, 3e-6, 4e-6, 8e-6}, true);
+  law.friction_law = FrictionLaw::dahl;
+  law.friction = {5e-4, 2e-6, 20};
+  expect_own_shape_recovered(
+      VirtualStudy(lab_of(made_up_material("bend.warp", law), bent_both_ways({100, 250}))), law);
 }
 
 // Two experiments of one component share its law and are weighed by what noise they show.

@@ -132,12 +132,11 @@ TEST(StudyFit, RefusesAStudyWithNothingToFit) {
 
 TEST(StudyFit, LeavesOutTypesItDoesNotUseYetWithAWarning) {
   VirtualStudy study(lab_of(published_fabric("polyester"), hung_weights()));
-  study.add_to_experiment(
-      "standard: none\n  - {name: roll, type: rolled-strip, data: weights.csv}");
+  study.add_to_experiment("standard: none\n  - {name: finger, type: press, data: weights.csv}");
   const StudyResult result = study.fit();
   EXPECT_EQ(result.experiments.size(), 1u);
   EXPECT_THAT(result.warnings,
-              Contains(AllOf(HasSubstr("rolled-strip"), HasSubstr("left out"), HasSubstr("roll"))));
+              Contains(AllOf(HasSubstr("press"), HasSubstr("left out"), HasSubstr("finger"))));
 }
 
 TEST(Evaluation, GivesTheErrorsOfTheFit) {

@@ -1,6 +1,7 @@
 #include "estimation/virtual_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,55 +27,8 @@ Material published_fabric(const std::string& name) {
   return read_material(std::filesystem::path(PLIANT_SOURCE_DIR) / "materials" / (name + ".json"));
 }
 
-Material made_up_material(const std::string& component, const ComponentLaw& law) {
-  Material material;
-  material.name = "made-up";
-  material.density = 0.15;
-  MaterialComponent part;
-  part.stiffness = law.stiffness;
-  if (law.friction_law == FrictionLaw::dahl) {
-    part.friction = ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, {}};
-  }
-  material.components[component] = part;
-  return material;
-}
-
-LabExperiment hung_weights() {
-  LabExperiment experiment;
-  experiment.name = "weights";
-  experiment.type = "hanging-weights";
-  experiment.direction = "warp";
-  experiment.clip_mass = 0.02;
-  experiment.peaks = {1, 2, 3, 4, 5, 6};
-  experiment.repeats = 3;
-  return experiment;
-}
-
-LabExperiment strip_cycles(std::vector<double> engineering_strains) {
-  LabExperiment experiment;
-  experiment.name = "cycles";
-  experiment.type = "tensile-cycles";
-  experiment.direction = "warp";
-  experiment.width = 0.04;
-  experiment.peaks = std::move(engineering_strains);
-  return experiment;
-}
-
-VirtualLab lab_of(const Material& material, const LabExperiment& experiment) {
-  VirtualLab lab;
-  lab.name = material.name;
-  lab.material = material;
-  lab.experiments = {experiment};
-  return lab;
-}
-
-VirtualStudy::VirtualStudy(const VirtualLab& lab, std::uint64_t seed) {
-  RunContext context;
-  context.seed = seed;
-  for (const auto& [name, content] : make_measurements(lab, context)) {
-    folder_.write(name, content);
-    if (name == "study.yaml") study_ = content;
-  }
+VirtualStudy::VirtualStudy(const VirtualLab& lab, std::uint64_t seed)
+    : folder_(measurements_of(lab, seed)), study_(content_of(folder() / "study.yaml")) {
   if (!study_.ends_with('\n')) study_ += '\n';
 }
 
@@ -126,8 +80,6 @@ VirtualStudy& VirtualStudy::edit_rows(const std::string& file,
 
 void VirtualStudy::write_study() const { folder_.write("study.yaml", study_); }
 
-Study VirtualStudy::study() const { return read_study(folder() / "study.yaml"); }
-
 StudyResult VirtualStudy::fit(const StudyFitOptions& options, int threads) const {
   RunContext context;
   context.threads = threads;
@@ -157,6 +109,11 @@ double truth_of(const Material& material, const std::string& name) {
     if (found != names.end()) return law->parameters()(found - names.begin());
   }
   throw std::invalid_argument("the material has no " + name);
+}
+
+double relative_error(const StudyResult& result, const Material& truth, const std::string& name) {
+  const double expected = truth_of(truth, name);
+  return std::abs(estimate_named(result, name).value - expected) / expected;
 }
 
 }  // namespace pliant::test

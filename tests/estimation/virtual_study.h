@@ -6,26 +6,13 @@
 #include <vector>
 
 #include "pliant/estimation/study_fit.h"
-#include "pliant/experiment/virtual_lab.h"
 
-#include "io/temporary_folder.h"
+#include "support/virtual_lab.h"
 
 namespace pliant::test {
 
 /// A material of Table 5.1 of [T]: "cotton", "spandex" or "polyester".
 Material published_fabric(const std::string& name);
-
-/// A material that has one component.
-Material made_up_material(const std::string& component, const ComponentLaw& law);
-
-/// The weights of [T] 5.3.2: 1 to 6 N in steps of 1 N, three times, a clip of 20 g, 100 mm x 100
-/// mm.
-LabExperiment hung_weights();
-
-/// Cycles of growing amplitude on a strip of 100 mm x 40 mm, and how it is sampled by default.
-LabExperiment strip_cycles(std::vector<double> engineering_strains);
-
-VirtualLab lab_of(const Material& material, const LabExperiment& experiment);
 
 /// The virtual measurements of a lab as files, which a test may edit, and their fit.
 class VirtualStudy {
@@ -46,13 +33,13 @@ class VirtualStudy {
   using Rows = std::vector<std::vector<double>>;
   VirtualStudy& edit_rows(const std::string& file, const std::function<void(Rows&)>& edit);
 
-  Study study() const;
+  Study study() const { return folder_.study(); }
   StudyResult fit(const StudyFitOptions& options = {}, int threads = 1) const;
 
  private:
   void write_study() const;
 
-  TemporaryFolder folder_;
+  LabFolder folder_;
   std::string study_;
 };
 
@@ -61,6 +48,9 @@ ParameterEstimate estimate_named(const StudyResult& result, const std::string& n
 
 /// The true value of a law's parameter in a material.
 double truth_of(const Material& material, const std::string& name);
+
+/// Error of an estimate as a share of the true value.
+double relative_error(const StudyResult& result, const Material& truth, const std::string& name);
 
 /// Names of all parameters of a component's law.
 std::vector<std::string> names_of(const Material& material, const std::string& component);

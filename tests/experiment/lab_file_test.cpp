@@ -1,30 +1,29 @@
 // Reading lab/1 files.
 
 #include <numbers>
-#include <ostream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/base/errors.h"
 #include "pliant/experiment/virtual_lab.h"
 
-#include "io/input_error_of.h"
 #include "io/temporary_folder.h"
+#include "support/refusal.h"
 
 namespace pliant {
 namespace {
 
-using test::input_error_of;
+using test::Refusal;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
-constexpr const char* kMaterial = R"({"pliant": "material/1", "name": "jersey", "kind": "cloth",
+constexpr const char* kMaterial =
+    R"({"pliant": "material/1", "name": "jersey", "kind": "cloth", "density": 0.15,
  "components": {"stretch.warp": {"stiffness": {"curve": "constant", "value": 30}},
                 "stretch.weft": {"stiffness": {"curve": "constant", "value": 30}},
                 "shear": {"stiffness": {"curve": "constant", "value": 3}},
+                "bend.warp": {"stiffness": {"curve": "constant", "value": 1e-5}},
                 "stretch.bias": {"status": "unmeasured"}}})";
 
 constexpr const char* kLab = R"(pliant: lab/1
@@ -37,6 +36,12 @@ experiments:
   - {name: weft, type: tensile-cycles, direction: weft, peaks: [5 %, 10 %], slack: 1 mm, samples: 50,
      noise: {force: 5 mN, length: 10 um}, resolution: {force: 1 mN, length: 10 um}}
   - {name: shear, type: shear-cycles, peaks: [8 deg], transverse_tension: 9.8 N/m, noise: {force: 0.1 N/m}}
+  - {name: bending, type: pure-bending, direction: warp, peaks: [1 1/cm, 250 1/m], noise: {moment: 0.001 gf cm/cm},
+     resolution: {moment: 1 uN}}
+  - {name: overhangs, type: cantilever, direction: warp, overhangs: [4 cm, 80 mm], points: 11}
+  - {name: rolls, type: rolled-strip, direction: warp, length: 12 cm, radii: [5 mm, -1 cm], repeats: 2,
+     noise: {position: 0.1 mm}, resolution: {position: 10 um}}
+  - {name: published, type: rolled-strip, direction: warp}
 validate: ["weft*"]
 )";
 
@@ -52,7 +57,7 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_EQ(lab.specimens, 2);
   EXPECT_DOUBLE_EQ(lab.specimen_variation, 0.03);
   EXPECT_THAT(lab.validate, ElementsAre("weft*"));
-  ASSERT_EQ(lab.experiments.size(), 3U);
+  ASSERT_EQ(lab.experiments.size(), 7U);
   const LabExperiment& hung = lab.experiments[0];
   EXPECT_DOUBLE_EQ(hung.length, 0.1);
   EXPECT_DOUBLE_EQ(hung.width, 0.09);
@@ -70,56 +75,109 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_DOUBLE_EQ(pulled.instrument.force_resolution, 1e-3);
   EXPECT_DOUBLE_EQ(lab.experiments[2].peaks[0], 8 * std::numbers::pi / 180);
   EXPECT_DOUBLE_EQ(lab.experiments[2].transverse_tension, 9.8);
+  EXPECT_THAT(lab.experiments[3].peaks, ElementsAre(100, 250));
+  EXPECT_DOUBLE_EQ(lab.experiments[3].instrument.force_noise, 9.80665e-6);
+  EXPECT_DOUBLE_EQ(lab.experiments[3].instrument.force_resolution, 1e-6);
+  EXPECT_THAT(lab.experiments[4].settings, ElementsAre(0.04, 0.08));
+  EXPECT_EQ(lab.experiments[4].points, 11);
+  EXPECT_EQ(lab.experiments[4].repeats, 1);
+  const LabExperiment& rolled = lab.experiments[5];
+  EXPECT_DOUBLE_EQ(rolled.length, 0.12);
+  EXPECT_THAT(rolled.settings, ElementsAre(0.005, -0.01));
+  EXPECT_EQ(rolled.repeats, 2);
+  EXPECT_DOUBLE_EQ(rolled.instrument.length_noise, 1e-4);
+  EXPECT_DOUBLE_EQ(rolled.instrument.length_resolution, 1e-5);
 }
 
-struct LabRefusal {
-  const char* what;
-  const char* experiment;  ///< on line 4
-  const char* field;
-  const char* message;
-  int line = 4;
-};
-
-void PrintTo(const LabRefusal& refusal, std::ostream* out) { *out << refusal.what; }
-
-class LabFileRefusal : public ::testing::TestWithParam<LabRefusal> {};
-
-TEST_P(LabFileRefusal, NamesLineAndField) {
-  const std::string text = std::string("pliant: lab/1\nmaterial: jersey.json\nexperiments:\n  - ") +
-                           GetParam().experiment + "\n";
-  const InputError error = input_error_of([&] { read_lab_text(text); });
-  if (HasFailure()) return;
-  EXPECT_EQ(error.where().line, GetParam().line);
-  EXPECT_THAT(error.where().field, HasSubstr(GetParam().field));
-  EXPECT_THAT(std::string(error.what()), HasSubstr(GetParam().message));
+// [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
+TEST(LabFile, RollsAroundThePublishedCylindersByDefault) {
+  const VirtualLab lab = read_lab_text(kLab);
+  const LabExperiment& rolled = lab.experiments[6];
+  ASSERT_EQ(rolled.settings.size(), 12u);
+  EXPECT_DOUBLE_EQ(rolled.settings.front(), 0.003);
+  EXPECT_DOUBLE_EQ(rolled.settings.back(), 0.05);
+  EXPECT_EQ(rolled.repeats, 3);
 }
 
-const LabRefusal kRefusals[] = {
-    {"UnknownKey", "{name: w, type: shear-cycles, peaks: [8 deg], repeat: 2}",
+TEST(LabFile, NeedsTheDensityOfAStripThatHangs) {
+  const TemporaryFolder folder;
+  folder.write("light.json", R"({"pliant": "material/1", "name": "light", "kind": "cloth",
+    "components": {"bend.warp": {"stiffness": {"curve": "constant", "value": 1e-5}}}})");
+  const auto lab = folder.write("lab.yaml",
+                                "pliant: lab/1\nmaterial: light.json\nexperiments:\n"
+                                "  - {name: r, type: rolled-strip, direction: warp}\n");
+  const InputError error = test::input_error_of([&] { read_lab(lab); });
+  EXPECT_EQ(error.where().line, 4);
+  EXPECT_THAT(error.problem(), ::testing::HasSubstr("needs the density"));
+}
+
+class LabFileRefusal : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(LabFileRefusal, NamesFileLineAndField) {
+  const TemporaryFolder folder;
+  folder.write("jersey.json", kMaterial);
+  expect_refused(GetParam(), folder.write("lab.yaml", GetParam().text), read_lab);
+}
+
+/// A lab with experiments from line 4 on.
+std::string with_experiments(const std::string& list) {
+  return "pliant: lab/1\nmaterial: jersey.json\nexperiments:\n  - " + list + "\n";
+}
+
+const Refusal kRefusals[] = {
+    {"UnknownKey", with_experiments("{name: w, type: shear-cycles, peaks: [8 deg], repeat: 2}"), 4,
      "experiments[0].repeat", "did you mean \"repeats\"?"},
-    {"KeyOfAnotherType", "{name: w, type: shear-cycles, peaks: [8 deg], slack: 1 mm}",
+    {"KeyOfAnotherType",
+     with_experiments("{name: w, type: shear-cycles, peaks: [8 deg], slack: 1 mm}"), 4,
      "experiments[0].slack", "unknown key"},
-    {"UnknownType", "{name: w, type: shear-cycle, peaks: [8 deg]}", "experiments[0].type",
-     "did you mean \"shear-cycles\"?"},
-    {"PeakOfAnotherKind", "{name: w, type: tensile-cycles, direction: warp, peaks: [8 deg]}",
+    {"UnknownType", with_experiments("{name: w, type: shear-cycle, peaks: [8 deg]}"), 4,
+     "experiments[0].type", "did you mean \"shear-cycles\"?"},
+    {"PeakOfAnotherKind",
+     with_experiments("{name: w, type: tensile-cycles, direction: warp, peaks: [8 deg]}"), 4,
      "experiments[0].peaks[0]", "%"},
-    {"NegativePeak", "{name: w, type: tensile-cycles, direction: warp, peaks: [-5 %]}",
+    {"NegativePeak",
+     with_experiments("{name: w, type: tensile-cycles, direction: warp, peaks: [-5 %]}"), 4,
      "experiments[0].peaks[0]", "not positive"},
-    {"NoPeaks", "{name: w, type: shear-cycles, peaks: []}", "experiments[0].peaks", "is empty"},
-    {"NegativeNoise", "{name: w, type: shear-cycles, peaks: [8 deg], noise: {force: -1 N/m}}",
+    {"NoOverhangs", with_experiments("{name: c, type: cantilever, direction: warp}"), 4,
+     "experiments[0].overhangs", "is missing"},
+    {"ZeroRadius",
+     with_experiments("{name: r, type: rolled-strip, direction: warp, radii: [5 mm, 0 mm]}"), 4,
+     "experiments[0].radii[1]", "is zero"},
+    {"FourPoints", with_experiments("{name: r, type: rolled-strip, direction: warp, points: 4}"), 4,
+     "experiments[0].points", "5"},
+    {"PeaksOfARolledStrip",
+     with_experiments("{name: r, type: rolled-strip, direction: warp, peaks: [5 mm]}"), 4,
+     "experiments[0].peaks", "unknown key"},
+    {"ABendThatTheMaterialLacks",
+     with_experiments("{name: r, type: rolled-strip, direction: weft}"), 4, "experiments[0]",
+     "does not have"},
+    {"NoPeaks", with_experiments("{name: w, type: shear-cycles, peaks: []}"), 4,
+     "experiments[0].peaks", "is empty"},
+    {"NegativeNoise",
+     with_experiments("{name: w, type: shear-cycles, peaks: [8 deg], noise: {force: -1 N/m}}"), 4,
      "experiments[0].noise.force", "is negative"},
-    {"ADirectionTheMaterialLacks", "{name: w, type: tensile-cycles, direction: bias, peaks: [5 %]}",
+    {"ADirectionTheMaterialLacks",
+     with_experiments("{name: w, type: tensile-cycles, direction: bias, peaks: [5 %]}"), 4,
      "experiments[0]", "does not have"},
-    {"ANameThatIsNoFileName", "{name: ../w, type: shear-cycles, peaks: [8 deg]}", "experiments[0]",
-     "name"},
+    {"ForceNoiseOfAMoment",
+     with_experiments(
+         "{name: b, type: pure-bending, direction: warp, peaks: [1 1/cm], noise: {force: 1 uN}}"),
+     4, "experiments[0].noise.force", "unknown key"},
+    {"CurvatureThatIsARadius",
+     with_experiments("{name: b, type: pure-bending, direction: warp, peaks: [4 mm]}"), 4,
+     "experiments[0].peaks[0]", "1/cm"},
+    {"ABendingTheMaterialLacks",
+     with_experiments("{name: b, type: pure-bending, direction: weft, peaks: [1 1/cm]}"), 4,
+     "experiments[0]", "does not have"},
+    {"ANameThatIsNoFileName", with_experiments("{name: ../w, type: shear-cycles, peaks: [8 deg]}"),
+     4, "experiments[0].name", "name"},
     {"TheSameNameTwice",
-     "{name: w, type: shear-cycles, peaks: [8 deg]}\n"
-     "  - {name: w, type: shear-cycles, peaks: [9 deg]}",
-     "experiments[1]", "\"w\"", 5},
+     with_experiments("{name: w, type: shear-cycles, peaks: [8 deg]}\n"
+                      "  - {name: w, type: shear-cycles, peaks: [9 deg]}"),
+     5, "experiments[1].name", "\"w\""},
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, LabFileRefusal, ::testing::ValuesIn(kRefusals),
-                         [](const auto& instance) { return instance.param.what; });
+INSTANTIATE_TEST_SUITE_P(Of, LabFileRefusal, ::testing::ValuesIn(kRefusals), test::name_of_refusal);
 
 }  // namespace
 }  // namespace pliant

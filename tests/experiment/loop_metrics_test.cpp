@@ -59,6 +59,16 @@ TEST(LoopMetrics, OfAParallelogramAreInClosedForm) {
   EXPECT_NEAR(metrics->loop_loss, 2 * kFriction * reach / loading, 1e-12);
 }
 
+TEST(LoopMetrics, LeaveOutTheWayToTheOtherSide) {
+  const LoopRows back = LoopRows().branch(0, 0.1).branch(0.1, 0);
+  const LoopRows through = LoopRows().branch(0, 0.1).branch(0.1, -0.1, kFriction, 201);
+  const auto half = loop_metrics(back.series(), back.path(), 1, 1);
+  const auto whole = loop_metrics(through.series(), through.path(), 1, 1);
+  ASSERT_TRUE(half && whole);
+  EXPECT_NEAR(whole->loop_loss, half->loop_loss, 1e-12);
+  EXPECT_NEAR(whole->hysteresis_ratio, half->hysteresis_ratio, 1e-12);
+}
+
 TEST(LoopMetrics, AreThoseOfTheCycleOfLargestExtension) {
   const LoopRows loop = LoopRows()
                             .branch(kLow, 0.05, 0.1)

@@ -35,9 +35,10 @@ TEST_P(RefusedDataTest, NamesFileLineAndColumn) {
   const StudyFolder folder;
   const auto file = folder.write("data.csv", GetParam().csv);
   std::string entry = std::string("{name: test, data: data.csv, type: ") + GetParam().type;
-  entry += std::string(GetParam().type) == "shear-cycles"
-               ? "}"
-               : ", direction: warp, length: 80 mm, width: 50 mm}";
+  const std::string type = GetParam().type;
+  if (type != "shear-cycles") entry += ", direction: warp, width: 50 mm";
+  if (type != "shear-cycles" && type != "cantilever") entry += ", length: 80 mm";
+  entry += "}";
   const InputError error = input_error_of([&] { folder.experiment(entry); });
   EXPECT_EQ(error.where().file, file.string());
   EXPECT_EQ(error.where().line, GetParam().line);
@@ -48,6 +49,14 @@ TEST_P(RefusedDataTest, NamesFileLineAndColumn) {
 constexpr const char* kWeights = "hanging-weights";
 constexpr const char* kTensile = "tensile-cycles";
 constexpr const char* kShear = "shear-cycles";
+constexpr const char* kBending = "pure-bending";
+constexpr const char* kCantilever = "cantilever";
+constexpr const char* kRolled = "rolled-strip";
+
+// A free end on a circle of 4 mm.
+constexpr const char* kCoil =
+    "radius_mm,point,x_mm,y_mm\n"
+    "8,0,0,0\n8,1,1.9,0.5\n8,2,3.4,1.8\n8,3,4,3.7\n8,4,3.6,5.7\n8,5,2.4,7.2\n8,6,0.6,8\n";
 
 const RefusedData kRefused[] = {
     {"OneRowOfWeights", kWeights, "weight_N,length_mm\n1,80\n", 2, "", "has 1 row;"},
@@ -98,6 +107,45 @@ const RefusedData kRefused[] = {
      "the cell is empty"},
     {"RowOfThreeCells", kTensile, "force_N,length_mm\n1,80\n2,81,7\n3,82\n", 3, "", "has 3 cells"},
     {"RightAngle", kShear, "angle_deg,force_N_per_m\n0,1\n90,2\n4,3\n", 3, "angle", "90 degrees"},
+    {"ConstantMoment", kBending, "curvature_1_per_m,moment_N\n0,1\n50,1\n90,1\n", 2, "moment",
+     "the same in every row"},
+    {"ConstantCurvature", kBending, "curvature_1_per_m,moment_N\n50,1\n50,2\n50,3\n", 2,
+     "curvature", "the same in every row"},
+    {"TwoRowsOfBending", kBending, "curvature_1_per_m,moment_N\n0,1\n50,2\n", 2, "", "has 2 rows;"},
+    {"NoCurvature", kBending, "moment_N\n1\n2\n3\n", 1, "curvature", "no such column"},
+    {"NoMoment", kBending, "curvature_1_per_m\n1\n2\n3\n", 1, "moment", "no such column"},
+    {"RadiusInPlaceOfCurvature", kBending, "curvature_mm,moment_N\n1,1\n2,2\n3,3\n", 1,
+     "curvature_mm", "no unit of curvature"},
+    {"MomentOfTheWholeWidth", kBending, "curvature_1_per_m,moment_gf_cm\n0,1\n50,2\n90,3\n", 1,
+     "moment_gf_cm", "no unit of force"},
+    {"PointsOutOfOrder", kCantilever,
+     "overhang_mm,point,x_mm,y_mm\n40,0,0,0\n40,1,10,0\n40,3,20,-1\n40,2,15,-1\n40,4,40,-4\n", 5,
+     "point", "point 2 comes after point 3"},
+    {"PointsThatCoincide", kCantilever,
+     "overhang_mm,x_mm,y_mm\n40,0,0\n40,10,0\n40,10,0\n40,20,-1\n40,40,-4\n", 4, "x",
+     "stands where the point before it does"},
+    {"AProfileThatFoldsBack", kCantilever,
+     "overhang_mm,x_mm,y_mm\n40,0,0\n40,10,0\n40,20,-1\n40,15,-1\n40,40,-4\n", 5, "x",
+     "turns back here by more than 120 degrees"},
+    {"FourPoints", kRolled, "radius_mm,x_mm,y_mm\n9,0,0\n9,5,0\n9,10,0\n9,15,0\n", 2, "point",
+     "begins a profile of 4 points"},
+    {"ASecondProfileOfTwoPoints", kRolled,
+     "radius_mm,point,x_mm,y_mm\n9,0,0,0\n9,1,5,0\n9,2,10,0\n9,3,15,0\n9,4,20,0\n"
+     "9,0,0,0\n9,1,5,0\n",
+     7, "point", "begins a profile of 2 points"},
+    {"ZeroRadius", kRolled, "radius_mm,x_mm,y_mm\n0,0,0\n0,5,0\n0,10,0\n0,15,0\n0,20,0\n", 2,
+     "radius", "is zero"},
+    {"ACoilTighterThanItsCylinder", kRolled, kCoil, 2, "radius", "the free end kept a radius of"},
+    {"ZeroOverhang", kCantilever, "overhang_mm,x_mm,y_mm\n0,0,0\n0,5,0\n0,10,0\n0,15,0\n0,20,0\n",
+     2, "overhang", "is not positive"},
+    {"NegativeOverhang", kCantilever,
+     "overhang_mm,x_mm,y_mm\n-40,0,0\n-40,5,0\n-40,10,0\n-40,15,0\n-40,20,0\n", 2, "overhang",
+     "is not positive"},
+    {"NoRadius", kRolled, "x_mm,y_mm\n0,0\n5,0\n10,0\n15,0\n20,0\n", 1, "radius", "no such column"},
+    {"NoHeights", kCantilever, "overhang_mm,x_mm\n40,0\n40,5\n40,10\n40,15\n40,20\n", 1, "y",
+     "no such column"},
+    {"PointsWithoutUnit", kCantilever, "overhang_mm,x,y_mm\n40,0,0\n40,5,0\n40,9,0\n", 1, "x",
+     "has no unit"},
     {"CycleThatIsNoNumber", kTensile, "force_N,length_mm,cycle\n1,80,one\n2,81,1\n3,82,1\n", 2,
      "cycle", "\"one\""},
     {"TimeInMillimetres", kTensile, "force_N,length_mm,time_mm\n1,80,1\n2,81,2\n3,82,3\n", 1,
@@ -119,6 +167,20 @@ TEST(RefusedData, ExclusionsBeyondTheDataNameTheStudy) {
   EXPECT_EQ(error.where().line, 5);
   EXPECT_THAT(error.where().field, HasSubstr("experiments[0].exclude"));
   EXPECT_THAT(std::string(error.what()), HasSubstr("rows 3-4 do not exist"));
+}
+
+TEST(RefusedData, AStripThatItsWeightBendsNeedsTheDensity) {
+  const StudyFolder folder;
+  folder.write("data.csv",
+               "overhang_mm,x_mm,y_mm\n40,0,0\n40,10,0\n40,20,-1\n40,30,-2\n40,40,-4\n");
+  const Study study =
+      folder.study("{name: test, data: data.csv, type: cantilever, direction: warp}");
+  const InputError error =
+      input_error_of([&] { make_experiment(study.experiments.front(), 0, study.model.membrane); });
+  EXPECT_EQ(error.where().file, (folder.path() / "study.yaml").string());
+  EXPECT_EQ(error.where().line, 5);
+  EXPECT_EQ(error.where().field, "experiments[0]");
+  EXPECT_THAT(std::string(error.what()), HasSubstr("states no density"));
 }
 
 TEST(RefusedData, ADirectoryIsNoFile) {

@@ -1,49 +1,30 @@
 // Studies that cannot be used are refused with file, line and field.
 
-#include <ostream>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/base/errors.h"
 #include "pliant/experiment/study.h"
 
 #include "experiment/study_text.h"
-#include "io/input_error_of.h"
 #include "io/temporary_folder.h"
+#include "support/refusal.h"
 
 namespace pliant {
 namespace {
 
-using test::input_error_of;
 using test::kWeights;
+using test::Refusal;
 using test::TemporaryFolder;
 using test::with_experiment;
 using test::with_more;
-using ::testing::HasSubstr;
-
-struct Refusal {
-  const char* what;
-  std::string text;
-  int line;
-  const char* field;
-  const char* message;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.what; }
 
 class StudyRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(StudyRefusal, NamesFileLineAndField) {
   const TemporaryFolder folder;
   const auto path = folder.write("study.yaml", GetParam().text);
-  const InputError error = input_error_of([&] { read_study(path); });
-  if (HasFailure()) return;
-  EXPECT_EQ(error.where().file, path.string());
-  EXPECT_EQ(error.where().line, GetParam().line);
-  EXPECT_EQ(error.where().field, GetParam().field);
-  EXPECT_THAT(std::string(error.what()), HasSubstr(GetParam().message));
+  expect_refused(GetParam(), path, read_study);
 }
 
 /// A hanging-weights experiment with further fields on line 5.
@@ -135,13 +116,38 @@ const Refusal kRefusals[] = {
      "experiments[0].clip_mass", "clip_mass"},
     {"ApparatusFrictionOfWeights", with_field("length: 1 m, width: 1 m, apparatus_friction: 0.1 N"),
      5, "experiments[0].apparatus_friction", "apparatus_friction"},
+    {"LengthOfACantilever",
+     with_experiment("{name: c, type: cantilever, direction: warp, data: c.csv,\n  length: 1 m}"),
+     5, "experiments[0].length", "unknown key"},
+    {"RolledStripWithoutLength",
+     with_experiment("{name: r, type: rolled-strip, direction: warp, data: r.csv}"), 4,
+     "experiments[0].length", "is missing"},
+    {"ForceNoiseOfAProfile",
+     with_experiment("{name: c, type: cantilever, direction: warp, data: c.csv,\n"
+                     "     noise: {force: 1 N}}"),
+     5, "experiments[0].noise.force", "unknown key"},
+    {"InitialFrictionOfARolledStrip",
+     with_experiment("{name: r, type: rolled-strip, direction: warp, data: r.csv, length: 1 m,\n"
+                     "     initial_friction: unknown}"),
+     5, "experiments[0].initial_friction", "initial_friction"},
+    {"PositionNoiseOfWeights", with_field("length: 1 m, width: 1 m, noise: {position: 0.1 mm}"), 5,
+     "experiments[0].noise.position", "unknown key"},
+    {"BendingWithoutDirection", with_experiment("{name: b, type: pure-bending, data: b.csv}"), 4,
+     "experiments[0].direction", "is missing"},
+    {"ForceNoiseOfAMoment",
+     with_experiment("{name: b, type: pure-bending, direction: warp, data: b.csv,\n"
+                     "     noise: {force: 1 mN}}"),
+     5, "experiments[0].noise.force", "unknown key"},
+    {"ClipMassOfBending",
+     with_experiment("{name: b, type: pure-bending, direction: warp, data: b.csv,\n"
+                     "     clip_mass: 2 g}"),
+     5, "experiments[0].clip_mass", "clip_mass"},
     {"UnknownInitialFrictionOfWeights",
      with_field("length: 1 m, width: 1 m, initial_friction: unknown"), 5,
      "experiments[0].initial_friction", "initial_friction"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, StudyRefusal, ::testing::ValuesIn(kRefusals),
-                         [](const auto& instance) { return instance.param.what; });
+INSTANTIATE_TEST_SUITE_P(Of, StudyRefusal, ::testing::ValuesIn(kRefusals), test::name_of_refusal);
 
 }  // namespace
 }  // namespace pliant

@@ -33,6 +33,9 @@ experiments:
      pretension: 5.5555555 cN, apparatus_friction: 0.1 N, precondition_cycles: 2, initial_friction: rest,
      rest_length: known, noise: {force: 3 mN, length: 20 um}}
   - {name: c, type: shear-cycles, data: raw/c.csv, transverse_tension: 9.8 N/m, noise: {force: 0.1 N/m}}
+  - {name: e, type: cantilever, direction: weft, data: raw/c.csv, noise: {position: 0.15 mm}}
+  - {name: f, type: rolled-strip, direction: bias, data: raw/c.csv, length: 12.345 cm, width: 1 in}
+  - {name: g, type: pure-bending, direction: warp, data: raw/c.csv, width: 20 cm, initial_friction: rest, noise: {moment: 0.001 gf cm/cm}}
   - {name: d, type: buckling-bend, direction: weft, side: down, data: raw/c.csv, length: 8 cm, width: 5 cm}
 model:
   membrane: soft-constraint

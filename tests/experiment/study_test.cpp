@@ -132,7 +132,7 @@ TEST(Study, ReadsTheOptionsOfTheFit) {
 }
 
 TEST(Study, SupportsTheLoadUnloadTestsAndReadsTheOthers) {
-  for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles"}) {
+  for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending"}) {
     EXPECT_TRUE(is_supported_type(type)) << type;
   }
   const ExperimentSpec spec =

@@ -269,7 +269,7 @@ TEST(U3mImport, BadValuesAreRefusedWhereTheyStand) {
       {{.tree = "[[8, 0], [9, \"much\"]]"}, "raw_data.L.S2.samplesTree[1][1]", "\"much\""},
       {{.tree = "[[8, 0], [9, NaN]]"}, "", "invalid literal"},
       {{.tree = "[[8, \"nan\"]]"}, "raw_data.L.S2.samplesTree[0][1]", "not a finite number"},
-      {{.tree = "[[8, null]]"}, "raw_data.L.S2.samplesTree[0][1]", "is nothing"},
+      {{.tree = "[[8, null]]"}, "raw_data.L.S2.samplesTree[0][1]", "has no value"},
       {{.tree = "[[0, 1]]"}, "raw_data.L.S2.samplesTree[0][0]", "out of range"},
       {{.tree = "[[-8, 1]]"}, "raw_data.L.S2.samplesTree[0][0]", "out of range"},
       {{.tree = "[[8, 1e300]]"}, "raw_data.L.S2.samplesTree[0][1]", "out of range"},

@@ -14,15 +14,16 @@
 #include "pliant/experiment/make_experiment.h"
 #include "pliant/experiment/study.h"
 
-#include "io/temporary_folder.h"
+#include "support/virtual_lab.h"
 
 namespace pliant {
 namespace {
 
-using test::TemporaryFolder;
+using test::hung_weights;
+using test::LabFolder;
+using test::MeasuredFiles;
+using test::measurements_of;
 using ::testing::ElementsAre;
-
-using Files = std::vector<std::pair<std::string, std::string>>;
 
 Material jersey() {
   Material material;
@@ -37,28 +38,18 @@ Material jersey() {
   MaterialComponent& shear = material.components["shear"];
   shear.stiffness = ScalarCurve::hermite({0, 0.05, 0.2}, {30, 40, 45}, true);
   shear.friction = ComponentFriction{{0.8, 1.5, 0.02}, {}};
+  MaterialComponent& bend = material.components["bend.warp"];
+  bend.stiffness = ScalarCurve::affine(6.219e-6, 7e-9);
+  bend.friction = ComponentFriction{{1.284e-3, 5e-6, 7.67}, {}};
   return material;
 }
 
-LabExperiment weights() {
-  LabExperiment experiment;
-  experiment.name = "warp-weights";
-  experiment.type = "hanging-weights";
-  experiment.direction = "warp";
-  experiment.clip_mass = 0.02;
-  experiment.peaks = {1, 2, 3, 4, 5, 6};
-  experiment.repeats = 3;
-  return experiment;
-}
-
 LabExperiment cycles() {
-  LabExperiment experiment;
+  LabExperiment experiment = test::strip_cycles({0.05, 0.1, 0.2});
   experiment.name = "weft-8cm";
-  experiment.type = "tensile-cycles";
   experiment.direction = "weft";
   experiment.length = 0.08;
   experiment.width = 0.05;
-  experiment.peaks = {0.05, 0.1, 0.2};
   experiment.slack = 0.0011;
   return experiment;
 }
@@ -72,21 +63,20 @@ LabExperiment shear() {
   return experiment;
 }
 
+LabExperiment bending() {
+  LabExperiment experiment;
+  experiment.name = "bending";
+  experiment.type = "pure-bending";
+  experiment.direction = "warp";
+  experiment.peaks = {100, 250};  // 1/m
+  return experiment;
+}
+
 VirtualLab lab_of(std::vector<LabExperiment> experiments) {
-  VirtualLab lab;
-  lab.name = "jersey";
-  lab.material = jersey();
-  lab.experiments = std::move(experiments);
-  return lab;
+  return test::lab_of(jersey(), std::move(experiments));
 }
 
-Files measure(const VirtualLab& lab, std::uint64_t seed = 1) {
-  RunContext context;
-  context.seed = seed;
-  return make_measurements(lab, context);
-}
-
-std::string file(const Files& files, const std::string& name) {
+std::string file(const MeasuredFiles& files, const std::string& name) {
   for (const auto& [file_name, content] : files) {
     if (file_name == name) return content;
   }
@@ -97,9 +87,7 @@ std::string file(const Files& files, const std::string& name) {
 /// The study of the files, its experiments made; the files stay while it lives.
 class MeasuredStudy {
  public:
-  explicit MeasuredStudy(const Files& files) {
-    for (const auto& [name, content] : files) folder_.write(name, content);
-    study_ = read_study(folder_.path() / "study.yaml");
+  explicit MeasuredStudy(const MeasuredFiles& files) : folder_(files), study_(folder_.study()) {
     for (const ExperimentSpec& spec : study_.experiments) {
       experiments_.push_back(make_experiment(spec, study_.density, study_.model.membrane));
     }
@@ -108,7 +96,7 @@ class MeasuredStudy {
   const Experiment& operator[](size_t i) const { return *experiments_.at(i); }
 
  private:
-  TemporaryFolder folder_;
+  LabFolder folder_;
   Study study_;
   std::vector<std::unique_ptr<Experiment>> experiments_;
 };
@@ -124,10 +112,10 @@ Eigen::VectorXd residuals(const Experiment& experiment, const Material& material
 TEST(VirtualLab, PathPredictionOfNoiseFreeFilesIsTheirOwnNumbers) {
   for (const MembraneMeasure measure_kind :
        {MembraneMeasure::stvk, MembraneMeasure::soft_constraint}) {
-    VirtualLab lab = lab_of({weights(), cycles(), shear()});
+    VirtualLab lab = lab_of({hung_weights(), cycles(), shear(), bending()});
     lab.material.membrane = measure_kind;
-    const MeasuredStudy measured(measure(lab));
-    for (size_t i = 0; i < 3; ++i) {
+    const MeasuredStudy measured(measurements_of(lab));
+    for (size_t i = 0; i < 4; ++i) {
       // Reversals between samples are found again from the samples, to rounding.
       EXPECT_LT(residuals(measured[i], lab.material).cwiseAbs().maxCoeff(), 1e-12)
           << measured[i].info().name;
@@ -138,7 +126,7 @@ TEST(VirtualLab, PathPredictionOfNoiseFreeFilesIsTheirOwnNumbers) {
 TEST(VirtualLab, RefusesSoFewRowsThatReversalsCannotBeFoundAgain) {
   VirtualLab lab = lab_of({cycles()});
   lab.experiments[0].samples = 20;
-  EXPECT_THROW(measure(lab), InputError);
+  EXPECT_THROW(measurements_of(lab), InputError);
 }
 
 TEST(VirtualLab, PathPredictionHoldsWhereverTurnsFallBetweenSamples) {
@@ -149,7 +137,7 @@ TEST(VirtualLab, PathPredictionHoldsWhereverTurnsFallBetweenSamples) {
       experiment.samples = samples;
       experiment.repeats = 2;
     }
-    const MeasuredStudy measured(measure(lab));
+    const MeasuredStudy measured(measurements_of(lab));
     for (size_t i = 0; i < 2; ++i) {
       EXPECT_LT(residuals(measured[i], lab.material).cwiseAbs().maxCoeff(), 1e-12)
           << measured[i].info().name << ", " << samples << " samples";
@@ -158,10 +146,10 @@ TEST(VirtualLab, PathPredictionHoldsWhereverTurnsFallBetweenSamples) {
 }
 
 TEST(VirtualLab, ReadsBackAsTheStudyThatWasAskedFor) {
-  VirtualLab lab = lab_of({weights(), cycles(), shear()});
+  VirtualLab lab = lab_of({hung_weights(), cycles(), shear()});
   lab.material.membrane = MembraneMeasure::soft_constraint;
   lab.validate = {"weft-*"};
-  const MeasuredStudy measured(measure(lab));
+  const MeasuredStudy measured(measurements_of(lab));
   const Study& study = measured.study();
   EXPECT_EQ(study.name, "jersey");
   EXPECT_DOUBLE_EQ(study.density, 0.157);
@@ -179,18 +167,18 @@ TEST(VirtualLab, ReadsBackAsTheStudyThatWasAskedFor) {
 TEST(VirtualLab, AMaterialWithoutDensityMakesAStudyWithoutOne) {
   VirtualLab lab = lab_of({cycles()});
   lab.material.density = 0;
-  EXPECT_EQ(MeasuredStudy(measure(lab)).study().density, 0);
+  EXPECT_EQ(MeasuredStudy(measurements_of(lab)).study().density, 0);
 }
 
 TEST(VirtualLab, NamesSurviveWhateverTheyContain) {
   VirtualLab lab = lab_of({cycles()});
   lab.name = "jersey: 5 % #2 \"navy\"";
   lab.material.name = "- {odd";
-  EXPECT_EQ(MeasuredStudy(measure(lab)).study().name, lab.name);
+  EXPECT_EQ(MeasuredStudy(measurements_of(lab)).study().name, lab.name);
 }
 
 VirtualLab noisy_lab() {
-  VirtualLab lab = lab_of({weights(), cycles(), shear()});
+  VirtualLab lab = lab_of({hung_weights(), cycles(), shear()});
   lab.experiments[0].instrument.length_noise = 2e-4;
   lab.experiments[1].instrument.force_noise = 0.01;
   lab.experiments[2].instrument.force_noise = 0.1;
@@ -199,9 +187,9 @@ VirtualLab noisy_lab() {
 
 TEST(VirtualLab, TheSameSeedMakesTheSameTextAnotherOneOtherNoise) {
   const VirtualLab lab = noisy_lab();
-  EXPECT_EQ(measure(lab, 7), measure(lab, 7));
-  for (const char* name : {"warp-weights.csv", "weft-8cm.csv", "shear.csv"}) {
-    EXPECT_NE(file(measure(lab, 7), name), file(measure(lab, 8), name));
+  EXPECT_EQ(measurements_of(lab, 7), measurements_of(lab, 7));
+  for (const char* name : {"weights.csv", "weft-8cm.csv", "shear.csv"}) {
+    EXPECT_NE(file(measurements_of(lab, 7), name), file(measurements_of(lab, 8), name));
   }
 }
 
@@ -209,7 +197,7 @@ TEST(VirtualLab, NoiseOfAnExperimentDoesNotDependOnTheOthers) {
   const VirtualLab lab = noisy_lab();
   VirtualLab alone = lab;
   alone.experiments = {lab.experiments[2]};
-  EXPECT_EQ(file(measure(alone), "shear.csv"), file(measure(lab), "shear.csv"));
+  EXPECT_EQ(file(measurements_of(alone), "shear.csv"), file(measurements_of(lab), "shear.csv"));
 }
 
 void expect_standard_deviation(const Eigen::VectorXd& residuals, double expected) {
@@ -224,7 +212,7 @@ TEST(VirtualLab, NoiseHasTheStatedStandardDeviation) {
   VirtualLab lab = noisy_lab();
   lab.experiments[1].samples = lab.experiments[2].samples = 1000;
   lab.experiments[0].repeats = 20;
-  const MeasuredStudy measured(measure(lab));
+  const MeasuredStudy measured(measurements_of(lab));
   expect_standard_deviation(residuals(measured[0], lab.material), 2e-4);
   expect_standard_deviation(residuals(measured[1], lab.material), 0.01);
   expect_standard_deviation(residuals(measured[2], lab.material), 0.1);
@@ -232,9 +220,9 @@ TEST(VirtualLab, NoiseHasTheStatedStandardDeviation) {
 
 TEST(VirtualLab, LengthNoiseOfCyclesIsInTheirLengths) {
   VirtualLab lab = lab_of({cycles()});
-  const MeasuredStudy ideal(measure(lab));
+  const MeasuredStudy ideal(measurements_of(lab));
   lab.experiments[0].instrument.length_noise = 1e-4;
-  const MeasuredStudy noisy(measure(lab));
+  const MeasuredStudy noisy(measurements_of(lab));
   const Eigen::VectorXd& force = noisy[0].measured();
   EXPECT_EQ(force, ideal[0].measured());
   expect_standard_deviation(noisy[0].loop(force).abscissa - ideal[0].loop(force).abscissa, 1e-4);
@@ -248,10 +236,10 @@ void expect_multiples(const Eigen::VectorXd& values, double resolution) {
 }
 
 TEST(VirtualLab, ResolutionRounds) {
-  VirtualLab lab = lab_of({weights(), cycles()});
+  VirtualLab lab = lab_of({hung_weights(), cycles()});
   lab.experiments[0].instrument.length_resolution = 5e-4;
   lab.experiments[1].instrument = {0, 0, 0.02, 1e-4};
-  const MeasuredStudy measured(measure(lab));
+  const MeasuredStudy measured(measurements_of(lab));
   expect_multiples(measured[0].measured(), 5e-4);
   expect_multiples(measured[1].measured(), 0.02);
   expect_multiples(measured[1].loop(measured[1].measured()).abscissa, 1e-4);
@@ -262,15 +250,15 @@ TEST(VirtualLab, ResolutionRounds) {
 TEST(VirtualLab, SpecimensDifferByTheirNoiseAndTheirVariation) {
   VirtualLab lab = lab_of({cycles()});
   lab.specimens = 3;
-  const Files same = measure(lab);
+  const MeasuredFiles same = measurements_of(lab);
   EXPECT_EQ(same.size(), 4U);  // and the study
   EXPECT_EQ(file(same, "weft-8cm-01.csv"), file(same, "weft-8cm-02.csv"));
   lab.specimen_variation = 0.05;
-  const Files varied = measure(lab);
+  const MeasuredFiles varied = measurements_of(lab);
   EXPECT_NE(file(varied, "weft-8cm-01.csv"), file(varied, "weft-8cm-02.csv"));
   lab.specimen_variation = 0;
   lab.experiments[0].instrument.force_noise = 0.01;
-  const Files noisy = measure(lab);
+  const MeasuredFiles noisy = measurements_of(lab);
   EXPECT_NE(file(noisy, "weft-8cm-01.csv"), file(noisy, "weft-8cm-02.csv"));
   EXPECT_THAT(MeasuredStudy(noisy)[0].info().specimens,
               ElementsAre("weft-8cm-01", "weft-8cm-02", "weft-8cm-03"));
@@ -284,7 +272,7 @@ TEST(VirtualLab, VariationBetweenSpecimensHasTheStatedSize) {
   lab.specimen_variation = 0.05;
   lab.experiments[0].samples = 12;
   lab.experiments[0].peaks = {0.1};
-  const MeasuredStudy measured(measure(lab));
+  const MeasuredStudy measured(measurements_of(lab));
   // Without friction the force is proportional to the specimen's one stiffness.
   std::vector<double> logs;
   const MeasuredPath& path = measured[0].path();
@@ -298,10 +286,10 @@ TEST(VirtualLab, VariationBetweenSpecimensHasTheStatedSize) {
 }
 
 TEST(VirtualLab, AMaterialThatCannotCarryALoadIsASolverError) {
-  VirtualLab lab = lab_of({weights()});
+  VirtualLab lab = lab_of({hung_weights()});
   lab.material.components["stretch.warp"].stiffness = ScalarCurve::constant(1e-4);
   lab.material.components["stretch.warp"].friction.reset();
-  EXPECT_THROW(measure(lab), SolverError);
+  EXPECT_THROW(measurements_of(lab), SolverError);
 }
 
 }  // namespace

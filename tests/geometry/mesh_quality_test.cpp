@@ -121,6 +121,31 @@ TEST(MeshProblems, NameAVertexWithoutTriangles) {
   EXPECT_THAT(problems_of(mesh), ElementsAre("vertex 20 belongs to no triangle"));
 }
 
+TEST(MeshProblems, HaveTheLineOfAVertexWithoutTriangles) {
+  TriangleMesh mesh = grid();
+  mesh.positions.conservativeResize(3, 21);
+  mesh.positions.col(20).setZero();
+  MeshNumbering numbering{"grid.obj", 1, {}, {}, {}};
+  for (int i = 0; i < 21; ++i) numbering.vertex_lines.push_back(3 + i);
+  const InputError error = input_error_of([&] { require_good_mesh(mesh, numbering); });
+  EXPECT_STREQ(error.what(),
+               "grid.obj:23: vertex 21 belongs to no triangle; expected only vertices of faces: "
+               "others would have no mass");
+}
+
+TEST(MeshProblems, SayWhatIsExpected) {
+  TriangleMesh mesh = grid();
+  mesh.triangles.col(9) = mesh.triangles.col(4);
+  mesh.positions.col(0).setConstant(std::numeric_limits<double>::infinity());
+  mesh.rest_corners.col(23) = mesh.rest_corners.col(22);
+  for (const MeshProblem& problem : find_mesh_problems(mesh)) {
+    EXPECT_FALSE(problem.expected.empty()) << problem.text;
+  }
+  mesh.triangles(1, 7) = mesh.triangles(0, 7);
+  EXPECT_EQ(input_error_of([&] { require_good_mesh(mesh); }).expected(),
+            "three different vertices");
+}
+
 TEST(MeshProblems, NameWhatIsNotFinite) {
   TriangleMesh mesh = grid();
   mesh.positions(1, 3) = std::numeric_limits<double>::quiet_NaN();

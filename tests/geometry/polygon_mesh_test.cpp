@@ -25,10 +25,10 @@ struct Polygon {
 Polygon polygon(const std::vector<Eigen::Vector2d>& points) {
   Polygon polygon;
   std::vector<int> corners;
-  polygon.plane.resize(2, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    corners.push_back(static_cast<int>(i));
-    polygon.plane.col(i) = points[i];
+  polygon.plane.resize(2, static_cast<Eigen::Index>(points.size()));
+  for (const Eigen::Vector2d& point : points) {
+    polygon.plane.col(static_cast<Eigen::Index>(corners.size())) = point;
+    corners.push_back(static_cast<int>(corners.size()));
   }
   polygon.faces.add(corners);
   return polygon;

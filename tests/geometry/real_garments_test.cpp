@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/geometry/hinges.h"
@@ -17,7 +16,6 @@ namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 class RealGarments : public testing::Test {
  protected:

@@ -91,12 +91,32 @@ TEST(Value, NamesTheNearestChoice) {
 }
 
 TEST(Fields, TellsWhatIsMissingOrEmpty) {
-  const InputError missing = input_error_of([] { experiment(0).require("data"); });
-  EXPECT_STREQ(missing.what(), "study.yaml:9: experiments[0].data: is missing");
-  const InputError empty = input_error_of([] { value_of("nothing"); });
-  EXPECT_STREQ(empty.what(), "study.yaml:5: nothing: has no value");
+  const InputError missing = input_error_of([] { experiment(0).require("data").text(); });
+  EXPECT_STREQ(missing.what(), "study.yaml:9: experiments[0].data: is missing; expected a text");
+  const InputError empty = input_error_of([] { value_of("nothing").number(); });
+  EXPECT_STREQ(empty.what(), "study.yaml:5: nothing: has no value; expected a number");
   EXPECT_FALSE(Value(study()).fields().optional("nothing"));
   EXPECT_FALSE(Value(study()).fields().optional("absent"));
+}
+
+TEST(Fields, TellsOfWhatIsMissingWhatItShouldBe) {
+  const auto expected = [](auto read) {
+    const InputError error = input_error_of([&] { read(value_of("absent")); });
+    EXPECT_EQ(error.problem(), "is missing");
+    EXPECT_EQ(error.where().line, 1);
+    return error.expected();
+  };
+  EXPECT_EQ(expected([](const Value& v) { v.quantity(Dimension::time); }),
+            "a time with its unit (s, ms, us, min, h)");
+  EXPECT_EQ(expected([](const Value& v) { v.positive_quantity(Dimension::number); }), "a number");
+  EXPECT_EQ(expected([](const Value& v) { v.choice({"a", "b"}); }), "\"a\" or \"b\"");
+  EXPECT_EQ(expected([](const Value& v) { v.integer(1, 9); }), "a whole number from 1 to 9");
+  EXPECT_EQ(expected([](const Value& v) { v.flag(); }), "true or false");
+  EXPECT_EQ(expected([](const Value& v) { v.items(); }), "a list");
+  EXPECT_EQ(expected([](const Value& v) { v.numbers(); }), "a list of numbers");
+  EXPECT_EQ(expected([](const Value& v) { v.fields(); }), "a mapping (KEY: VALUE)");
+  EXPECT_EQ(expected([](const Value& v) { v.text("a mesh file"); }), "a mesh file");
+  EXPECT_TRUE(value_of("absent").is_null());
 }
 
 TEST(Fields, RefusesAKeyThatWasNeverAskedForAndNamesTheNearest) {

@@ -77,6 +77,13 @@ TEST(Json, RefusesWhatTheGrammarDoesNotHave) {
   json_error("\"a\\u0000b\"");
 }
 
+TEST(Json, RefusesANumberThatOverflowsWhereItStands) {
+  EXPECT_STREQ(json_error("{\"a\": {\n\"b\": [1, {\"c\": 1e400}]}}").what(),
+               "m.json:2: a.b[1].c: \"1e400\" is not a finite number; expected a number");
+  EXPECT_STREQ(json_error("[0, -1e999]").what(),
+               "m.json:1: [1]: \"-1e999\" is not a finite number; expected a number");
+}
+
 TEST(Json, RefusesAnEmptyFile) {
   EXPECT_EQ(json_error("").problem(), "the file is empty");
   EXPECT_EQ(json_error(" \n").problem(), "the file is empty");

@@ -27,6 +27,7 @@ TEST(Obj, ReadsVerticesTexturePointsAndFaces) {
   EXPECT_THAT(mesh.faces.corners, ElementsAre(0, 1, 2, 0, 2, 3));
   EXPECT_THAT(mesh.texture_corners, ElementsAre(0, 1, 2, -1, -1, -1));
   EXPECT_THAT(mesh.face_lines, ElementsAre(8, 9));
+  EXPECT_THAT(mesh.vertex_lines, ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(mesh.ignored, IsEmpty());
 }
 

@@ -6,9 +6,14 @@
 #include "pliant/base/assert.h"
 #include "pliant/io/byte_order.h"
 
+#include "input_error_of.h"
+#include "temporary_folder.h"
+
 namespace pliant {
 namespace {
 
+using test::input_error_of;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -84,6 +89,37 @@ TEST(Pvd, NamesEveryFileWithItsTime) {
               AllOf(HasSubstr("type=\"Collection\""),
                     HasSubstr("<DataSet timestep=\"0.04\" part=\"0\" file=\"frames/000001.vtu\"/>"),
                     EndsWith("</VTKFile>\n")));
+}
+
+TEST(VtuHead, TellsSizesAndFieldsOfBothEncodings) {
+  const TemporaryFolder folder;
+  VtuGrid grid;
+  grid.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  grid.corners = {0, 1, 2};
+  grid.point_data = {{"strain.<weft>", 1, {1, 2, 3}}, {"velocity", 3, std::vector<double>(9)}};
+  grid.cell_data = {{"stress", 1, {1}}};
+  for (const VtuEncoding encoding : {VtuEncoding::appended_raw, VtuEncoding::base64}) {
+    const VtuHead head =
+        read_vtu_head(folder.write("a.vtu", write_vtu(grid, {.encoding = encoding})));
+    EXPECT_EQ(head.points, 3);
+    EXPECT_EQ(head.cells, 1);
+    ASSERT_EQ(head.fields.size(), 3u);
+    EXPECT_EQ(head.fields[0].name, "strain.<weft>");
+    EXPECT_EQ(head.fields[1].components, 3);
+    EXPECT_TRUE(head.fields[1].of_points);
+    EXPECT_FALSE(head.fields[2].of_points);
+  }
+}
+
+TEST(VtuHead, RefusesWhatIsNoGrid) {
+  const TemporaryFolder folder;
+  for (const char* text : {"", "solid", "<VTKFile type=\"PolyData\"><Piece ",
+                           "<UnstructuredGrid><Piece NumberOfPoints=\"-1\" NumberOfCells=\"1\">",
+                           "<UnstructuredGrid><Piece NumberOfPoints=\"1\" NumberOfCells=\"1\">"
+                           "<Piece NumberOfPoints=\"1\" NumberOfCells=\"1\">"}) {
+    const auto file = folder.write("a.vtu", text);
+    EXPECT_EQ(input_error_of([&] { read_vtu_head(file); }).where().file, file.string()) << text;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/math/check_derivatives.h"
 
 #include "support/random_laws.h"
 
@@ -69,6 +70,37 @@ TEST(DahlPublished, AnchorsAtTheirOwnStrainAreSaturatedAgainstTheMotion) {
   const DahlParameters dahl{2.22, 3.16, 0.006};
   EXPECT_DOUBLE_EQ(anchored_friction_stress(dahl, 0.2, 0.2, 1).stress, -(2.22 + 3.16 * 0.2));
   EXPECT_DOUBLE_EQ(anchored_friction_stress(dahl, 0.2, 0.2, -1).stress, 2.22 + 3.16 * 0.2);
+}
+
+// As the exact solution does for a constant maximum, whichever side a stretch starts on.
+TEST(DahlPublished, CrossesZeroStrain) {
+  RandomStream random(4);
+  for (int i = 0; i < 200; ++i) {
+    DahlParameters dahl = random_dahl(random);
+    const FrictionState from = {random.uniform(-0.4, 0.4), random.uniform(-dahl.a, dahl.a)};
+    const double strain = random.uniform(-0.4, 0.4);
+    const double at_zero = published_friction_stress(dahl, 0, from).stress;
+    if (strain * from.strain < 0) {
+      EXPECT_EQ(published_friction_stress(dahl, strain, from).stress,
+                published_friction_stress(dahl, strain, {0, at_zero}).stress);
+    }
+    dahl.b = 0;
+    EXPECT_NEAR(published_friction_stress(dahl, strain, from).stress,
+                friction_stress(dahl, strain, from).stress, kRounding);
+  }
+}
+
+TEST(DahlPublished, AnchoredAcrossZeroHasTheDerivativesOfDifferences) {
+  const Eigen::Vector4d at(0.4, 4.84, 0.088, 0.1), scale(0.4, 4.84, 0.088, 0.1);
+  const VectorFunction stress = [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Constant(
+        1, anchored_friction_stress({x(0), x(1), x(2)}, -0.15, x(3), -1).stress);
+  };
+  const FrictionStress here = anchored_friction_stress({0.4, 4.84, 0.088}, -0.15, 0.1, -1);
+  Eigen::MatrixXd gradient(1, 4);
+  gradient << here.parameters[0], here.parameters[1], here.parameters[2], here.from_strain;
+  const DerivativeCheck check = check_derivatives(stress, gradient, at, scale);
+  EXPECT_LT(check.error, 1e-8) << check.describe();  // accuracy of the differences
 }
 
 }  // namespace

@@ -147,31 +147,5 @@ TEST(CompleteMaterial, LacksAComponentWhoseStatusIsUnmeasured) {
   EXPECT_EQ(error.problem(), "shear of the material \"whole\" was not measured");
 }
 
-TEST(PositiveStiffness, IsAskedForAtEveryControlPoint) {
-  Material material = whole();
-  EXPECT_NO_THROW(require_positive_stiffness(material, sheet_component_names()));
-  material.components["shear"].stiffness = ScalarCurve::hermite({0, 0.1, 0.2}, {3, 0, 3}, true);
-  const InputError error =
-      input_error_of([&] { require_positive_stiffness(material, sheet_component_names()); });
-  EXPECT_EQ(error.problem(), "the stiffness shear of the material \"whole\" is 0 at strain 0.1");
-}
-
-TEST(PositiveStiffness, IsAskedForWithinTheRangeOfAnAffineCurve) {
-  Material material = whole();
-  material.components["shear"].stiffness = ScalarCurve::affine(3, -10);
-  EXPECT_NO_THROW(require_positive_stiffness(material, sheet_component_names()))
-      << "where the data ends is not known";
-  material.components["shear"].range = {0, 0.5};
-  const InputError error =
-      input_error_of([&] { require_positive_stiffness(material, sheet_component_names()); });
-  EXPECT_THAT(error.problem(), HasSubstr("is -2 at strain 0.5"));
-}
-
-TEST(PositiveStiffness, LooksOnlyAtTheComponentsNamed) {
-  Material material = whole();
-  material.components["stretch.bias"] = with_stiffness(0);
-  EXPECT_NO_THROW(require_positive_stiffness(material, sheet_component_names()));
-}
-
 }  // namespace
 }  // namespace pliant

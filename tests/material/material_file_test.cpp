@@ -1,7 +1,6 @@
 #include "pliant/material/material_file.h"
 
 #include <filesystem>
-#include <ostream>
 #include <string>
 #include <utility>
 
@@ -9,18 +8,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/base/errors.h"
-
-#include "io/input_error_of.h"
 #include "io/temporary_folder.h"
+#include "support/refusal.h"
 
 namespace pliant {
 namespace {
 
-using test::input_error_of;
+using test::Refusal;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 Material read_text(const std::string& text) {
   const TemporaryFolder folder;
@@ -202,26 +198,12 @@ TEST(MaterialFile, LeavesOutEverythingOptional) {
 
 // --- what is refused, and where ---
 
-struct Refusal {
-  const char* what;
-  std::string text;
-  int line;
-  const char* field;
-  const char* message;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.what; }
-
 class MaterialFileRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(MaterialFileRefusal, NamesFileLineAndField) {
   const TemporaryFolder folder;
   const auto path = folder.write("fabric.json", GetParam().text);
-  const InputError error = input_error_of([&] { read_material(path); });
-  EXPECT_EQ(error.where().file, path.string());
-  EXPECT_EQ(error.where().line, GetParam().line);
-  EXPECT_EQ(error.where().field, GetParam().field);
-  EXPECT_THAT(std::string(error.what()), HasSubstr(GetParam().message));
+  expect_refused(GetParam(), path, read_material);
 }
 
 std::string with_curve(const std::string& curve) {
@@ -291,7 +273,7 @@ const Refusal kRefusals[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, MaterialFileRefusal, ::testing::ValuesIn(kRefusals),
-                         [](const auto& instance) { return instance.param.what; });
+                         test::name_of_refusal);
 
 }  // namespace
 }  // namespace pliant

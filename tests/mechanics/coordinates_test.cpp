@@ -63,7 +63,7 @@ struct HeldCloth {
     system.add(std::make_shared<Cord>(7, 15, 0.0, Eigen::Vector3d(0.1, 0.0, 0.1)));
     system.add(std::make_shared<Cord>(8, 15, 5.0, Eigen::Vector3d(0.1, 0.0, 0.1)));  // slack
     system.add(std::make_shared<PointTargets>(Eigen::VectorXd::LinSpaced(system.points(), 1, 5),
-                                              cloth.mesh.positions, PointTargets::Kind::stored));
+                                              cloth.mesh.positions));
     system.finish();
   }
 

@@ -134,6 +134,20 @@ TEST(ColourBar, IsWiderForALongerName) {
   EXPECT_GT(colour_bar_width(longer, style), colour_bar_width(legend(), style));
 }
 
+TEST(ColourBar, SaysBelowItselfThatItEndsAtPercentiles) {
+  FieldLegend cut = legend();
+  cut.percentiles = true;
+  const TextStyle style = label_style(300);
+  Image plain(400, 300), noted(400, 300);
+  draw_colour_bar(plain, legend(), style);
+  draw_colour_bar(noted, cut, style);
+  // The bar ends at row 231.
+  EXPECT_LT(drawn_box(plain).max().y(), 240);
+  EXPECT_GT(drawn_box(noted).max().y(), 250);
+  EXPECT_LT(drawn_box(noted).max().y(), 290);
+  EXPECT_LT(drawn_box(noted).max().x(), 400);
+}
+
 TEST(ColourBar, OfOneValueIsDrawn) {
   Image image(400, 300);
   draw_colour_bar(image, {"strain", "1", {ColourMap::viridis, 0.1, 0.1}}, label_style(300));

@@ -104,6 +104,41 @@ TEST(Pictures, ShareTheRangeOfTheirFieldOverAllFrames) {
   EXPECT_THAT((std::vector<double>{scale.low, scale.high}), ElementsAre(0.5, 2));
 }
 
+TEST(Pictures, HaveZeroInTheMiddleOfAFieldWithBothSigns) {
+  const SimulationFolder folder(2);
+  const std::string file = "sim/frames/000000.ply";
+  std::string ply = test::content_of(folder.file(file));
+  ply.replace(ply.find("0 0 0 0\n1"), 7, "0 0 0 -0.2");
+  folder.write(file, ply);
+  PictureOptions options = small_pictures();
+  options.field = "strain_weft";
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  const auto scale = [&] {
+    return setting_of(simulation, options, LegendPlace::beside, {}).legend->scale;
+  };
+  EXPECT_EQ(scale().map, ColourMap::coolwarm);
+  EXPECT_EQ(scale().low, -0.2);
+  EXPECT_EQ(scale().high, 0.2);
+  options.range = {-0.2, 0.01};
+  EXPECT_EQ(scale().map, ColourMap::viridis);
+  options.range = {-1, 1};
+  EXPECT_EQ(scale().map, ColourMap::coolwarm);
+  options.range.reset();
+  options.colour_map = ColourMap::viridis;
+  EXPECT_EQ(scale().low, -0.2);
+  EXPECT_EQ(scale().high, 0.01);
+}
+
+TEST(Pictures, HaveOneSideOfColoursForAFieldOfOneSign) {
+  const SimulationFolder folder(2);
+  PictureOptions options = small_pictures();
+  options.field = "strain_weft";
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  const FieldLegend legend = *setting_of(simulation, options, LegendPlace::beside, {}).legend;
+  EXPECT_EQ(legend.scale.map, ColourMap::viridis);
+  EXPECT_FALSE(legend.percentiles);
+}
+
 TEST(Pictures, LeaveWhatIsNoNumberOutOfTheRange) {
   const SimulationFolder folder(2);
   const std::string file = "sim/frames/000000.ply";

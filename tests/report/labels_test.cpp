@@ -9,6 +9,8 @@ TEST(QuantityLabel, SplitsNameAndUnit) {
   EXPECT_EQ(quantity_label("force_N").with_unit(), "Force (N)");
   EXPECT_EQ(quantity_label("length_mm").with_unit(), "Length (mm)");
   EXPECT_EQ(quantity_label("force_N_per_m").with_unit(), "Shear force (N/m)");
+  EXPECT_EQ(quantity_label("moment_N").with_unit(), "Moment per width (N)");
+  EXPECT_EQ(quantity_label("curvature_1_per_m").with_unit(), "Curvature (1/m)");
   EXPECT_EQ(quantity_label("nominal_stress_Pa").with_unit(), "Nominal stress (Pa)");
 }
 
@@ -16,15 +18,15 @@ TEST(QuantityLabel, LeavesAnUnknownColumnAsItIs) {
   EXPECT_EQ(quantity_label("intensity").with_unit(), "intensity");
 }
 
-TEST(StrainScale, ShowsMembraneStrainsInPercentAndCurvaturesAsTheyAre) {
+TEST(StrainScale, ShowsMembraneStrainsInPercentAndThoseOfBendingAsCurvatures) {
   EXPECT_EQ(strain_scale("stretch.warp").factor, 100.0);
-  EXPECT_EQ(strain_scale("bend.weft").factor, 1.0);
+  EXPECT_DOUBLE_EQ(strain_scale("bend.weft").factor, 1.0 / 3);
   EXPECT_EQ(strain_scale("bend.weft").label.unit, "1/m");
 }
 
 TEST(StrainRangeText, HasTheUnitOfTheComponent) {
   EXPECT_EQ(strain_range_text("stretch.warp", 0.0, 0.35), "strain 0 to 35 %");
-  EXPECT_EQ(strain_range_text("bend.weft", -12.0, 60.0), "curvature -12 to 60 1/m");
+  EXPECT_EQ(strain_range_text("bend.weft", -36.0, 180.0), "curvature -12 to 60 1/m");
 }
 
 TEST(ComponentTitle, ReadsAsWords) {

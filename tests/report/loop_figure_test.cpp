@@ -81,5 +81,16 @@ TEST(LoopFigure, DrawsLengthsAgainstTheLoadThatCausedThem) {
   EXPECT_EQ(loop.figure.layout.at("yaxis").at("title").at("text"), "Weight (N)");
 }
 
+TEST(LoopFigure, DrawsMomentsAgainstTheCurvature) {
+  ResultExperiment bending = experiment("moment_N");
+  bending.component = "bend.warp";
+  Prediction p = cycle();
+  p.strain = {0, 300, 750, 300, 0};  // three times the curvature
+  const LoopFigure loop = loop_figure(bending, p, {});
+  EXPECT_EQ(trace_of(loop, "measured-load").at("x"), nlohmann::json({100.0, 250.0}));
+  EXPECT_EQ(loop.figure.layout.at("xaxis").at("title").at("text"), "Curvature (1/m)");
+  EXPECT_EQ(loop.figure.layout.at("yaxis").at("title").at("text"), "Moment per width (N)");
+}
+
 }  // namespace
 }  // namespace pliant::report

@@ -86,6 +86,17 @@ TEST(ReadResults, ReadsNoPredictionsFromOutsideTheDirectory) {
   }
 }
 
+TEST(ReadResults, ReadsTheRigidityOfABendingLoopInPlaceOfAModulus) {
+  const Results results = read(
+      R"({"pliant": "fit/1", "experiments": [{"name": "kes", "loop": {
+          "measured": {"secant_modulus_N_per_m": null, "secant_rigidity_N_m": 5e-5},
+          "predicted": {"secant_modulus_N_per_m": null, "secant_rigidity_N_m": 4e-5}}}]})");
+  const ResultExperiment& kes = results.experiments.at(0);
+  EXPECT_FALSE(kes.measured_loop->secant_modulus);
+  EXPECT_EQ(kes.measured_loop->secant_rigidity, 5e-5);
+  EXPECT_EQ(kes.predicted_loop->secant_rigidity, 4e-5);
+}
+
 TEST(ReadReportData, TakesAnEmptyBandAsUnknown) {
   const TemporaryFolder folder;
   write_sample_results(folder.path());

@@ -16,6 +16,10 @@ struct SampleSimulation {
   bool finished = true;
   bool energy = true;
   bool statistics = true;
+  std::string method =
+      R"({"kind": "dynamic", "integrator": "bdf2", "solve": "converged", "tolerance": 1e-5,
+ "linear_tolerance": null, "adaptive": false, "friction": "variational"})";
+  int most_substeps = 1;
 };
 
 inline void write_sample_simulation(const std::filesystem::path& directory,
@@ -39,10 +43,11 @@ inline void write_sample_simulation(const std::filesystem::path& directory,
  "command": "pliant simulate curtain.yaml -o out", "created": "2024-01-01T00:00:00Z",
  "version": "0.1.0", "scene": "scenes/curtain.yaml", "scene_sha256": "e3b0", "threads": 2,
  "finished": {}, "triangles": 4800, "vertices": 2501, "steps": 40, "time_step": 0.005,
- "frames": [{}], "seconds_per_step": {}, "newton_iterations": {}, "linear_iterations": {},
+ "method": {}, "frames": [{}], "seconds_per_step": {},
+ "substeps": {{"min": 1, "median": 1, "mean": 1.5, "max": {}}}, "newton_iterations": {}, "linear_iterations": {},
  "peak_memory_MB": 96, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
-                 sample.name, sample.finished, frames, seconds, numbers, numbers,
-                 sample.energy ? "\"energy.csv\"" : "null",
+                 sample.name, sample.finished, sample.method, frames, seconds, sample.most_substeps,
+                 numbers, numbers, sample.energy ? "\"energy.csv\"" : "null",
                  sample.warning.empty() ? "" : "\"" + sample.warning + "\""));
   if (sample.energy) write_text(directory / "energy.csv", energy);
 }

@@ -59,11 +59,35 @@ TEST(SimulationReport, HoldsItsFactsItsStepsAndItsWarnings) {
   EXPECT_THAT(html, HasSubstr("<li>bend.warp of cotton was not measured</li>"));
 }
 
+TEST(SimulationReport, StatesTheMethod) {
+  EXPECT_THAT(report_of({}), HasSubstr("<dt>Method</dt><dd>BDF2, converged to 10 uN, "
+                                       "variational friction</dd>"));
+  EXPECT_THAT(
+      report_of(
+          {.method = R"({"kind": "dynamic", "integrator": "backward-euler", "solve": "linearized",
+ "tolerance": null, "linear_tolerance": 1e-4, "adaptive": true, "friction": "none"})"}),
+      HasSubstr("<dd>backward Euler, one linear system a step, solved to 0.0001, no friction, "
+                "steps halved where they fail</dd>"));
+  EXPECT_THAT(
+      report_of({.method = R"({"kind": "quasi-static", "integrator": null, "solve": "converged",
+ "tolerance": 2e-6, "linear_tolerance": null, "adaptive": true, "friction": "linearized"})"}),
+      HasSubstr("<dd>path of equilibria, converged to 2 uN, linearized friction, "
+                "steps halved where they fail</dd>"));
+}
+
+TEST(SimulationReport, TellsThatStepsWereHalved) {
+  EXPECT_THAT(report_of({.most_substeps = 4}),
+              HasSubstr("<td>Parts that a step was taken in</td><td class=\"number\">1</td>"));
+  EXPECT_THAT(report_of({}), Not(HasSubstr("Parts that a step")));
+}
+
 TEST(SimulationReport, LeavesOutWhatIsNotThere) {
-  const std::string html = own_text(report_of({.energy = false, .statistics = false}));
+  const std::string html =
+      own_text(report_of({.energy = false, .statistics = false, .method = "null"}));
   EXPECT_THAT(html, Not(HasSubstr("<h2>Energy</h2>")));
   EXPECT_THAT(html, Not(HasSubstr("<h2>Steps</h2>")));
   EXPECT_THAT(html, Not(HasSubstr("<h2>Warnings</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<dt>Method</dt>")));
   EXPECT_THAT(html, Not(HasSubstr("<img")));
 }
 

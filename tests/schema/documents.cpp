@@ -118,6 +118,10 @@ DocumentFolder::DocumentFolder() {
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt"}) write(name, "");
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
+  spandex["components"]["bend.warp"] = {{"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
+  spandex["components"]["bend.weft"] = {
+      {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}},
+      {"friction", {{"law", "dahl"}, {"a", 5e-4}, {"b", 0}, {"tau", 20}}}};
   write("spandex.json", spandex.dump());
 }
 
@@ -199,6 +203,15 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
       changed("rest length of hanging weights", study, "/experiments/0/rest_length", "known"),
       changed("shear's tension of a strip", study, "/experiments/1/transverse_tension", "1 N/m"),
       changed("a direction of shear", study, "/experiments/2/direction", "warp"),
+      changed("the length of a bent specimen's noise", study, "/experiments/4/noise/length",
+              "1 mm"),
+      changed("a bending test without direction", study, "/experiments/4/direction", nullptr),
+      changed("a moment's noise of a strip", study, "/experiments/1/noise/moment", "1 N"),
+      changed("the length of a cantilever", study, "/experiments/5/length", "100 mm"),
+      changed("the force's noise of a profile", study, "/experiments/5/noise/force", "1 N"),
+      changed("a profile's noise of a strip", study, "/experiments/1/noise/position", "1 mm"),
+      changed("a rolled strip's friction", study, "/experiments/6/initial_friction", "rest"),
+      without("a rolled strip without direction", study, "/experiments/6/direction"),
       changed("shear noise in newtons", study, "/experiments/2/noise/force", "1 N"),
       changed("tensile noise per width", study, "/experiments/1/noise/force", "1 N/m"),
       changed("negative pretension", study, "/experiments/1/pretension", "-1 N"),
@@ -219,8 +232,18 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
       changed("strain peaks without unit", lab, "/experiments/1/peaks/0", 0.2),
       changed("no peaks", lab, "/experiments/2/peaks", Json::array()),
       changed("a direction of shear", lab, "/experiments/2/direction", "warp"),
+      changed("peaks of a cantilever", lab, "/experiments/4/peaks", {"1 N"}),
+      changed("the length of a cantilever", lab, "/experiments/4/length", "1 m"),
+      changed("radii of a cantilever", lab, "/experiments/4/radii", {"1 mm"}),
+      changed("a negative overhang", lab, "/experiments/4/overhangs/0", "-60 mm"),
+      without("no overhangs", lab, "/experiments/4/overhangs"),
+      changed("overhangs of a rolled strip", lab, "/experiments/5/overhangs", {"60 mm"}),
+      changed("no radii", lab, "/experiments/5/radii", Json::array()),
+      changed("4 points", lab, "/experiments/5/points", 4),
+      changed("a profile's force noise", lab, "/experiments/5/noise/force", "1 N"),
+      changed("radii of weights", lab, "/experiments/0/radii", {"1 mm"}),
       changed("samples of weights", lab, "/experiments/0/samples", 10),
-      changed("a type that the lab lacks", lab, "/experiments/0/type", "pure-bending"),
+      changed("a type that the lab lacks", lab, "/experiments/0/type", "press"),
       without("no direction", lab, "/experiments/0/direction"),
       changed("another kind", material, "/kind", "solid"),
       changed("no density", material, "/density", 0),

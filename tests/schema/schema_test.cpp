@@ -243,6 +243,9 @@ constexpr QuantityPlace kQuantityPlaces[] = {
     {1, "/experiments/1/slack", "mm"},  // from 0
     {1, "/experiments/1/peaks/0", "%"},
     {1, "/experiments/2/peaks/0", "deg"},
+    {0, "/experiments/4/noise/moment", "gf cm/cm"},
+    {1, "/experiments/3/peaks/0", "1/cm"},
+    {1, "/experiments/3/noise/moment", "uN"},
     {3, "/clips/0/mass", "g"},
     {3, "/clips/0/cords/2/length", "mm"},
     {3, "/clips/0/cords/2/stiffness", "N/m"},
@@ -260,10 +263,10 @@ NamedDocument with_quantity(const std::vector<NamedDocument>& full, const Quanti
 }
 
 TEST_F(Schema, TakesTheUnitsThatTheReadersTake) {
-  std::vector<std::string> units{"N m/m",     "gf cm/cm",  "°C",    "C",     "℃",
-                                 "N_per_m",   "gf_per_cm", "N / m", "kg/m2", "kg/m²",
-                                 "kg_per_m2", "µm",        "kg/m3", "μN",    "°",
-                                 "ounce",     "metre",     "MM",    ""};
+  std::vector<std::string> units{"N m/m", "gf cm/cm",  "gf.cm/cm", "cm⁻¹",      "1_per_cm", "°C",
+                                 "C",     "℃",         "N_per_m",  "gf_per_cm", "N / m",    "kg/m2",
+                                 "kg/m²", "kg_per_m2", "µm",       "kg/m3",     "μN",       "°",
+                                 "ounce", "metre",     "MM",       ""};
   for (int d = 0; d <= static_cast<int>(Dimension::fraction); ++d) {
     for (const std::string& unit : units_of(static_cast<Dimension>(d))) units.push_back(unit);
   }

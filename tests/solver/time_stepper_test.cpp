@@ -153,6 +153,28 @@ TEST(TimeStepper, PointsAndClipsFollowTheirDrives) {
   }
 }
 
+/// A row of points slides along x and y, at a height that is driven.
+TEST(TimeStepper, AnAxisFollowsItsDriveWhileTheOthersAreFree) {
+  ClothSheet sheet(regular_grid(0.1, 0.1, 5, 5), test::cotton());
+  const std::vector<int> row = sheet.row_at(0.1);
+  for (const int i : row) sheet.system.coordinates().prescribe_axis(i, 2);
+  const auto height_at = [](double time) { return 2 * time; };
+  sheet.system.add_drive([&](double time, Configuration& at) {
+    for (const int i : row) at.positions(2, i) = height_at(time);
+  });
+  sheet.add_gravity(-Eigen::Vector3d::UnitX());
+  sheet.system.finish();
+  for (const StepSolve solve : {StepSolve::linearized, StepSolve::converged}) {
+    TimeStepOptions options = converged_steps(0.005, 1e-6);
+    options.solve = solve;
+    const State state = advanced(sheet.system, options, sheet.system.initial_state(), 20);
+    for (const int i : row) {
+      EXPECT_EQ(state.configuration.positions(2, i), height_at(state.time));
+      EXPECT_LT(state.configuration.positions(0, i), sheet.mesh.positions(0, i) - 0.01);
+    }
+  }
+}
+
 TEST(TimeStepper, AFreeClipSwingsAsARigidBody) {
   ClothSheet sheet(regular_grid(0.1, 0.1, 5, 5), test::cotton());
   const std::vector<int> low = sheet.row_at(0);

@@ -10,7 +10,8 @@ namespace pliant::test {
 
 /// Eight material points with storage of their own; one row a point.
 struct LaneState {
-  Eigen::Array<double, kLanes, Eigen::Dynamic> strain, last, before, history;
+  using Numbers = Eigen::Array<double, kLanes, Eigen::Dynamic>;
+  Numbers strain, last, before, history;
 
   LaneState(int strains, int history_size)
       : strain(kLanes, strains), last(kLanes, strains), before(kLanes, strains) {
@@ -20,9 +21,10 @@ struct LaneState {
     history.setZero(kLanes, history_size);
   }
 
-  Samples samples() const {
-    return {strain, last, before, LaneHistory(history.data(), kLanes, history.cols())};
+  static LaneView view(const Numbers& numbers) {
+    return LaneView(numbers.data(), kLanes, numbers.cols());
   }
+  Samples samples() const { return {view(strain), view(last), view(before), view(history)}; }
 };
 
 inline Response response_of(const Density& density, const LaneState& state,
@@ -38,8 +40,7 @@ inline Lane advance(const Density& density, LaneState& state, const StepTime& ti
   Eigen::Array<double, kLanes, Eigen::Dynamic> next(kLanes, state.history.cols());
   next.setZero();
   Lane work = Lane::Zero();
-  density.advance(state.samples(), time, MutableLaneHistory(next.data(), kLanes, next.cols()),
-                  work);
+  density.advance(state.samples(), time, MutableLaneView(next.data(), kLanes, next.cols()), work);
   state.history = next;
   state.before = state.last;
   state.last = state.strain;

@@ -137,9 +137,9 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }
 
 /// One form for the spellings of a unit: "N_per_m" and "N / m" become "N/m", "kg/m²" and "kg/m^2"
-/// become "kg/m2", "N*m", "N·m" and "N_m" become "N m", "°C" becomes "degC".
+/// become "kg/m2", "N*m", "N·m", "N.m" and "N_m" become "N m", "°C" becomes "degC".
 std::string canonical(std::string_view unit) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSpellings = {{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSpellings = {{
       {"_per_", "/"},
       {"\u00b5", "u"},  // micro sign
       {"\u03bc", "u"},  // Greek mu
@@ -148,6 +148,7 @@ std::string canonical(std::string_view unit) {
       {"\u00b3", "3"},
       {"\u207b\u00b9", "-1"},
       {"\u00b7", " "},
+      {".", " "},
       {"\u2103", "degC"},
       {"^", ""},
       {"*", " "},
@@ -275,7 +276,9 @@ std::string expected_quantity(Dimension dimension) {
 std::string format_quantity(double si, Dimension dimension, int digits) {
   const std::span<const Unit> units = entry_of(dimension).units;
   if (units.empty()) return format_number(si, digits);
-  const Unit& unit = si == 0.0 ? units.front() : readable_unit(si, units);
+  // The unit is that of what is shown: 0.99999 m^2 are 1 m^2, not 1e+04 cm^2.
+  const double shown = parse_number(format_number(si, digits)).value_or(si);
+  const Unit& unit = si == 0.0 ? units.front() : readable_unit(shown, units);
   return fmt::format("{} {}", format_number((si - unit.offset) / unit.scale, digits), unit.name);
 }
 

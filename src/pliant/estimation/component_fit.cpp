@@ -13,10 +13,18 @@ namespace {
 constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
-bool only_weights(const std::vector<const Experiment*>& experiments) {
-  return std::all_of(experiments.begin(), experiments.end(), [](const Experiment* experiment) {
-    return experiment->info().type == "hanging-weights";
-  });
+// The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
+// Not cantilevers alone: they only load, and friction that is not told from stiffness makes that
+// fall.
+bool only_published_tests(const std::vector<const Experiment*>& experiments) {
+  const auto are = [&](const auto& belongs) {
+    return std::all_of(experiments.begin(), experiments.end(),
+                       [&](const Experiment* e) { return belongs(e->info().type); });
+  };
+  return are([](const std::string& type) {
+           return type == "hanging-weights" || measures_profiles(type);
+         }) &&
+         !are([](const std::string& type) { return type == "cantilever"; });
 }
 
 ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
@@ -128,7 +136,7 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
   ComponentPlan plan;
   plan.fit = study.fit;
   plan.stiffness = model.stiffness.value_or(study.model.stiffness.value_or(
-      only_weights(experiments) ? CurveKind::affine : CurveKind::hermite));
+      only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite));
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
   const bool data_unloads =
       std::any_of(experiments.begin(), experiments.end(),

@@ -30,8 +30,8 @@ struct ComponentFit {
   std::vector<std::optional<double>> between_specimen_sd;  ///< of the law's parameters
 };
 
-/// The plan that a study and its data imply: affine stiffness where only weights were hung, else
-/// hermite; friction where the data unloads.
+/// The plan that a study and its data imply: affine stiffness where only weights were hung or
+/// strips rolled, else hermite; friction where the data unloads.
 /// @param notes  gets a sentence when friction is left out
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
                              std::vector<std::string>& notes);

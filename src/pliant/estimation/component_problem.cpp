@@ -13,15 +13,14 @@ constexpr double kFirstNoiseShare = 0.01;
 constexpr double kSmallestNoiseShare = 1e-9;  // noise-free data still has a weight
 
 bool measures_length(const Experiment& experiment) {
-  return experiment.info().quantity.kind == "length";
+  const std::string& kind = experiment.info().quantity.kind;
+  return kind == "length" || kind == "distance";
 }
 
 std::optional<double> stated_noise(const Experiment& experiment) {
   const ExperimentInfo& info = experiment.info();
   return measures_length(experiment) ? info.length_noise : info.force_noise;
 }
-
-double range_of(const Eigen::VectorXd& values) { return values.maxCoeff() - values.minCoeff(); }
 
 // Mean square of the used rows.
 double mean_square(const Eigen::VectorXd& values, const std::vector<char>& used) {
@@ -64,7 +63,7 @@ ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
       smallest_strain_ = std::min(smallest_strain_, std::abs(path.strain[i]));
     }
     const double sd =
-        stated_noise(*experiment).value_or(kFirstNoiseShare * range_of(experiment->measured()));
+        stated_noise(*experiment).value_or(kFirstNoiseShare * experiment->reference());
     noise_.push_back(make_noise(*experiment, used, sd, Eigen::VectorXd::Zero(experiment->rows())));
   }
 }
@@ -103,7 +102,7 @@ double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::Vect
       from_length = experiment.info().length_noise.value_or(0) * prediction->length_gain;
     }
     const std::vector<char>& used = used_[e];
-    const double smallest = kSmallestNoiseShare * range_of(experiment.measured());
+    const double smallest = kSmallestNoiseShare * experiment.reference();
     const double unexplained = mean_square(prediction->value - experiment.measured(), used) -
                                mean_square(from_length, used);
     const double sd =

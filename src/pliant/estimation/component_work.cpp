@@ -65,6 +65,15 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
   }
 }
 
+std::string unfitted_note(const ExperimentInfo& info) {
+  const std::string note = "predicted without any fitting";
+  if (measures_profiles(info.type)) return note;
+  if (!info.component.starts_with("stretch")) return note + ": friction at rest, no offset";
+  return note +
+         ": rest length as stated, friction at rest, force offset from the rows in which the strip "
+         "is slack";
+}
+
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
@@ -84,9 +93,7 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const Eigen::VectorXd nuisance = experiment->unfitted_nuisance();
     try {
       ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
-      row.handled.push_back(
-          "predicted without any fitting: rest length as stated, friction at "
-          "rest, force offset from the rows in which the strip is slack");
+      row.handled.push_back(unfitted_note(experiment->info()));
       if (fit.elastic) add_elastic(row, *experiment, fit.elastic->law, nuisance);
       result.experiments.push_back(std::move(row));
     } catch (const SolverError& error) {

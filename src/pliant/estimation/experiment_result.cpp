@@ -19,15 +19,6 @@ double rms_of_used(const Eigen::VectorXd& difference, const std::vector<char>& u
   return count == 0 ? 0 : std::sqrt(sum / count);
 }
 
-// What an error is compared with: the largest force, or the largest change of length.
-double reference(const Experiment& experiment) {
-  const Eigen::VectorXd& measured = experiment.measured();
-  if (experiment.info().quantity.kind == "length") {
-    return measured.maxCoeff() - measured.minCoeff();
-  }
-  return measured.cwiseAbs().maxCoeff();
-}
-
 // Strains of the material itself: a slack strip's clamps are nearer than that.
 std::pair<double, double> used_strains(const Eigen::VectorXd& strain,
                                        const std::vector<char>& used) {
@@ -38,6 +29,18 @@ std::pair<double, double> used_strains(const Eigen::VectorXd& strain,
     range.second = std::max(range.second, strain(i));
   }
   return range;
+}
+
+// 1 where a row loads, -1 where it unloads. A strip that was bent or hangs loads where it bends
+// further than at its beginning, to whichever side.
+std::vector<int> loading_of_rows(const MeasuredPath& path) {
+  if (path.starts_flat.empty()) return path.direction;
+  std::vector<int> loading;
+  for (size_t i = 0; i < path.strain.size(); ++i) {
+    const double start = path.strain[static_cast<size_t>(path.anchor[i])];
+    loading.push_back(start * path.direction[i] < 0 ? -1 : 1);
+  }
+  return loading;
 }
 
 }  // namespace
@@ -62,7 +65,7 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.measured = experiment.measured();
   result.predicted = prediction->value;
   result.rms = rms_of_used(result.predicted - result.measured, info.used);
-  result.rms_percent = 100 * result.rms / reference(experiment);
+  result.rms_percent = 100 * result.rms / experiment.reference();
   for (const double force : path.force) {
     result.peak_force = std::max(result.peak_force, std::abs(force));
   }
@@ -76,9 +79,11 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.columns = info.columns;
   result.time = info.time;
   result.strain.assign(prediction->strain.begin(), prediction->strain.end());
-  result.direction_of_row = path.direction;
+  result.direction_of_row = loading_of_rows(path);
   result.specimen_of_row = path.specimen;
   result.used = info.used;
+  result.unloads = unloads(path);
+  result.shapes = experiment.shapes(law);
   result.measured_loop = loop_metrics(experiment.loop(result.measured), path,
                                       experiment.loop_width(), experiment.loop_length());
   result.predicted_loop = loop_metrics(experiment.loop(result.predicted), path,
@@ -91,9 +96,8 @@ void add_elastic(ExperimentResult& result, const Experiment& experiment,
   const auto prediction = experiment.predict(elastic, nuisance, false);
   if (!prediction) return;
   result.elastic = prediction->value;
-  result.elastic_percent =
-      100 * rms_of_used(prediction->value - result.measured, experiment.info().used) /
-      reference(experiment);
+  result.elastic_rms = rms_of_used(prediction->value - result.measured, experiment.info().used);
+  result.elastic_percent = 100 * *result.elastic_rms / experiment.reference();
 }
 
 }  // namespace pliant

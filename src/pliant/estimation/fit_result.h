@@ -34,9 +34,12 @@ struct ExperimentResult {
   std::string name, type, direction, component;
   ExperimentRole role = ExperimentRole::fit;
   MeasuredQuantity quantity;
-  double rms = 0;                         ///< SI, over the used rows
-  double rms_percent = 0;                 ///< of the peak (of the largest extension for lengths)
-  std::optional<double> elastic_percent;  ///< the same for the best purely elastic curve
+  double rms = 0;          ///< SI, over the used rows
+  double rms_percent = 0;  ///< of the peak (of the largest extension for lengths, of the strip's
+                           ///< length for distances)
+  bool unloads = false;    ///< by enough to show friction
+  std::optional<double> elastic_rms;      ///< SI, of the best purely elastic curve
+  std::optional<double> elastic_percent;  ///< the same in per cent
   double peak_force = 0;                  ///< N, or N/m for forces per width
   int points = 0;
   int excluded = 0;
@@ -45,6 +48,7 @@ struct ExperimentResult {
   std::string noise_source;
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
+  std::optional<StripShapes> shapes;  ///< of strips whose profiles are measured
   std::vector<std::string> handled;
 
   // Row by row, for predictions/NAME.csv.

@@ -24,6 +24,15 @@ const std::vector<Candidate>& candidates() {
   return all;
 }
 
+// The shape of a strip is where its energy is least; none is known of friction with constant alpha.
+bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
+  const auto& experiments = problem.experiments();
+  const bool profiles = std::any_of(experiments.begin(), experiments.end(), [](const auto* e) {
+    return measures_profiles(e->info().type);
+  });
+  return law != FrictionLaw::constant_slope || !profiles;
+}
+
 int free_parameters(const ParameterLimits& limits) {
   return static_cast<int>(((limits.upper - limits.lower).array() > 0).count());
 }
@@ -48,6 +57,7 @@ std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const C
       std::max(problem.used_rows() / fit.uncertainty.correlation_length, 1.0);
   std::vector<ModelRank> ranks;
   for (const Candidate& candidate : candidates()) {
+    if (!can_predict(problem, candidate.law)) continue;
     ComponentLaw shape = fit.fit.law;
     shape.friction_law = candidate.law;
     FitOptions fixed = options;

@@ -29,7 +29,10 @@ class FrictionBasis {
   // Rows must be asked for in order.
   Eigen::Vector2d at(size_t row) {
     const auto anchor = static_cast<size_t>(path_.anchor[row]);
-    if (row == 0 || path_.specimen[row] != path_.specimen[row - 1]) {
+    if (!path_.starts_flat.empty() && path_.starts_flat[row]) {
+      walk_ = FrictionPath(dahl(tau_), rest());
+      walk_.turn_at(strain(row), Eigen::VectorXd::Zero(4));
+    } else if (row == 0 || path_.specimen[row] != path_.specimen[row - 1]) {
       PathPoint start = rest();
       start.strain = strain(row);
       walk_ = FrictionPath(dahl(tau_), start);
@@ -66,7 +69,7 @@ LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape
   for (size_t e = 0; e < experiments; ++e) {
     const Experiment& experiment = *problem.experiments()[e];
     const MeasuredPath& path = experiment.path();
-    const bool tension_only = experiment.info().component != "shear";
+    const bool tension_only = experiment.info().component.starts_with("stretch");
     const double peak =
         std::abs(*std::max_element(path.force.begin(), path.force.end(),
                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pliant/estimation/shape_table.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/material_file.h"
 
@@ -39,16 +40,25 @@ Json parameter_json(const ParameterEstimate& p, const char* owner) {
           {owner, p.owner}};
 }
 
-Json loop_json(const LoopMetrics& loop) {
-  return {{"secant_modulus_N_per_m", number(loop.secant_modulus)},
-          {"hysteresis_ratio", number(loop.hysteresis_ratio)},
-          {"loop_loss", number(loop.loop_loss)}};
+// Moment over curvature is a rigidity, not a modulus.
+Json loop_json(const LoopMetrics& loop, const MeasuredQuantity& quantity) {
+  const bool moment = quantity.name == "moment_N";
+  Json json{{"secant_modulus_N_per_m", moment ? Json(nullptr) : number(loop.secant_modulus)},
+            {"hysteresis_ratio", number(loop.hysteresis_ratio)},
+            {"loop_loss", number(loop.loop_loss)}};
+  if (moment) json["secant_rigidity_N_m"] = number(loop.secant_modulus);
+  return json;
 }
 
 std::string prediction_file(const ExperimentResult& e) { return "predictions/" + e.name + ".csv"; }
 
+std::string shape_file(const ExperimentResult& e) { return "shapes/" + e.name + ".csv"; }
+
+// What an error is called depends on what is compared: a distance has no peak, but a strip's length
+// that it may be held against.
 Json experiment_json(const ExperimentResult& e) {
-  const bool length = e.quantity.kind == "length";
+  const bool distance = e.quantity.kind == "distance";
+  const bool length = e.quantity.kind == "length" || distance;
   Json json{{"name", e.name},
             {"type", e.type},
             {"direction", e.direction},
@@ -56,10 +66,13 @@ Json experiment_json(const ExperimentResult& e) {
             {"role", e.role == ExperimentRole::fit ? "fit" : "validate"},
             {"quantity", e.quantity.name},
             {"rms_force_N", length ? Json(nullptr) : number(e.rms)},
-            {"peak_force_N", number(e.peak_force)},
-            {"rms_percent_of_peak", number(e.rms_percent)},
+            {"peak_force_N", distance ? Json(nullptr) : number(e.peak_force)},
+            {"rms_percent_of_peak", distance ? Json(nullptr) : number(e.rms_percent)},
+            {"rms_percent_of_length", distance ? number(e.rms_percent) : Json(nullptr)},
             {"rms_position_mm", length ? number(e.rms * 1e3) : Json(nullptr)},
-            {"rms_elastic_percent_of_peak", number(e.elastic_percent)},
+            {"rms_elastic_percent_of_peak", distance ? Json(nullptr) : number(e.elastic_percent)},
+            {"rms_elastic_position_mm",
+             length && e.elastic_rms ? number(*e.elastic_rms * 1e3) : Json(nullptr)},
             {"points", e.points},
             {"specimens", e.specimens.size()},
             {"excluded", e.excluded},
@@ -69,13 +82,15 @@ Json experiment_json(const ExperimentResult& e) {
               {"unit", e.quantity.unit},
               {"source", e.noise_source}}},
             {"strain_range", {e.strain_range.first, e.strain_range.second}}};
+  json["unloads"] = e.unloads;
   json["loop"] = nullptr;
   if (e.measured_loop && e.predicted_loop) {
-    json["loop"] = {{"measured", loop_json(*e.measured_loop)},
-                    {"predicted", loop_json(*e.predicted_loop)}};
+    json["loop"] = {{"measured", loop_json(*e.measured_loop, e.quantity)},
+                    {"predicted", loop_json(*e.predicted_loop, e.quantity)}};
   }
   json["handled"] = e.handled;
   json["prediction_file"] = prediction_file(e);
+  json["shape_file"] = e.shapes ? Json(shape_file(e)) : Json(nullptr);
   return json;
 }
 
@@ -215,6 +230,7 @@ void add_tables(const StudyResult& result,
   files.emplace_back("curves.csv", curves_csv(result));
   for (const ExperimentResult& experiment : result.experiments) {
     files.emplace_back(prediction_file(experiment), prediction_csv(experiment));
+    if (experiment.shapes) files.emplace_back(shape_file(experiment), shape_table(experiment));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -39,8 +40,9 @@ StudyResult evaluate_study(const Study& study, const Material& material,
         std::any_of(result.curves.begin(), result.curves.end(),
                     [&](const ComponentCurve& c) { return c.component == info.component; });
     if (!drawn) {
+      const auto [low, high] = result.experiments.back().strain_range;
       result.curves.push_back(
-          component_curve(info.component, *law, result.experiments.back().strain_range.second, {}));
+          component_curve(info.component, *law, std::max(std::abs(low), std::abs(high)), {}));
     }
   }
   result.assumptions = assumptions_of(study, experiments);

@@ -1,5 +1,6 @@
 #include "pliant/estimation/study_experiments.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -41,13 +42,25 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
 }
 
 std::vector<std::string> assumptions_of(const Study& study, const Experiments& experiments) {
-  std::vector<std::string> assumptions{
-      "every specimen is stretched uniformly; effects of the clamps on the strain are left out",
-      "friction depends on the path of strain, not on its speed; no viscosity, no creep"};
+  std::vector<std::string> assumptions;
+  const bool stretched = std::any_of(experiments.begin(), experiments.end(), [](const auto& e) {
+    return e->info().component.starts_with("stretch");
+  });
+  if (stretched) {
+    assumptions.emplace_back(
+        "every specimen is stretched uniformly; effects of the clamps on the strain are left out");
+  }
+  assumptions.emplace_back(
+      "friction depends on the path of strain, not on its speed; no viscosity, no creep");
   for (const auto& experiment : experiments) {
     if (experiment->info().type == "hanging-weights") {
       assumptions.push_back(experiment->info().name +
                             ": the noise is in the lengths, the weights are exact");
+    } else if (measures_profiles(experiment->info().type)) {
+      assumptions.push_back(
+          experiment->info().name +
+          ": the strip bends in a plane, is clamped level, does not stretch or touch itself, and "
+          "comes to rest quietly; the noise is in the positions, alike in all directions");
     } else if (!experiment->info().length_noise) {
       assumptions.push_back(
           experiment->info().name +

@@ -71,9 +71,10 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
   const bool anything = std::any_of(works.begin(), works.end(),
                                     [](const ComponentWork& w) { return !w.fitted.empty(); });
   if (!anything) {
-    throw InputError({study.file, 0, "experiments"}, "no experiment that this version can fit",
-                     "at least one of hanging-weights, tensile-cycles, shear-cycles that is not "
-                     "under `validate`");
+    throw InputError(
+        {study.file, 0, "experiments"}, "no experiment that this version can fit",
+        "at least one of hanging-weights, tensile-cycles, shear-cycles, pure-bending, cantilever, "
+        "rolled-strip that is not under `validate`");
   }
   result.assumptions = assumptions_of(study, experiments);
   for (ComponentWork& work : works) {

@@ -1,9 +1,9 @@
 #include "pliant/experiment/checkpoint.h"
 
 #include <cstring>
+#include <fstream>
 #include <variant>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
@@ -90,6 +90,7 @@ SimulationState read_state(const Json& json, const State& start) {
   state.work = json.at("work");
   fill_state(json.at("state"), state.state);
   state.records.seconds = list_of<double>(json.at("seconds"));
+  state.records.substeps = list_of<int>(json.at("substeps"));
   state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
   state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
   state.energies = list_of<EnergyRow>(json.at("energies"));
@@ -97,34 +98,64 @@ SimulationState read_state(const Json& json, const State& start) {
   return state;
 }
 
+// The file of a list that a scene may also hold itself.
+void add_file_of(const IndexList& list, std::vector<std::filesystem::path>& files) {
+  if (!list.file.empty()) files.push_back(list.file);
+}
+
+void add_file_of(const VertexSelection& selection, std::vector<std::filesystem::path>& files) {
+  if (selection.vertices) add_file_of(*selection.vertices, files);
+}
+
+// Every file that a scene names, in its order.
+std::vector<std::filesystem::path> files_of(const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const SceneCloth& cloth : scene.cloth) {
+    if (const auto* mesh = std::get_if<FileMesh>(&cloth.mesh.kind)) files.push_back(mesh->file);
+    files.push_back(cloth.material.file);
+    for (const SceneRegion& region : cloth.regions) {
+      files.push_back(region.material.file);
+      add_file_of(region.faces, files);
+    }
+  }
+  for (const ScenePin& pin : scene.pins) add_file_of(pin.vertices, files);
+  for (const SceneClip& clip : scene.clips) add_file_of(clip.vertices, files);
+  return files;
+}
+
 void require(bool right, const std::filesystem::path& file, const std::string& problem,
              const std::string& expected) {
   if (!right) throw InputError({file.string(), 0, ""}, problem, expected);
+}
+
+constexpr const char* kWritten = "one that `pliant simulate` wrote";
+
+/// What stands behind the first line, undamaged.
+Json read_content(const std::filesystem::path& file) {
+  constexpr std::size_t kLargest = std::size_t{4} << 30;
+  const std::string bytes = read_text_file(file, kLargest);
+  require(bytes.starts_with(kType), file, "is no checkpoint", kWritten);
+  const std::string_view content = std::string_view(bytes).substr(bytes.find('\n') + 1);
+  require(bytes.starts_with(first_line(content)), file, "is a damaged checkpoint", kWritten);
+  return Json::from_cbor(content);
 }
 
 }  // namespace
 
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler) {
   std::string digests = sha256_of_file(scene.file);
-  for (const SceneCloth& cloth : scene.cloth) {
-    if (const auto* mesh = std::get_if<FileMesh>(&cloth.mesh.kind)) {
-      digests += sha256_of_file(mesh->file);
-    }
-    digests += sha256_of_file(cloth.material.file);
-    for (const SceneRegion& region : cloth.regions) digests += sha256_of_file(region.material.file);
-  }
+  for (const std::filesystem::path& file : files_of(scene)) digests += sha256_of_file(file);
   if (!filler.empty()) digests += sha256_of_file(filler);
   return sha256_of(digests);
 }
 
-std::string checkpoint_bytes(const SimulationState& state, const std::string& identity,
-                             int threads) {
+std::string checkpoint_bytes(const SimulationState& state, const std::string& identity) {
   const Json json{{"identity", identity},
-                  {"threads", threads},
                   {"steps", state.steps},
                   {"work", state.work},
                   {"state", state_json(state.state)},
                   {"seconds", bytes_of(state.records.seconds)},
+                  {"substeps", bytes_of(state.records.substeps)},
                   {"newton_iterations", bytes_of(state.records.newton_iterations)},
                   {"linear_iterations", bytes_of(state.records.linear_iterations)},
                   {"energies", bytes_of(state.energies)},
@@ -135,26 +166,32 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
 }
 
 SimulationState read_checkpoint(const std::filesystem::path& file, const Simulation& simulation,
-                                const std::string& identity, int threads) {
-  constexpr std::size_t kLargest = std::size_t{4} << 30;
-  const std::string bytes = read_text_file(file, kLargest);
-  const std::string expected = "one that `pliant simulate` wrote";
-  require(bytes.starts_with(kType), file, "is no checkpoint", expected);
-  const std::string_view content = std::string_view(bytes).substr(bytes.find('\n') + 1);
-  require(bytes.starts_with(first_line(content)), file, "is a damaged checkpoint", expected);
-
-  const Json json = Json::from_cbor(content);
+                                const std::string& identity) {
+  const Json json = read_content(file);
   require(json.at("identity") == identity, file, "is a checkpoint of another scene",
-          "one of this scene, with the same meshes, materials and --fill");
-  const int threads_then = json.at("threads");
-  require(threads_then == threads, file,
-          fmt::format("was computed with {} threads, not {}", threads_then, threads),
-          fmt::format("--threads {}, which the same result needs", threads_then));
+          "one of this scene, with the same files and --fill");
   try {
     return read_state(json, simulation.now().state);
   } catch (const std::exception&) {
     throw InputError({file.string(), 0, ""}, "is a checkpoint of another version of Pliant",
-                     expected + " of the same version");
+                     kWritten + std::string(" of the same version"));
+  }
+}
+
+bool is_checkpoint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string beginning(kType.size(), '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return in.good() && beginning == kType;
+}
+
+CheckpointFacts read_checkpoint_facts(const std::filesystem::path& file) {
+  const Json json = read_content(file);
+  try {
+    return {json.at("identity"), json.at("steps"), json.at("state").at("time")};
+  } catch (const Json::exception&) {
+    throw InputError({file.string(), 0, ""}, "is a checkpoint of another version of Pliant",
+                     kWritten + std::string(" of the same version"));
   }
 }
 

@@ -59,8 +59,8 @@ std::vector<SpecimenRows> specimens_of_column(const CsvTable& table, int first) 
 DataSource read_data_source(const Value& value) {
   DataSource source;
   source.where = value.location();
-  if (value.is_scalar()) {
-    source.written = value.text();
+  if (!value.is_mapping()) {
+    source.written = value.text("a CSV file, a pattern of files, or a mapping with `file`");
     source.files = find_files(value, source.written);
     return source;
   }

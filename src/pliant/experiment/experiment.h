@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/experiment/strip_shapes.h"
 #include "pliant/material/component_law.h"
 
 namespace pliant {
@@ -50,6 +51,9 @@ struct MeasuredPath {
   std::vector<int> direction;  ///< 1 loading, -1 unloading
   std::vector<int> anchor;     ///< row of the turning point before; the row itself at the start
   std::vector<int> specimen;   ///< 0, 1, ...
+  /// Rows where the path begins anew: from zero strain, free of friction, it comes to the row's
+  /// strain and turns. Empty: there are none.
+  std::vector<char> starts_flat;
 };
 
 /// An abscissa and an ordinate a row: the loop as the field draws it (force over length).
@@ -105,8 +109,18 @@ class Experiment {
   /// apparatus.
   virtual Eigen::VectorXd unfitted_nuisance() const = 0;
 
+  /// What an error is compared with (SI): the largest force, or the largest change of length.
+  virtual double reference() const;
+
   /// The loop of a series of the measured quantity (SI), measured or predicted.
   virtual LoopSeries loop(const Eigen::VectorXd& quantity) const = 0;
+
+  /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
+  /// measures none.
+  virtual std::optional<StripShapes> shapes(const ComponentLaw& law) const {
+    static_cast<void>(law);
+    return std::nullopt;
+  }
 
   /// Width across the force (m), for moduli per width; 1 where forces are per width already.
   virtual double loop_width() const = 0;

@@ -20,10 +20,6 @@ std::vector<char> used_rows(const ExperimentSpec& spec, int rows) {
   return used;
 }
 
-std::string component_of(const ExperimentSpec& spec) {
-  return spec.type == "shear-cycles" ? "shear" : "stretch." + spec.direction;
-}
-
 }  // namespace
 
 ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& data,
@@ -32,7 +28,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   info.name = spec.name;
   info.type = spec.type;
   info.direction = spec.direction;
-  info.component = component_of(spec);
+  info.component = component_of_test(spec.type, spec.direction);
   info.role = spec.role;
   info.quantity = std::move(quantity);
   for (const SpecimenRows& specimen : data.specimens()) info.specimens.push_back(specimen.name);

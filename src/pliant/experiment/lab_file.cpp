@@ -1,6 +1,7 @@
 #include <set>
 
 #include "pliant/experiment/experiment_name.h"
+#include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
@@ -14,12 +15,17 @@ struct InstrumentPart {
   double length = 0;
 };
 
-InstrumentPart read_part(Fields& fields, std::string_view key, bool shear) {
+InstrumentPart read_part(Fields& fields, std::string_view key, const std::string& type) {
   InstrumentPart part;
   const auto node = fields.optional(key);
   if (!node) return part;
   Fields inner = node->fields();
-  const Dimension force = shear ? Dimension::force_per_length : Dimension::force;
+  if (type == "pure-bending") {
+    if (auto v = inner.optional("moment")) part.force = v->quantity_from_zero(Dimension::force);
+    inner.finish();
+    return part;
+  }
+  const Dimension force = type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
   if (auto v = inner.optional("force")) part.force = v->quantity_from_zero(force);
   if (auto v = inner.optional("length")) part.length = v->quantity_from_zero(Dimension::length);
   inner.finish();
@@ -28,7 +34,62 @@ InstrumentPart read_part(Fields& fields, std::string_view key, bool shear) {
 
 Dimension peak_dimension(const std::string& type) {
   if (type == "hanging-weights") return Dimension::force;
+  if (type == "pure-bending") return Dimension::curvature;
   return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
+}
+
+// [P] 4.3.
+const std::vector<double>& published_radii() {
+  static const std::vector<double> radii{0.003, 0.004, 0.005, 0.006,  0.007,  0.0075,
+                                         0.010, 0.016, 0.023, 0.0275, 0.0315, 0.050};
+  return radii;
+}
+
+double read_position(Fields& fields, std::string_view key) {
+  const auto node = fields.optional(key);
+  if (!node) return 0;
+  Fields inner = node->fields();
+  double position = 0;
+  if (auto v = inner.optional("position")) position = v->quantity_from_zero(Dimension::length);
+  inner.finish();
+  return position;
+}
+
+void read_overhangs(Fields& fields, LabExperiment& experiment) {
+  const Value list = fields.require("overhangs");
+  for (const Value& overhang : list.items()) {
+    experiment.settings.push_back(overhang.positive_quantity(Dimension::length));
+  }
+  if (experiment.settings.empty()) list.fail("is empty", "at least one overhang");
+}
+
+void read_radii(Fields& fields, LabExperiment& experiment) {
+  experiment.settings = published_radii();
+  const auto list = fields.optional("radii");
+  if (!list) return;
+  experiment.settings.clear();
+  for (const Value& radius : list->items()) {
+    experiment.settings.push_back(radius.quantity(Dimension::length));
+    if (experiment.settings.back() == 0) radius.fail("is zero", "the radius of a cylinder");
+  }
+  if (experiment.settings.empty()) list->fail("is empty", "at least one radius");
+}
+
+void read_profiles(Fields& fields, LabExperiment& experiment) {
+  if (auto v = fields.optional("width")) experiment.width = v->positive_quantity(Dimension::length);
+  if (experiment.type == "rolled-strip") {
+    if (auto v = fields.optional("length")) {
+      experiment.length = v->positive_quantity(Dimension::length);
+    }
+    experiment.repeats = 3;
+    read_radii(fields, experiment);
+  } else {
+    read_overhangs(fields, experiment);
+  }
+  if (auto v = fields.optional("points")) experiment.points = v->integer(5, 1000);
+  if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
+  experiment.instrument.length_noise = read_position(fields, "noise");
+  experiment.instrument.length_resolution = read_position(fields, "resolution");
 }
 
 LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
@@ -37,10 +98,17 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   experiment.where = node.location();
   experiment.name = read_experiment_name(fields.require("name"), names);
   experiment.type =
-      fields.require("type").choice({"hanging-weights", "tensile-cycles", "shear-cycles"});
-  const bool shear = experiment.type == "shear-cycles";
-  if (!shear) {
+      fields.require("type").choice({"hanging-weights", "tensile-cycles", "shear-cycles",
+                                     "pure-bending", "cantilever", "rolled-strip"});
+  if (measures_profiles(experiment.type)) {
     experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+    read_profiles(fields, experiment);
+    fields.finish();
+    return experiment;
+  }
+  const bool shear = experiment.type == "shear-cycles";
+  if (!shear) experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+  if (!shear && experiment.type != "pure-bending") {
     if (auto v = fields.optional("length"))
       experiment.length = v->positive_quantity(Dimension::length);
     if (auto v = fields.optional("width"))
@@ -69,8 +137,8 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   }
   if (experiment.peaks.empty()) peaks.fail("is empty", "at least one peak");
   if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
-  const InstrumentPart noise = read_part(fields, "noise", shear);
-  const InstrumentPart resolution = read_part(fields, "resolution", shear);
+  const InstrumentPart noise = read_part(fields, "noise", experiment.type);
+  const InstrumentPart resolution = read_part(fields, "resolution", experiment.type);
   experiment.instrument = {noise.force, noise.length, resolution.force, resolution.length};
   fields.finish();
   return experiment;
@@ -84,7 +152,7 @@ VirtualLab read_lab(const std::filesystem::path& path) {
   require_document(fields, "lab", 1);
   VirtualLab lab;
   const Value material = fields.require("material");
-  lab.material = read_material(path.parent_path() / material.text());
+  lab.material = read_material(path.parent_path() / material.text("a material file"));
   lab.name = lab.material.name;
   if (auto v = fields.optional("name")) lab.name = v->text();
   if (auto v = fields.optional("specimens")) lab.specimens = v->integer(1, 1000);
@@ -95,11 +163,15 @@ VirtualLab read_lab(const std::filesystem::path& path) {
   const Value list = fields.require("experiments");
   for (const Value& node : list.items()) {
     LabExperiment experiment = read_experiment(node, names);
-    if (!law_of(lab.material,
-                experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction)) {
+    if (!law_of(lab.material, component_of_test(experiment.type, experiment.direction))) {
       node.fail("needs a component that the material " + quoted_value(lab.material.name) +
                     " does not have",
                 "a direction that was measured or assumed");
+    }
+    if (measures_profiles(experiment.type) && !(lab.material.density > 0)) {
+      node.fail("needs the density of the material " + quoted_value(lab.material.name) +
+                    ", which does not say it",
+                "a material with `density`: its own weight bends the strip");
     }
     lab.experiments.push_back(std::move(experiment));
   }

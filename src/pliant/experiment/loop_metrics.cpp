@@ -37,10 +37,16 @@ std::vector<Branch> branches_of(const LoopSeries& series, const MeasuredPath& pa
   return branches;
 }
 
-double work(const Branch& branch) {
+// Work along the part of a branch above `low`: what a way to the other side takes is no part of the
+// cycle.
+double work_above(const Branch& branch, double low) {
   double sum = 0;
   for (size_t i = 1; i < branch.x.size(); ++i) {
-    sum += (branch.x[i] - branch.x[i - 1]) * (branch.y[i] + branch.y[i - 1]) / 2;
+    const double from = branch.x[i - 1], to = branch.x[i];
+    const double begin = std::max(from, low), end = std::max(to, low);
+    if (begin == end) continue;
+    const double slope = (branch.y[i] - branch.y[i - 1]) / (to - from);
+    sum += (end - begin) * (branch.y[i - 1] + slope * ((begin + end) / 2 - from));
   }
   return sum;
 }
@@ -55,22 +61,17 @@ double ordinate_at(const Branch& branch, double x) {
   return branch.y.back();
 }
 
-double range_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high - *low;
-}
-
 constexpr double kUnloadingShare = 0.1;
 
 }  // namespace
 
 bool unloads(const MeasuredPath& path) {
-  const double range = range_of(path.strain);
+  const auto [low, high] = std::minmax_element(path.strain.begin(), path.strain.end());
+  const int side = -*low > *high ? -1 : 1;  // to which the path goes further
   for (size_t i = 0; i < path.strain.size(); ++i) {
     const auto anchor = static_cast<size_t>(path.anchor[i]);
-    if (path.direction[i] == -1 && path.strain[anchor] - path.strain[i] > kUnloadingShare * range) {
-      return true;
-    }
+    const double back = side * (path.strain[anchor] - path.strain[i]);
+    if (side * path.direction[i] == -1 && back > kUnloadingShare * (*high - *low)) return true;
   }
   return false;
 }
@@ -100,7 +101,8 @@ std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const Measured
   metrics.secant_modulus =
       (load->y.back() - load->y.front()) / width / ((high - load->x.front()) / length);
   metrics.hysteresis_ratio = (loading - unloading) / ((loading + unloading) / 2);
-  metrics.loop_loss = (work(*load) + work(*unload)) / work(*load);
+  const double loaded = work_above(*load, load->x.front());
+  metrics.loop_loss = (loaded + work_above(*unload, load->x.front())) / loaded;
   return metrics;
 }
 

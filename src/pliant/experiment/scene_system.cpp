@@ -1,9 +1,13 @@
 #include "pliant/experiment/scene_system.h"
 
+#include <algorithm>
+
 #include "pliant/experiment/scene/cloth_mesh.h"
 #include "pliant/experiment/scene/held_vertices.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/positive_stiffness.h"
+#include "pliant/material/use_warnings.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
 
@@ -17,19 +21,38 @@ struct Region {
   std::vector<int> triangles;
 };
 
+std::vector<int> held_axes(const ScenePin& pin) {
+  std::vector<int> axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (pin.directions[static_cast<size_t>(axis)]) axes.push_back(axis);
+  }
+  return axes;
+}
+
+// Cloths and regions may share a material.
+void add_once(const std::string& warning, std::vector<std::string>& warnings) {
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+    warnings.push_back(warning);
+  }
+}
+
 Material usable(const SceneMaterial& given, const std::optional<Material>& filler,
                 std::vector<std::string>& warnings) {
   Material material = given.material;
+  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
+    add_once(warning, warnings);
+  }
   if (filler) {
     for (const std::string& component : fillable_components(material, *filler)) {
-      warnings.push_back(component + " of " + material.name + " was not measured: assumed as " +
-                         filler->name + "'s");
+      add_once(component + " of " + quoted_value(material.name) + " was not measured: that of " +
+                   quoted_value(filler->name) + " is assumed",
+               warnings);
     }
     material = filled(material, *filler, given.where);
   }
   require_complete(material, sheet_component_names(), given.where);
   require_positive_stiffness(material, sheet_component_names(), given.where);
-  return material;
+  return held_beyond_range(material);
 }
 
 void require_mass(const Region& region, const Scene& scene) {
@@ -116,7 +139,12 @@ class SceneBuilder {
     positions_.resize(3, result_.vertices + attachments);
     masses_ = Eigen::VectorXd::Zero(positions_.cols());
     result_.faces.resize(3, faces);
-    int next_face = 0, next_point = result_.vertices;
+    place_cloths();
+    place_clips();
+  }
+
+  void place_cloths() {
+    int next_face = 0;
     for (size_t c = 0; c < result_.cloths.size(); ++c) {
       const ClothPiece& cloth = result_.cloths[c];
       const TriangleMesh& mesh = cloth.mesh;
@@ -124,15 +152,22 @@ class SceneBuilder {
       result_.faces.middleCols(next_face, mesh.triangle_count()) =
           mesh.triangles.array() + cloth.first_point;
       next_face += mesh.triangle_count();
-      for (const Region& region : regions_[c]) {
-        for (const int t : region.triangles) {
-          for (int i = 0; i < 3; ++i) {
-            masses_(cloth.first_point + mesh.triangles(i, t)) +=
-                region.material.density * rest_area(mesh, t) / 3;
-          }
-        }
+      for (const Region& region : regions_[c]) add_mass(cloth, region);
+    }
+  }
+
+  void add_mass(const ClothPiece& cloth, const Region& region) {
+    for (const int t : region.triangles) {
+      const double third = region.material.density * rest_area(cloth.mesh, t) / 3;
+      for (const int vertex : cloth.mesh.triangles.col(t)) {
+        masses_(cloth.first_point + vertex) += third;
       }
     }
+  }
+
+  // Masses of clips and the points of their cords.
+  void place_clips() {
+    int next_point = result_.vertices;
     for (size_t k = 0; k < scene_.clips.size(); ++k) {
       const SceneClip& clip = scene_.clips[k];
       const int first = result_.cloths[static_cast<size_t>(clip.cloth)].first_point;
@@ -149,34 +184,30 @@ class SceneBuilder {
 
   void add_pin(const ScenePin& pin, const std::vector<int>& vertices) {
     const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
-    const bool whole = pin.directions[0] && pin.directions[1] && pin.directions[2];
+    const std::vector<int> axes = held_axes(pin);
     std::vector<int> points;
     for (const int vertex : vertices) {
       points.push_back(first + vertex);
-      if (whole) {
-        system().coordinates().prescribe(points.back());
-        continue;
-      }
-      for (int axis = 0; axis < 3; ++axis) {
-        if (pin.directions[static_cast<size_t>(axis)]) {
-          system().coordinates().prescribe_axis(points.back(), axis);
-        }
-      }
+      hold(points.back(), axes);
     }
     if (!pin.motion) return;
     const Eigen::Matrix3Xd start = positions_(Eigen::all, points);
-    system().add_drive([points, start, motion = *pin.motion, directions = pin.directions](
-                           double time, Configuration& configuration) {
-      const Pose pose = pose_at(motion, time);
-      for (size_t i = 0; i < points.size(); ++i) {
-        const Eigen::Vector3d place = pose.apply(start.col(static_cast<Eigen::Index>(i)));
-        for (int axis = 0; axis < 3; ++axis) {
-          if (directions[static_cast<size_t>(axis)]) {
-            configuration.positions(axis, points[i]) = place(axis);
+    system().add_drive(
+        [points, axes, start, motion = *pin.motion](double time, Configuration& configuration) {
+          const Pose pose = pose_at(motion, time);
+          for (size_t i = 0; i < points.size(); ++i) {
+            const Eigen::Vector3d place = pose.apply(start.col(static_cast<Eigen::Index>(i)));
+            for (const int axis : axes) configuration.positions(axis, points[i]) = place(axis);
           }
-        }
-      }
-    });
+        });
+  }
+
+  void hold(int point, const std::vector<int>& axes) {
+    if (axes.size() == 3) {
+      system().coordinates().prescribe(point);
+      return;
+    }
+    for (const int axis : axes) system().coordinates().prescribe_axis(point, axis);
   }
 
   void add_clip(const SceneClip& clip, const std::vector<int>& vertices) {
@@ -246,15 +277,33 @@ class SceneBuilder {
     system().add(std::make_shared<PointForces>(scene_.gravity * masses_.transpose()));
   }
 
+  // Free clips start with their cloth; what is held, or moved from outside, starts at rest.
   void set_velocities() {
-    for (size_t c = 0; c < scene_.cloth.size(); ++c) {
-      if (!scene_.cloth[c].velocity) continue;
+    Eigen::Matrix3Xd& velocities = result_.start.velocities;
+    const auto of_cloth = [this](int cloth) -> Eigen::Vector3d {
+      return scene_.cloth[static_cast<size_t>(cloth)].velocity.value_or(Eigen::Vector3d::Zero());
+    };
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
       const ClothPiece& piece = result_.cloths[c];
-      for (int i = 0; i < piece.mesh.vertex_count(); ++i) {
-        if (system().coordinates().is_free(piece.first_point + i)) {
-          result_.start.velocities.col(piece.first_point + i) = *scene_.cloth[c].velocity;
-        }
+      velocities.middleCols(piece.first_point, piece.mesh.vertex_count()).colwise() =
+          of_cloth(static_cast<int>(c));
+    }
+    for (size_t k = 0; k < scene_.clips.size(); ++k) {
+      const SceneClip& clip = scene_.clips[k];
+      const Eigen::Vector3d velocity =
+          clip.free ? of_cloth(clip.cloth) : Eigen::Vector3d::Zero().eval();
+      for (const int point : system().coordinates().clip_points(static_cast<int>(k))) {
+        velocities.col(point) = velocity;
       }
+    }
+    for (size_t i = 0; i < scene_.pins.size(); ++i) stop_pin(scene_.pins[i], held_.pins[i]);
+  }
+
+  void stop_pin(const ScenePin& pin, const std::vector<int>& vertices) {
+    const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
+    const std::vector<int> axes = held_axes(pin);
+    for (const int vertex : vertices) {
+      for (const int axis : axes) result_.start.velocities(axis, first + vertex) = 0;
     }
   }
 

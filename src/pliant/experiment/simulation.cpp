@@ -11,11 +11,19 @@
 
 namespace pliant {
 
+struct Simulation::StepResult {
+  int substeps = 0;
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  double work = 0;  // J
+};
+
 /// Takes a simulation's state through one step.
 class Simulation::Stepper {
  public:
   virtual ~Stepper() = default;
-  virtual StepSummary advance(State& state) = 0;
+  /// @throws SolverError; `state` is then as it was
+  virtual StepResult advance(State& state) = 0;
 };
 
 namespace {
@@ -28,12 +36,12 @@ double default_tolerance(const System& system) {
   return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
-TimeStepOptions time_step_options(const Scene& scene, const System& system) {
+TimeStepOptions time_step_options(const Scene& scene) {
   TimeStepOptions options;
   options.step = scene.time.step;
   options.integrator = scene.time.integrator;
   options.solve = scene.time.solution;
-  options.tolerance = scene.time.tolerance.value_or(default_tolerance(system));
+  options.tolerance = scene.time.tolerance.value();
   options.linear_tolerance = scene.time.linear_tolerance;
   options.air = scene.air;
   return options;
@@ -43,50 +51,52 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void add(const StepSummary& part, StepSummary& whole) {
-  whole.newton_iterations += part.newton_iterations;
-  whole.linear_iterations += part.linear_iterations;
-  whole.residual = part.residual;
-  whole.work += part.work;
-}
-
 }  // namespace
 
 class Simulation::TimeSteps : public Simulation::Stepper {
  public:
   TimeSteps(const Scene& scene, const SceneSystem& built)
       : adaptive_(scene.time.adaptive),
-        stepper_(*built.system, time_step_options(scene, *built.system), built.faces),
+        stepper_(*built.system, time_step_options(scene), built.faces),
         step_(scene.time.step) {}
 
-  StepSummary advance(State& state) override { return advance(state, step_, 0); }
+  StepResult advance(State& state) override {
+    State next = state;
+    StepResult result;
+    advance(next, step_, 0, result);
+    state = std::move(next);
+    return result;
+  }
 
  private:
   // With `adaptive`, a step that fails is taken as two of half its size.
-  StepSummary advance(State& state, double step, int halvings) {
+  void advance(State& state, double step, int halvings, StepResult& result) {
     constexpr int kMostHalvings = 8;
     State next = state;
-    StepSummary summary;
-    try {
-      summary = stepper_.advance(next, step);
-    } catch (const SolverError& error) {
-      summary.converged = false;
-      summary.newton_iterations = error.iterations();
-      summary.residual = error.best_residual();
-    }
+    const StepSummary summary = attempt(next, step);
+    result.newton_iterations += summary.newton_iterations;
+    result.linear_iterations += summary.linear_iterations;
     if (summary.converged) {
+      ++result.substeps;
+      result.work += summary.work;
       state = std::move(next);
-      return summary;
+      return;
     }
     if (!adaptive_ || halvings == kMostHalvings) {
       throw SolverError(fmt::format("the step to {:.6g} s", state.time + step),
                         summary.newton_iterations, summary.residual);
     }
-    StepSummary whole;
-    whole.newton_iterations = 0;
-    add(advance(state, step / 2, halvings + 1), whole);
-    add(advance(state, step / 2, halvings + 1), whole);
-    return whole;
+    for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
+  }
+
+  StepSummary attempt(State& state, double step) {
+    try {
+      return stepper_.advance(state, step);
+    } catch (const SolverError& error) {
+      return {.converged = false,
+              .newton_iterations = error.iterations(),
+              .residual = error.best_residual()};
+    }
   }
 
   bool adaptive_;
@@ -97,23 +107,19 @@ class Simulation::TimeSteps : public Simulation::Stepper {
 class Simulation::Equilibria : public Simulation::Stepper {
  public:
   Equilibria(const Scene& scene, const SceneSystem& built)
-      : path_(*built.system, options(scene, *built.system), built.start), step_(scene.time.step) {}
+      : path_(*built.system, options(scene), built.start), step_(scene.time.step) {}
 
-  StepSummary advance(State& state) override {
+  StepResult advance(State& state) override {
     path_.go_on_from(state);
     const PathPoint point = path_.step(state.time + step_);
     state = path_.state();
-    StepSummary summary;
-    summary.newton_iterations = point.newton.iterations;
-    summary.residual = point.newton.residual;
-    summary.work = point.work;
-    return summary;
+    return {point.equilibria, point.newton.iterations, point.newton.linear_iterations, point.work};
   }
 
  private:
-  static StaticPathOptions options(const Scene& scene, const System& system) {
+  static StaticPathOptions options(const Scene& scene) {
     StaticPathOptions options;
-    options.newton.tolerance = scene.time.tolerance.value_or(default_tolerance(system));
+    options.newton.tolerance = scene.time.tolerance.value();
     return options;
   }
 
@@ -121,9 +127,11 @@ class Simulation::Equilibria : public Simulation::Stepper {
   double step_;
 };
 
-Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler)
+Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler, int threads)
     : scene_(scene), built_(build_scene(scene, filler)) {
-  if (scene.time.kind == SimulationKind::dynamic) {
+  built_.system->set_threads(threads);
+  if (!scene_.time.tolerance) scene_.time.tolerance = default_tolerance(*built_.system);
+  if (scene_.time.kind == SimulationKind::dynamic) {
     stepper_ = std::make_unique<TimeSteps>(scene_, built_);
   } else {
     stepper_ = std::make_unique<Equilibria>(scene_, built_);
@@ -173,14 +181,15 @@ void Simulation::record_clips(const Eigen::Matrix3Xd& gradient) {
 
 void Simulation::advance() {
   const double begin = seconds_now();
-  const StepSummary summary = stepper_->advance(now_.state);
+  const StepResult result = stepper_->advance(now_.state);
   ++now_.steps;
   // Not a sum of steps, which would drift.
   now_.state.time = now_.steps * scene_.time.step;
-  now_.work += summary.work;
+  now_.work += result.work;
   now_.records.seconds.push_back(seconds_now() - begin);
-  now_.records.newton_iterations.push_back(summary.newton_iterations);
-  now_.records.linear_iterations.push_back(summary.linear_iterations);
+  now_.records.substeps.push_back(result.substeps);
+  now_.records.newton_iterations.push_back(result.newton_iterations);
+  now_.records.linear_iterations.push_back(result.linear_iterations);
 }
 
 }  // namespace pliant

@@ -30,9 +30,10 @@ struct ClipRow {
   std::array<double, 3> force{};
 };
 
-/// What the steps of a simulation took.
+/// What the steps of a simulation took, attempts that failed included.
 struct StepRecords {
   std::vector<double> seconds;
+  std::vector<int> substeps;  ///< 1 but where a step was halved
   std::vector<int> newton_iterations;
   std::vector<int> linear_iterations;
 };
@@ -47,12 +48,16 @@ struct SimulationState {
   std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene
 };
 
-/// A scene on its way through time, or along a path of equilibria.
+/// A scene on its way through time, or along a path of equilibria. An equilibrium that is not found
+/// is approached by half the step, and its halves again; so is a time step where the scene says
+/// `adaptive`.
 class Simulation {
  public:
-  Simulation(const Scene& scene, const std::optional<Material>& filler);
+  /// @param threads  to compute with, at most; the results do not depend on it
+  Simulation(const Scene& scene, const std::optional<Material>& filler, int threads = 1);
   ~Simulation();
 
+  /// The scene, with the tolerance that its steps are solved to.
   const Scene& scene() const { return scene_; }
   const SceneSystem& built() const { return built_; }
   const SimulationState& now() const { return now_; }
@@ -66,10 +71,11 @@ class Simulation {
   void record_frame();
 
   /// Takes one step of the scene.
-  /// @throws SolverError when it does not converge; the state is then as it was
+  /// @throws SolverError when it does not converge, however short; the state is then as it was
   void advance();
 
  private:
+  struct StepResult;
   class Stepper;
   class TimeSteps;
   class Equilibria;

@@ -34,6 +34,19 @@ Json frames(const Simulation& simulation) {
   return list;
 }
 
+// `time_step` stands beside it.
+Json method(const Stepping& time) {
+  const bool dynamic = time.kind == SimulationKind::dynamic;
+  const bool converged = time.solution == StepSolve::converged;
+  return {{"kind", name_of(time.kind)},
+          {"integrator", dynamic ? Json(name_of(time.integrator)) : Json(nullptr)},
+          {"solve", name_of(time.solution)},
+          {"tolerance", converged ? Json(time.tolerance.value()) : Json(nullptr)},
+          {"linear_tolerance", converged ? Json(nullptr) : Json(time.linear_tolerance)},
+          {"adaptive", time.adaptive || !dynamic},
+          {"friction", name_of(time.friction)}};
+}
+
 }  // namespace
 
 std::string simulation_text(const Simulation& simulation, const SimulationFacts& facts) {
@@ -55,9 +68,11 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"vertices", simulation.built().vertices},
             {"steps", now.steps},
             {"time_step", scene.time.step},
+            {"method", method(scene.time)},
             {"frames", frames(simulation)},
             {"fields", fields},
             {"seconds_per_step", statistics(now.records.seconds)},
+            {"substeps", statistics(now.records.substeps)},
             {"newton_iterations", statistics(now.records.newton_iterations)},
             {"linear_iterations", statistics(now.records.linear_iterations)},
             {"peak_memory_MB", facts.peak_memory},

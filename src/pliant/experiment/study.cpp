@@ -70,6 +70,18 @@ ExcludedRows read_excluded_rows(const Value& node) {
 StatedNoise read_noise(const Value& node, const std::string& type) {
   Fields fields = node.fields();
   StatedNoise noise;
+  if (measures_profiles(type)) {
+    if (auto v = fields.optional("position")) {
+      noise.length = v->positive_quantity(Dimension::length);
+    }
+    fields.finish();
+    return noise;
+  }
+  if (type == "pure-bending") {
+    if (auto v = fields.optional("moment")) noise.force = v->positive_quantity(Dimension::force);
+    fields.finish();
+    return noise;
+  }
   const Dimension force = type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
   if (auto v = fields.optional("force")) noise.force = v->positive_quantity(force);
   if (auto v = fields.optional("length")) noise.length = v->positive_quantity(Dimension::length);
@@ -91,15 +103,24 @@ std::string read_type(const Value& value) {
   return value.choice(views);
 }
 
+double read_length(Fields& fields, std::string_view key, double fallback) {
+  if (fallback > 0 && !fields.optional(key)) return fallback;
+  return fields.require(key).positive_quantity(Dimension::length);
+}
+
 void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
-  const auto read = [&](std::string_view key, double fallback) {
-    if (auto v = fields.optional(key)) return v->positive_quantity(Dimension::length);
-    if (fallback == 0) fields.require(key);
-    return fallback;
-  };
   spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-  spec.length = read("length", defaults.length);
-  spec.width = read("width", defaults.width);
+  spec.length = read_length(fields, "length", defaults.length);
+  spec.width = read_length(fields, "width", defaults.width);
+}
+
+// Of a cantilever the data tell the length; the width of a strip that only its weight bends says
+// nothing, and is kept for the record.
+void read_bent_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
+  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+  if (spec.type == "rolled-strip") spec.length = read_length(fields, "length", defaults.length);
+  spec.width = defaults.width;
+  if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
 }
 
 InitialFriction read_initial_friction(Fields& fields) {
@@ -143,6 +164,14 @@ void read_shear_cycles(Fields& fields, ExperimentSpec& spec) {
   spec.initial_friction = read_initial_friction(fields);
 }
 
+// Moments are per width: the size of the specimen is kept for the record.
+void read_pure_bending(Fields& fields, ExperimentSpec& spec) {
+  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+  if (auto v = fields.optional("length")) spec.length = v->positive_quantity(Dimension::length);
+  if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
+  spec.initial_friction = read_initial_friction(fields);
+}
+
 // The fields that belong to the type; those of types for later are kept as they are.
 void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   if (spec.type == "hanging-weights") {
@@ -153,6 +182,10 @@ void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& 
     read_tensile_cycles(fields, spec);
   } else if (spec.type == "shear-cycles") {
     read_shear_cycles(fields, spec);
+  } else if (spec.type == "pure-bending") {
+    read_pure_bending(fields, spec);
+  } else if (measures_profiles(spec.type)) {
+    read_bent_strip(fields, defaults, spec);
   } else {
     for (auto& [key, value] : fields.all()) {
       if (!value.is_scalar()) continue;
@@ -299,7 +332,19 @@ void apply_validate(const Value& list, Study& study) {
 }  // namespace
 
 bool is_supported_type(std::string_view type) {
-  return type == "hanging-weights" || type == "tensile-cycles" || type == "shear-cycles";
+  return type == "hanging-weights" || type == "tensile-cycles" || type == "shear-cycles" ||
+         type == "pure-bending" || measures_profiles(type);
+}
+
+bool measures_profiles(std::string_view type) {
+  return type == "cantilever" || type == "rolled-strip";
+}
+
+std::string component_of_test(std::string_view type, const std::string& direction) {
+  if (type == "shear-cycles") return "shear";
+  const bool bends = type == "pure-bending" || type == "buckling-bend" || measures_profiles(type);
+  if (!bends) return "stretch." + direction;
+  return "bend." + (direction == "bias" ? "diagonal" : direction);
 }
 
 bool matches(std::string_view pattern, std::string_view name) {

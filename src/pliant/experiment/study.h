@@ -31,8 +31,8 @@ struct ExcludedRows {
 
 /// Stated standard deviations of the instrument's noise; absent: estimated from the residuals.
 struct StatedNoise {
-  std::optional<double> force;   ///< N; N/m in shear-cycles
-  std::optional<double> length;  ///< m
+  std::optional<double> force;  ///< N; N/m in shear-cycles; in pure-bending of the moment per width
+  std::optional<double> length;  ///< m; of positions in cantilever and rolled-strip
 };
 
 enum class InitialFriction {
@@ -53,7 +53,7 @@ struct ExperimentSpec {
   std::string direction;  ///< warp, weft, bias; empty where the type has none
   std::string standard;
   DataSource data;
-  double length = 0;  ///< gauge length
+  double length = 0;  ///< gauge length; rolled-strip: of the strip
   double width = 0;
   double clip_mass = 0;
   double pretension = 0;          ///< N, at which the gauge length was set
@@ -118,6 +118,13 @@ struct Study {
 
 /// Experiment types that this version fits and predicts.
 bool is_supported_type(std::string_view type);
+
+/// Types whose rows are points of strips' profiles: cantilever, rolled-strip.
+bool measures_profiles(std::string_view type);
+
+/// Strain component that a test of a type and direction determines, e.g. stretch.warp. What bends
+/// along the bias is bend.diagonal.
+std::string component_of_test(std::string_view type, const std::string& direction);
 
 /// Reads a study/1 file.
 /// @throws InputError that names file, line and field

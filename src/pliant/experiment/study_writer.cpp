@@ -50,8 +50,17 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
   return node;
 }
 
-YAML::Node noise_node(const StatedNoise& noise, bool shear) {
+YAML::Node noise_node(const StatedNoise& noise, const std::string& type) {
   YAML::Node node;
+  if (measures_profiles(type)) {
+    node["position"] = text_of(*noise.length, Dimension::length);
+    return node;
+  }
+  if (type == "pure-bending") {
+    node["moment"] = text_of(*noise.force, Dimension::force);
+    return node;
+  }
+  const bool shear = type == "shear-cycles";
   if (noise.force) {
     node["force"] = text_of(*noise.force, shear ? Dimension::force_per_length : Dimension::force);
   }
@@ -63,6 +72,12 @@ void add_strip(const ExperimentSpec& spec, YAML::Node& node) {
   node["direction"] = spec.direction;
   node["length"] = text_of(spec.length, Dimension::length);
   node["width"] = text_of(spec.width, Dimension::length);
+}
+
+void add_bent_strip(const ExperimentSpec& spec, YAML::Node& node) {
+  node["direction"] = spec.direction;
+  if (spec.length > 0) node["length"] = text_of(spec.length, Dimension::length);
+  if (spec.width > 0) node["width"] = text_of(spec.width, Dimension::length);
 }
 
 void add_initial_friction(const ExperimentSpec& spec, YAML::Node& node) {
@@ -85,6 +100,11 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   } else if (spec.type == "shear-cycles") {
     node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
     add_initial_friction(spec, node);
+  } else if (spec.type == "pure-bending") {
+    add_bent_strip(spec, node);
+    add_initial_friction(spec, node);
+  } else if (measures_profiles(spec.type)) {
+    add_bent_strip(spec, node);
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }
@@ -98,7 +118,7 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
   add_type_fields(spec, node);
   if (!spec.standard.empty()) node["standard"] = spec.standard;
   if (spec.noise.force || spec.noise.length) {
-    node["noise"] = noise_node(spec.noise, spec.type == "shear-cycles");
+    node["noise"] = noise_node(spec.noise, spec.type);
   }
   for (const ExcludedRows& rows : spec.excluded) {
     YAML::Node excluded;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -12,16 +13,14 @@
 #include "pliant/base/random.h"
 #include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/strip_pull.h"
+#include "pliant/experiment/study.h"
+#include "pliant/experiment/virtual_profiles.h"
 #include "pliant/experiment/weight_path.h"
 #include "pliant/io/csv_writer.h"
+#include "pliant/material/bending_strain.h"
 
 namespace pliant {
 namespace {
-
-double measured(double value, double noise, double resolution, RandomStream& random) {
-  if (noise > 0) value += noise * random.normal();
-  return resolution > 0 ? resolution * std::round(value / resolution) : value;
-}
 
 ComponentLaw specimen_law(const ComponentLaw& law, double variation, RandomStream& random) {
   if (variation == 0) return law;
@@ -144,8 +143,30 @@ std::string pull(const LabExperiment& experiment, const ComponentLaw& law, const
   return csv.text();
 }
 
-// KES-FB1: 0, +peak, -peak, 0 in one cycle.
-std::string shear(const LabExperiment& experiment, const ComponentLaw& law, RandomStream& random) {
+// What a machine moves at even speed, how that strains the sheet, and what it writes down.
+struct ImposedTest {
+  const char* driver = "";
+  double driver_per_si = 1;
+  const char* measured = "";
+  std::function<double(double)> strain_of;
+  std::function<double(double)> apparatus;  // added to the stress
+};
+
+ImposedTest shear_test(double transverse_tension) {
+  return {"angle_deg", 180 / std::numbers::pi, "force_N_per_m",
+          [](double angle) { return std::sin(angle); },
+          [=](double angle) { return transverse_tension * std::tan(angle); }};
+}
+
+ImposedTest bending_test() {
+  return {"curvature_1_per_m", 1, "moment_N",
+          [](double curvature) { return kStrainPerCurvature * curvature; },
+          [](double) { return 0.0; }};
+}
+
+// KES-FB1 and KES-FB2: 0, +peak, -peak, 0 in one cycle.
+std::string to_and_fro(const LabExperiment& experiment, const ImposedTest& test,
+                       const ComponentLaw& law, RandomStream& random) {
   std::vector<double> turns{0};
   for (int repeat = 0; repeat < experiment.repeats; ++repeat) {
     for (const double peak : experiment.peaks) turns.insert(turns.end(), {peak, -peak});
@@ -154,21 +175,24 @@ std::string shear(const LabExperiment& experiment, const ComponentLaw& law, Rand
   const double largest = *std::max_element(experiment.peaks.begin(), experiment.peaks.end());
   const SampledPath path = sample_path(turns, 2 * largest / (experiment.samples - 1));
   FrictionPath stress(law, {});
-  const std::vector<std::string> header{"angle_deg", "force_N_per_m"};
+  const std::vector<std::string> header{test.driver, test.measured};
   CsvWriter csv(header);
   for (const Stretch& stretch : path.stretches) {
     for (int i = stretch.first; i <= stretch.last; ++i) {
-      const double angle = path.value[static_cast<size_t>(i)];
-      const double force =
-          stress.at(std::sin(angle)).stress + experiment.transverse_tension * std::tan(angle);
-      csv.cell(angle * 180 / std::numbers::pi);
-      csv.cell(measured(force, experiment.instrument.force_noise,
+      const double driven = path.value[static_cast<size_t>(i)];
+      const double value = stress.at(test.strain_of(driven)).stress + test.apparatus(driven);
+      csv.cell(driven * test.driver_per_si);
+      csv.cell(measured(value, experiment.instrument.force_noise,
                         experiment.instrument.force_resolution, random));
       csv.end_row();
     }
-    stress.turn_at(std::sin(stretch.turn), {});
+    stress.turn_at(test.strain_of(stretch.turn), {});
   }
   return csv.text();
+}
+
+bool goes_both_ways(const LabExperiment& experiment) {
+  return experiment.type == "shear-cycles" || experiment.type == "pure-bending";
 }
 
 constexpr int kFewestRows = 9;  // of a half cycle: with fewer, its reversals cannot be found again
@@ -176,14 +200,14 @@ constexpr int kFewestRows = 9;  // of a half cycle: with fewer, its reversals ca
 // Rows of the shortest way between two reversals.
 double rows_of_shortest_leg(const LabExperiment& experiment) {
   const auto [least, most] = std::minmax_element(experiment.peaks.begin(), experiment.peaks.end());
-  const bool shear = experiment.type == "shear-cycles";
-  const double slack = shear ? 0 : experiment.slack / experiment.length;
-  const double reach = shear ? 2 * *most : *most + slack;
+  const bool both_ways = goes_both_ways(experiment);
+  const double slack = both_ways ? 0 : experiment.slack / experiment.length;
+  const double reach = both_ways ? 2 * *most : *most + slack;
   return (*least + slack) / reach * (experiment.samples - 1);
 }
 
 void require_rows_between_reversals(const LabExperiment& experiment) {
-  if (experiment.type == "hanging-weights") return;
+  if (experiment.peaks.empty() || experiment.type == "hanging-weights") return;
   const double rows = rows_of_shortest_leg(experiment);
   if (rows >= kFewestRows) return;
   throw InputError(
@@ -196,7 +220,11 @@ std::string measure(const LabExperiment& experiment, const ComponentLaw& law, co
                     RandomStream& random) {
   if (experiment.type == "hanging-weights") return hang(experiment, law, lab, random);
   if (experiment.type == "tensile-cycles") return pull(experiment, law, lab, random);
-  return shear(experiment, law, random);
+  if (measures_profiles(experiment.type)) {
+    return measure_profiles(experiment, law, lab.material.density, random);
+  }
+  if (experiment.type == "pure-bending") return to_and_fro(experiment, bending_test(), law, random);
+  return to_and_fro(experiment, shear_test(experiment.transverse_tension), law, random);
 }
 
 // A text as YAML reads it back, whatever is in it: JSON's quotes are YAML's.
@@ -213,8 +241,13 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
     }
     return text + "    initial_friction: rest\n";
   }
-  text += fmt::format("    direction: {}\n    length: {} m\n    width: {} m\n", e.direction,
-                      e.length, e.width);
+  if (e.type == "pure-bending") {
+    return text + fmt::format("    direction: {}\n    initial_friction: rest\n", e.direction);
+  }
+  text += fmt::format("    direction: {}\n    width: {} m\n", e.direction, e.width);
+  if (e.type == "cantilever") return text;
+  text += fmt::format("    length: {} m\n", e.length);
+  if (e.type == "rolled-strip") return text;
   if (e.type == "tensile-cycles") return text + "    initial_friction: rest\n";
   if (e.clip_mass > 0) text += fmt::format("    clip_mass: {} kg\n", e.clip_mass);
   return text;
@@ -243,9 +276,8 @@ std::vector<std::pair<std::string, std::string>> make_measurements(const Virtual
   RandomStream root(context.seed);
   for (const LabExperiment& experiment : lab.experiments) {
     require_rows_between_reversals(experiment);
-    const std::string component =
-        experiment.type == "shear-cycles" ? "shear" : "stretch." + experiment.direction;
-    const ComponentLaw law = *law_of(lab.material, component);
+    const ComponentLaw law =
+        *law_of(lab.material, component_of_test(experiment.type, experiment.direction));
     for (int specimen = 1; specimen <= lab.specimens; ++specimen) {
       context.stop.throw_if_requested();
       RandomStream random = root.split(fmt::format("{}/{}", experiment.name, specimen));

@@ -7,17 +7,10 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/run_context.h"
+#include "pliant/experiment/virtual_instrument.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
-
-/// Noise and resolution of a virtual instrument (SI); zero: ideal.
-struct Instrument {
-  double force_noise = 0;  ///< standard deviation; N, or N/m in shear-cycles
-  double length_noise = 0;
-  double force_resolution = 0;
-  double length_resolution = 0;
-};
 
 /// A virtual experiment of a lab/1 file.
 struct LabExperiment {
@@ -25,12 +18,15 @@ struct LabExperiment {
   double length = 0.1, width = 0.1;
   double clip_mass = 0;
   Instrument instrument;
-  std::vector<double>
-      peaks;          ///< hanging-weights: N; tensile-cycles: engineering strain; shear-cycles: rad
-  double step = 1;    ///< hanging-weights: N between weights
-  int repeats = 1;    ///< of the whole sequence
-  int samples = 100;  ///< rows of a half cycle of the largest amplitude
-  double slack = 0;   ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
+  std::vector<double> peaks;     ///< hanging-weights: N; tensile-cycles: engineering strain;
+                                 ///< shear-cycles: rad; pure-bending: 1/m
+  double step = 1;               ///< hanging-weights: N between weights
+  int repeats = 1;               ///< of the whole sequence
+  int samples = 100;             ///< rows of a half cycle of the largest amplitude
+  std::vector<double> settings;  ///< m; cantilever: overhangs; rolled-strip: radii of the
+                                 ///< cylinders, negative where they turn the strip right
+  int points = 25;               ///< of a profile
+  double slack = 0;  ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
   double transverse_tension = 0;
   Location where;
 };

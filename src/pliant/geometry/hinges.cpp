@@ -43,15 +43,13 @@ Hinge make_hinge(const TriangleMesh& mesh, const Side& first, const Side& second
 std::vector<Hinge> find_hinges(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, Side> sides;  // by directed edge
   std::vector<Hinge> hinges;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const Side side{t, k};
-      const int from = vertex(mesh, side, 0), to = vertex(mesh, side, 1);
-      const bool fresh = sides.emplace(std::pair(from, to), side).second;
-      PLIANT_ASSERT(fresh, "two triangles run the same way along an edge");
-      const auto opposite = sides.find({to, from});
-      if (opposite != sides.end()) hinges.push_back(make_hinge(mesh, opposite->second, side));
-    }
+  for (int i = 0; i < 3 * mesh.triangle_count(); ++i) {
+    const Side side{i / 3, i % 3};
+    const int from = vertex(mesh, side, 0), to = vertex(mesh, side, 1);
+    const bool fresh = sides.emplace(std::pair(from, to), side).second;
+    PLIANT_ASSERT(fresh, "two triangles run the same way along an edge");
+    const auto opposite = sides.find({to, from});
+    if (opposite != sides.end()) hinges.push_back(make_hinge(mesh, opposite->second, side));
   }
   return hinges;
 }

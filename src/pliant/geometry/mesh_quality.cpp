@@ -26,6 +26,8 @@ constexpr double kSmallestShape = 1e-6;
 /// Longest edge of a triangle over the size of the mesh.
 constexpr double kSmallestSize = 1e-9;
 
+constexpr const char* kSomeArea = "corners that are not in one line, and apart from each other";
+
 /// Looks at a mesh from all sides and keeps what it finds.
 class MeshInspector {
  public:
@@ -33,7 +35,7 @@ class MeshInspector {
       : mesh_(mesh), numbering_(numbering) {}
 
   std::vector<MeshProblem> inspect() && {
-    if (mesh_.triangle_count() == 0) add(0, "the mesh has no triangles");
+    if (mesh_.triangle_count() == 0) add(0, "the mesh has no triangles", "a surface");
     check_vertex_numbers();
     if (!problems_.empty()) return std::move(problems_);
     check_finite();
@@ -45,15 +47,17 @@ class MeshInspector {
   }
 
  private:
-  void add(int line, std::string text) {
-    if (problems_.size() < kMaxMeshProblems) problems_.push_back({std::move(text), line});
+  void add(int line, std::string text, std::string expected) {
+    if (problems_.size() >= kMaxMeshProblems) return;
+    problems_.push_back({std::move(text), std::move(expected), line});
   }
 
-  void add_triangle(int triangle, std::string_view what) {
+  void add_triangle(int triangle, std::string_view what, std::string expected) {
     const Eigen::Vector3i v = mesh_.triangles.col(triangle);
     add(numbering_.line_of(triangle),
         fmt::format("face {} (vertices {}, {}, {}) {}", face(triangle), numbering_.shown(v[0]),
-                    numbering_.shown(v[1]), numbering_.shown(v[2]), what));
+                    numbering_.shown(v[1]), numbering_.shown(v[2]), what),
+        std::move(expected));
   }
 
   int face(int triangle) const { return numbering_.shown(numbering_.face_of(triangle)); }
@@ -63,9 +67,11 @@ class MeshInspector {
       const Eigen::Vector3i v = mesh_.triangles.col(t);
       if (v.minCoeff() < 0 || v.maxCoeff() >= mesh_.vertex_count()) {
         add_triangle(
-            t, fmt::format("has a vertex that is not there (there are {})", mesh_.vertex_count()));
+            t, fmt::format("has a vertex that is not there (there are {})", mesh_.vertex_count()),
+            fmt::format("numbers from {} to {}", numbering_.shown(0),
+                        numbering_.shown(mesh_.vertex_count() - 1)));
       } else if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
-        add_triangle(t, "has a vertex twice");
+        add_triangle(t, "has a vertex twice", "three different vertices");
       }
     }
   }
@@ -73,10 +79,13 @@ class MeshInspector {
   void check_finite() {
     for (int i = 0; i < mesh_.vertex_count(); ++i) {
       if (mesh_.positions.col(i).allFinite()) continue;
-      add(0, fmt::format("the position of vertex {} is not finite", numbering_.shown(i)));
+      add(numbering_.line_of_vertex(i),
+          fmt::format("the position of vertex {} is not finite", numbering_.shown(i)),
+          "finite coordinates");
     }
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
-      if (!mesh_.rest_triangle(t).allFinite()) add_triangle(t, "has no finite rest shape");
+      if (mesh_.rest_triangle(t).allFinite()) continue;
+      add_triangle(t, "has no finite rest shape", "finite coordinates");
     }
   }
 
@@ -91,7 +100,8 @@ class MeshInspector {
     for (std::size_t i = 1; i < triangles.size(); ++i) {
       if (triangles[i].first != triangles[i - 1].first) continue;
       add_triangle(triangles[i].second,
-                   fmt::format("has the vertices of face {}", face(triangles[i - 1].second)));
+                   fmt::format("has the vertices of face {}", face(triangles[i - 1].second)),
+                   "each face once");
     }
   }
 
@@ -101,14 +111,16 @@ class MeshInspector {
       const Eigen::Matrix<double, 2, 3> rest = mesh_.rest_triangle(t);
       const double area = rest_area(mesh_, t);
       if (is_degenerate(std::abs(area), rest, rest_size)) {
-        add_triangle(t, fmt::format("has no area at rest ({:.3g} m^2)", area));
+        add_triangle(t, fmt::format("has no area at rest ({:.3g} m^2)", area), kSomeArea);
       } else if (area < 0) {
-        add_triangle(t, fmt::format("is inverted at rest (its area is {:.3g} m^2)", area));
+        add_triangle(t, fmt::format("is inverted at rest (its area is {:.3g} m^2)", area),
+                     "corners that run counter-clockwise at rest");
       }
       Eigen::Matrix3d space;
       for (int k = 0; k < 3; ++k) space.col(k) = mesh_.positions.col(mesh_.triangles(k, t));
       if (is_degenerate(space_area(mesh_, t), space, space_size)) {
-        add_triangle(t, fmt::format("has no area in space ({:.3g} m^2)", space_area(mesh_, t)));
+        add_triangle(t, fmt::format("has no area in space ({:.3g} m^2)", space_area(mesh_, t)),
+                     kSomeArea);
       }
     }
   }
@@ -135,25 +147,25 @@ class MeshInspector {
       const std::span edge_sides(sides.data() + begin, end - begin);
       if (edge_sides.size() > 2) {
         add_edge(edge_sides, fmt::format("is shared by {} triangles", edge_sides.size()),
-                 "a sheet has one or two");
+                 "one or two triangles at every edge of a sheet");
       } else if (edge_sides.size() == 2 && edge_sides[0].from == edge_sides[1].from) {
         add_edge(edge_sides, "has two triangles that run the same way along it",
-                 "neighbours face the same side");
+                 "neighbours that face the same side");
       }
     }
   }
 
-  void add_edge(std::span<const TriangleSide> sides, std::string_view what,
-                std::string_view should) {
+  void add_edge(std::span<const TriangleSide> sides, std::string_view what, std::string expected) {
     std::vector<int> faces;
     for (const TriangleSide& side : sides.first(std::min<std::size_t>(sides.size(), 5))) {
       faces.push_back(face(side.triangle));
     }
     const auto [low, high] = std::minmax(sides[0].from, sides[0].to);
     add(numbering_.line_of(sides[0].triangle),
-        fmt::format("the edge between vertices {} and {} {} (faces {}{}); {}",
-                    numbering_.shown(low), numbering_.shown(high), what, fmt::join(faces, ", "),
-                    sides.size() > faces.size() ? ", ..." : "", should));
+        fmt::format("the edge between vertices {} and {} {} (faces {}{})", numbering_.shown(low),
+                    numbering_.shown(high), what, fmt::join(faces, ", "),
+                    sides.size() > faces.size() ? ", ..." : ""),
+        std::move(expected));
   }
 
   void check_isolated_vertices() {
@@ -161,7 +173,9 @@ class MeshInspector {
     for (const int vertex : mesh_.triangles.reshaped()) used[vertex] = true;
     for (int i = 0; i < mesh_.vertex_count(); ++i) {
       if (used[i]) continue;
-      add(0, fmt::format("vertex {} belongs to no triangle", numbering_.shown(i)));
+      add(numbering_.line_of_vertex(i),
+          fmt::format("vertex {} belongs to no triangle", numbering_.shown(i)),
+          "only vertices of faces: others would have no mass");
     }
   }
 
@@ -192,7 +206,7 @@ void require_good_mesh(const TriangleMesh& mesh, const MeshNumbering& numbering)
     text += fmt::format(" (and {}{} more problem{})", others,
                         problems.size() == kMaxMeshProblems ? " or" : "", others == 1 ? "" : "s");
   }
-  throw InputError({numbering.file, problems[0].line}, text);
+  throw InputError({numbering.file, problems[0].line}, text, problems[0].expected);
 }
 
 MeshQuality mesh_quality(const TriangleMesh& mesh) {

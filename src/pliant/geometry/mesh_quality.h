@@ -11,8 +11,9 @@ namespace pliant {
 
 /// Something that makes a mesh unfit for simulation.
 struct MeshProblem {
-  std::string text;  ///< names the triangles or vertices
-  int line = 0;      ///< of the first of them in the mesh's file; 0 where there is none
+  std::string text;      ///< names the triangles or vertices
+  std::string expected;  ///< what would be right
+  int line = 0;          ///< of the first of them in the mesh's file; 0 where there is none
 };
 
 inline constexpr std::size_t kMaxMeshProblems = 100;

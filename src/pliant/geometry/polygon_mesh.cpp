@@ -54,7 +54,7 @@ Eigen::Matrix2Xd texture_of(const ObjMesh& obj) {
 
 PolygonMesh from_obj(ObjMesh obj, const std::string& file) {
   PolygonMesh mesh;
-  mesh.numbering = {file, 1, {}, std::move(obj.face_lines)};
+  mesh.numbering = {file, 1, {}, std::move(obj.face_lines), std::move(obj.vertex_lines)};
   mesh.positions = to_matrix(obj.positions);
   mesh.texture = texture_of(obj);
   mesh.faces = std::move(obj.faces);
@@ -169,7 +169,7 @@ PolygonMesh read_polygon_mesh(const std::filesystem::path& path) {
       extension == ".obj" ? from_obj(read_obj(path), file) : from_ply(read_ply(path), file);
   if (mesh.faces.size() == 0) throw InputError({file}, "the mesh has no faces", "a surface");
   if (mesh.faces.corners.size() > std::numeric_limits<int>::max() / 3) {
-    throw InputError({file}, "the mesh is too large");
+    throw InputError({file}, "the mesh is too large", "fewer faces");
   }
   return mesh;
 }

@@ -187,7 +187,7 @@ std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_vi
 }
 
 std::optional<CsvTable::QuantityColumn> CsvTable::find_quantity(std::string_view name) const {
-  if (const auto mapped = mapped_quantity(name)) return mapped;
+  if (auto mapped = mapped_quantity(name)) return mapped;
   std::optional<QuantityColumn> found;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     std::optional<std::string> unit = unit_of_quantity(columns_[i].header, name);

@@ -86,6 +86,18 @@ void DocumentBuilder::attach(Node node) {
   parent.key_given = false;
 }
 
+std::string DocumentBuilder::path() const {
+  std::string path;
+  for (const OpenNode& open : open_) {
+    if (open.node.kind == Node::Kind::sequence) {
+      path += fmt::format("[{}]", open.node.items.size());
+    } else if (open.key_given) {
+      path += (path.empty() ? "" : ".") + open.key;
+    }
+  }
+  return path;
+}
+
 Document DocumentBuilder::finish() && {
   PLIANT_ASSERT(open_.empty() && has_root_, "the document is complete");
   return std::move(document_);

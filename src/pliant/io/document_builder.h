@@ -27,6 +27,9 @@ class DocumentBuilder {
   /// until the next event.
   const Node* close();
 
+  /// Dotted path of the value that comes next, e.g. "components.shear.stiffness.value[2]".
+  std::string path() const;
+
   /// Depth of the open sequences and mappings.
   int depth() const { return static_cast<int>(open_.size()); }
   bool has_root() const { return has_root_; }

@@ -10,16 +10,16 @@
 namespace pliant {
 namespace {
 
-const char* kind_name(const Node& node) {
-  switch (node.kind) {
+const char* kind_text(Node::Kind kind) {
+  switch (kind) {
     case Node::Kind::null:
-      return "nothing";
+      return "has no value";
     case Node::Kind::scalar:
-      return "a single value";
+      return "is a single value";
     case Node::Kind::sequence:
-      return "a list";
+      return "is a list";
     case Node::Kind::mapping:
-      return "a mapping";
+      return "is a mapping";
   }
   return "";
 }
@@ -43,12 +43,16 @@ void Value::fail(const std::string& problem, const std::string& expected) const 
   throw InputError(location(), problem, expected);
 }
 
-const std::string& Value::scalar(const char* expected) const {
-  if (!is_scalar()) fail(fmt::format("is {}", kind_name(*node_)), expected);
+void Value::fail_kind(const std::string& expected) const {
+  fail(missing_ ? "is missing" : kind_text(kind()), expected);
+}
+
+const std::string& Value::scalar(const std::string& expected) const {
+  if (!is_scalar()) fail_kind(expected);
   return node_->text;
 }
 
-std::string Value::text() const { return scalar("a text"); }
+std::string Value::text(const std::string& expected) const { return scalar(expected); }
 
 double Value::number() const {
   const std::string& text = scalar("a number");
@@ -60,7 +64,7 @@ double Value::number() const {
 double Value::quantity(Dimension dimension) const {
   const std::string expected = expected_quantity(dimension);
   try {
-    return parse_quantity(scalar(expected.c_str()), dimension);
+    return parse_quantity(scalar(expected), dimension);
   } catch (const QuantityError& error) {
     fail(error.problem(), error.expected());
   }
@@ -86,7 +90,7 @@ bool Value::flag() const {
 
 int Value::integer(int low, int high) const {
   const std::string expected = fmt::format("a whole number from {} to {}", low, high);
-  const std::string& text = scalar(expected.c_str());
+  const std::string& text = scalar(expected);
   const std::optional<long> value = parse_integer(trimmed(text));
   if (!value || *value < low || *value > high) fail(quoted_value(text), expected);
   return static_cast<int>(*value);
@@ -94,7 +98,7 @@ int Value::integer(int low, int high) const {
 
 std::string Value::choice(std::span<const std::string_view> allowed) const {
   const std::vector<std::string> names(allowed.begin(), allowed.end());
-  const std::string text = scalar(list_of_names(names).c_str());
+  const std::string text = scalar(list_of_names(names));
   if (std::find(allowed.begin(), allowed.end(), text) != allowed.end()) return text;
   fail(quoted_value(text) + did_you_mean(text, names), list_of_names(names));
 }
@@ -104,7 +108,7 @@ std::string Value::choice(std::initializer_list<std::string_view> allowed) const
 }
 
 std::vector<Value> Value::items() const {
-  if (!is_sequence()) fail(fmt::format("is {}", kind_name(*node_)), "a list");
+  if (!is_sequence()) fail_kind("a list");
   std::vector<Value> items;
   items.reserve(node_->items.size());
   for (const Node& item : node_->items) {
@@ -114,7 +118,7 @@ std::vector<Value> Value::items() const {
 }
 
 std::vector<double> Value::numbers() const {
-  if (!is_sequence()) fail(fmt::format("is {}", kind_name(*node_)), "a list of numbers");
+  if (!is_sequence()) fail_kind("a list of numbers");
   std::vector<double> numbers;
   numbers.reserve(node_->items.size());
   for (const Node& item : node_->items) {
@@ -129,7 +133,7 @@ std::vector<double> Value::numbers() const {
 }
 
 Fields Value::fields() const {
-  if (!is_mapping()) fail(fmt::format("is {}", kind_name(*node_)), "a mapping (KEY: VALUE)");
+  if (!is_mapping()) fail_kind("a mapping (KEY: VALUE)");
   return Fields(*this);
 }
 
@@ -138,15 +142,12 @@ std::string Fields::path_of(std::string_view key) const {
 }
 
 Value Fields::require(std::string_view key) {
-  std::optional<Value> value = optional(key);
-  if (!value) {
-    Location where = location();
-    where.field = path_of(key);
-    const Node* null = find_field(*mapping_.node_, key);
-    if (null != nullptr) where.line = null->line;
-    throw InputError(where, null != nullptr ? "has no value" : "is missing");
-  }
-  return *std::move(value);
+  asked_.emplace(key);
+  const Node* node = find_field(*mapping_.node_, key);
+  if (node != nullptr) return Value(*mapping_.document_, *node, path_of(key));
+  Value missing(*mapping_.document_, *mapping_.node_, path_of(key));
+  missing.missing_ = true;
+  return missing;
 }
 
 std::optional<Value> Fields::optional(std::string_view key) {

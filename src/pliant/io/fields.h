@@ -27,13 +27,14 @@ class Value {
   explicit Value(const Document& document);
 
   Location location() const;
-  bool is_null() const { return node_->kind == Node::Kind::null; }
-  bool is_scalar() const { return node_->kind == Node::Kind::scalar; }
-  bool is_sequence() const { return node_->kind == Node::Kind::sequence; }
-  bool is_mapping() const { return node_->kind == Node::Kind::mapping; }
+  bool is_null() const { return kind() == Node::Kind::null; }
+  bool is_scalar() const { return kind() == Node::Kind::scalar; }
+  bool is_sequence() const { return kind() == Node::Kind::sequence; }
+  bool is_mapping() const { return kind() == Node::Kind::mapping; }
 
   /// Any scalar as text.
-  std::string text() const;
+  /// @param expected  what it should be, for the error
+  std::string text(const std::string& expected = "a text") const;
   /// A finite number without unit, in quotes or not (instruments write both).
   double number() const;
   /// A number with a unit of `dimension`, in SI.
@@ -63,11 +64,15 @@ class Value {
   friend class Fields;
   Value(const Document& document, const Node& node, std::string path);
 
-  const std::string& scalar(const char* expected) const;
+  Node::Kind kind() const { return missing_ ? Node::Kind::null : node_->kind; }
+  const std::string& scalar(const std::string& expected) const;
+  /// Fails because the value is of another kind, or not there at all.
+  [[noreturn]] void fail_kind(const std::string& expected) const;
 
   const Document* document_;
-  const Node* node_;
+  const Node* node_;  // of a missing value: the mapping that lacks it
   std::string path_;
+  bool missing_ = false;
 };
 
 /// The fields of a mapping. It remembers which keys were asked for, so that `finish` can refuse
@@ -76,7 +81,8 @@ class Fields {
  public:
   Location location() const { return mapping_.location(); }
 
-  /// The value of a key that must be there.
+  /// The value of a key that must be there. Where it is not, reading the value throws, whatever it
+  /// is read as: only then is it known what is expected.
   Value require(std::string_view key);
   std::optional<Value> optional(std::string_view key);
 

@@ -107,8 +107,13 @@ class JsonHandler : public nlohmann::json_sax<nlohmann::json> {
   bool start_array(std::size_t /*size*/) override { return open(Node::Kind::sequence); }
   bool end_array() override { return close(); }
 
-  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+  bool parse_error(std::size_t /*position*/, const std::string& token,
                    const nlohmann::detail::exception& error) override {
+    constexpr int kNumberOverflow = 406;  // the library's number of the only one about values
+    if (error.id == kNumberOverflow) {
+      throw InputError({builder_.file(), lines_.line(), builder_.path()},
+                       quoted_value(token) + " is not a finite number", "a number");
+    }
     builder_.fail(lines_.line(), problem_of(error.what()));
   }
 

@@ -18,7 +18,8 @@ struct ObjMesh {
   /// For each corner of `faces` the number of its texture point, counted from 0, -1 where it has
   /// none; empty when no face has any.
   std::vector<int> texture_corners;
-  std::vector<int> face_lines;  ///< where each face stands, counted from 1; empty when not read
+  std::vector<int> face_lines;    ///< where each face stands, counted from 1; empty when not read
+  std::vector<int> vertex_lines;  ///< the same of each position
   /// After reading: statements that were left out (normals, groups, materials, ...) and how often.
   std::map<std::string, int> ignored;
 };

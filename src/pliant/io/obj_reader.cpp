@@ -104,6 +104,7 @@ class ObjParser {
   void add_position(std::string_view rest) {
     check_count(mesh_.positions.size());
     mesh_.positions.push_back({number(rest), number(rest), number(rest)});
+    mesh_.vertex_lines.push_back(lines_.number());
     // A weight, a colour or both.
     for (int i = 0; i < 4 && !rest.empty(); ++i) number(rest);
     check_end(rest);
@@ -153,7 +154,8 @@ class ObjParser {
     if (*number > 0) return static_cast<int>(*number - 1);
     const long from_end = static_cast<long>(count) + *number;
     if (from_end < 0) {
-      fail(fmt::format("{} counts back beyond the first of {}", quoted_value(word), count));
+      fail(fmt::format("{} counts back beyond the first of {}", quoted_value(word), count),
+           "a number that was given before");
     }
     return static_cast<int>(from_end);
   }
@@ -195,19 +197,20 @@ class ObjParser {
 
   void check_count(std::size_t count) const {
     if (count >= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      fail("the mesh is too large");
+      fail("the mesh is too large", "fewer than 2^31 of each kind");
     }
   }
 
   void check_end(std::string_view rest) const {
-    if (!rest.empty()) fail("the line has too many numbers, from " + quoted_value(rest));
+    if (rest.empty()) return;
+    fail("the line has too many numbers, from " + quoted_value(rest), "nothing behind them");
   }
 
   [[noreturn]] void fail_corner(std::string_view word) const {
     fail("a corner " + quoted_value(word), "V, V/VT, V//VN or V/VT/VN, counted from 1");
   }
 
-  [[noreturn]] void fail(const std::string& problem, const std::string& expected = {}) const {
+  [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
     throw InputError({file_, lines_.number()}, problem, expected);
   }
 

@@ -149,7 +149,7 @@ fs::path ResultDirectory::grow(const std::string& relative_name) {
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
   files_.insert(relative_name);
   publish();
-  const fs::path file = directory_ / relative_name;
+  fs::path file = directory_ / relative_name;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw OutputError(file.string(), error.message());

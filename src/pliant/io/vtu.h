@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,24 @@ struct VtuOptions {
 
 /// A VTK unstructured grid file (.vtu), as ParaView reads it.
 std::string write_vtu(const VtuGrid& grid, const VtuOptions& options = {});
+
+/// A field as the head of a file tells it.
+struct VtuField {
+  std::string name;
+  int components = 1;
+  bool of_points = true;  ///< else of cells
+};
+
+/// What a file holds, without its numbers.
+struct VtuHead {
+  long points = 0;
+  long cells = 0;
+  std::vector<VtuField> fields;
+};
+
+/// Reads the head of a file of one piece, as `write_vtu` writes it.
+/// @throws InputError for a file that is no such grid
+VtuHead read_vtu_head(const std::filesystem::path& path);
 
 /// One moment of a series.
 struct PvdFrame {

@@ -1,12 +1,9 @@
 #include "pliant/material/fill.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "pliant/base/number_text.h"
 
 namespace pliant {
 namespace {
@@ -52,19 +49,6 @@ void match_bending(Material& material, const Material& filler, const Location& w
       where,
       fmt::format("the bending of {} is {}", quoted_value(filler.name), bending_text(filler)),
       fmt::format("{}, as of {}", bending_text(material), quoted_value(material.name)));
-}
-
-/// A strain where the stiffness is not positive.
-std::optional<double> soft_strain(const MaterialComponent& component) {
-  const ScalarCurve& curve = *component.stiffness;
-  std::vector<double> strains{0};
-  if (curve.kind() == CurveKind::hermite) strains = curve.knots();
-  if (curve.kind() == CurveKind::affine && component.range) {
-    strains.insert(strains.end(), {component.range->first, component.range->second});
-  }
-  const auto soft = std::find_if(strains.begin(), strains.end(),
-                                 [&](double strain) { return curve.value(strain) <= 0; });
-  return soft == strains.end() ? std::nullopt : std::optional(*soft);
 }
 
 }  // namespace
@@ -117,22 +101,6 @@ void require_complete(const Material& material, std::span<const std::string> nam
                    fmt::format("{} of the material {} {} not measured", fmt::join(missing, ", "),
                                quoted_value(material.name), missing.size() == 1 ? "was" : "were"),
                    "a measurement, or --fill FILE with a material to take it from");
-}
-
-void require_positive_stiffness(const Material& material, std::span<const std::string> names,
-                                const Location& where) {
-  for (const std::string& name : names) {
-    if (!is_known(material, name)) continue;
-    const MaterialComponent& component = material.components.at(name);
-    const std::optional<double> strain = soft_strain(component);
-    if (!strain) continue;
-    throw InputError(where,
-                     fmt::format("the stiffness {} of the material {} is {} at strain {}", name,
-                                 quoted_value(material.name),
-                                 format_number(component.stiffness->value(*strain), 4),
-                                 format_number(*strain, 4)),
-                     "a stiffness above 0");
-  }
 }
 
 }  // namespace pliant

@@ -33,10 +33,4 @@ Material filled(const Material& material, const Material& filler, const Location
 void require_complete(const Material& material, std::span<const std::string> names,
                       const Location& where = {});
 
-/// @throws InputError that names a component whose stiffness is not positive: at a control point,
-/// or
-///         (affine) without strain and at the ends of the component's range
-void require_positive_stiffness(const Material& material, std::span<const std::string> names,
-                                const Location& where = {});
-
 }  // namespace pliant

@@ -119,6 +119,17 @@ MaterialComponent read_component(const Value& node, bool even) {
   return component;
 }
 
+/// The tree of a material file; a file that is no JSON at all may be a scene named by mistake.
+Document read_material_document(const std::filesystem::path& path) {
+  try {
+    return read_json(path);
+  } catch (const InputError& error) {
+    if (!error.expected().empty()) throw;
+    throw InputError(error.where(), error.problem(),
+                     "a material file: JSON with \"pliant\": \"material/1\"");
+  }
+}
+
 Json curve_json(const ScalarCurve& curve) {
   Json json{{"curve", name_of(curve.kind())}};
   switch (curve.kind()) {
@@ -164,7 +175,7 @@ Json component_json(const MaterialComponent& component) {
 }  // namespace
 
 Material read_material(const std::filesystem::path& path) {
-  const Document document = read_json(path);
+  const Document document = read_material_document(path);
   Fields fields = Value(document).fields();
   require_document(fields, "material", 1);
 

@@ -1,6 +1,7 @@
 #include "pliant/mechanics/cloth.h"
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -23,6 +24,9 @@ struct Law {
   std::vector<int> places;
   std::vector<std::string> field_names;
 };
+
+// Makes the law of components of a material.
+using LawOf = std::function<Law(const std::vector<std::string>& components)>;
 
 Law make_law(const Material& material, const std::vector<std::string>& components,
              const DensityOptions& options, ParameterList& parameters) {
@@ -116,15 +120,13 @@ BendingVector hinge_factors(const TriangleMesh& mesh, const std::vector<Hinge>& 
 }
 
 void add_shells(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
-                const std::vector<int>& triangles, const DensityOptions& options,
-                ParameterList& parameters, Cloth& cloth) {
+                const std::vector<int>& triangles, const LawOf& law_of_components, Cloth& cloth) {
   const std::vector<Hinge> hinges = hinges_of(mesh, triangles);
   if (hinges.empty()) return;
   const std::vector<BendingVector> weights = bending_weights(hinges, bending_rule(mesh));
   const BendingVector factors = hinge_factors(mesh, hinges, material, cloth);
   for (int c = 0; c < 3; ++c) {
-    const Law law =
-        make_law(material, {bending_components()[static_cast<size_t>(c)]}, options, parameters);
+    const Law law = law_of_components({bending_components()[static_cast<size_t>(c)]});
     Stencils<DiscreteShells> stencils;
     for (size_t h = 0; h < hinges.size(); ++h) {
       const double part = weights[h](c) * factors(c);
@@ -165,7 +167,7 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
                 const std::vector<int>& triangles, const DensityOptions& options,
                 ParameterList& parameters) {
   Cloth cloth;
-  const auto law = [&](const std::vector<std::string>& components) {
+  const LawOf law = [&](const std::vector<std::string>& components) {
     return make_law(material, components, options, parameters);
   };
   const std::optional<GridSprings> springs =
@@ -191,7 +193,7 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
     add_springs(system, springs->bending_diagonal, first_point, true, law({"bend.diagonal"}),
                 cloth);
   } else {
-    add_shells(system, mesh, first_point, material, triangles, options, parameters, cloth);
+    add_shells(system, mesh, first_point, material, triangles, law, cloth);
   }
   system.set_parameter_count(static_cast<int>(parameters.names.size()));
   return cloth;

@@ -29,7 +29,7 @@ void Coordinates::prescribe(int point) {
 void Coordinates::prescribe_axis(int point, int axis) {
   PLIANT_ASSERT(owner_.at(static_cast<size_t>(point)) == kFree && axis >= 0 && axis < 3,
                 "an axis of a free point");
-  if (!is_axis_prescribed(point, axis)) held_axes_.push_back({point, axis});
+  held_axes_.push_back({point, axis});
 }
 
 int Coordinates::add_clip(const std::vector<int>& points, bool prescribed) {
@@ -63,12 +63,6 @@ double Coordinates::clip_radius(int clip, const Configuration& at) const {
 bool Coordinates::is_prescribed(int point) const {
   const int owner = owner_[static_cast<size_t>(point)];
   return owner == kPrescribed || (owner >= 0 && clip_is_prescribed(owner));
-}
-
-bool Coordinates::is_axis_prescribed(int point, int axis) const {
-  return std::any_of(held_axes_.begin(), held_axes_.end(), [&](const HeldAxis& held) {
-    return held.point == point && held.axis == axis;
-  });
 }
 
 void Coordinates::number() {
@@ -196,7 +190,7 @@ void Coordinates::hold_neutral_rotations(const Configuration& at, BlockMatrix& h
     const Eigen::Matrix3Xd arms =
         at.positions(Eigen::all, clip.points).colwise() - at.clips[k].translation;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(arms * arms.transpose());
-    const Eigen::Vector3d squares = spread.eigenvalues();  // increasing
+    const Eigen::Vector3d& squares = spread.eigenvalues();  // increasing
     if (squares(1) > kFlat * squares(2)) continue;
     const bool is_point = squares(2) == 0;
     const Eigen::Vector3d line = spread.eigenvectors().col(2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -39,8 +40,8 @@ class Coordinates {
   double clip_radius(int clip, const Configuration& at) const;
   bool is_free(int point) const { return row(point) >= 0; }
   bool is_prescribed(int point) const;
-  /// Whether a free point's position along an axis comes from outside.
-  bool is_axis_prescribed(int point, int axis) const;
+  /// The clip that a point belongs to; -1 for none.
+  int clip_of(int point) const { return std::max(owner_[static_cast<size_t>(point)], -1); }
 
   /// Block row of a free point; -1 for any other.
   int row(int point) const { return rows_[static_cast<size_t>(point)]; }

@@ -50,6 +50,7 @@ void make_tangent_convex(Response& response, int strains) {
 template <class Measure>
 struct ElementPotential<Measure>::Batch {
   LanePositions<Measure> positions;
+  LaneStrains strain;
   Samples samples;
   Rests rests;
   LaneKernel<Measure> kernel;
@@ -59,14 +60,15 @@ struct ElementPotential<Measure>::Batch {
   Batch(const ElementPotential& potential, int batch, const Configuration& configuration,
         const double* history)
       : positions(potential.gather(batch, configuration)),
-        samples(potential.remembered(batch, history)),
+        strain(kLanes, Measure::kStrains),
+        samples(potential.samples(batch, strain, history)),
         rests(potential.rests_near(batch, samples.last)),
         kernel(rests.data(), positions),
         response(Measure::kStrains),
         size(Eigen::Map<const Lane>(potential.sizes_.data() + kLanes * batch)) {
-    samples.strain = kernel.strain();
+    strain = kernel.strain();
   }
-  Batch(const Batch&) = delete;  // the kernel refers to its own positions
+  Batch(const Batch&) = delete;  // the samples and the kernel refer to its own numbers
   Batch& operator=(const Batch&) = delete;
 };
 
@@ -110,6 +112,15 @@ template <class Measure>
 void ElementPotential<Measure>::bind(const Coordinates& coordinates, const BlockPattern& pattern) {
   entries_.clear();
   entries_.reserve(points_.size() * kPairs<Measure>);
+  groups_ = ElementGroups(batches(), [&](int batch, std::vector<int>& touched) {
+    for (int l = 0; l < kLanes; ++l) {
+      for (const int node : points_[static_cast<size_t>(kLanes * batch + l)]) {
+        touched.push_back(node);
+        const int clip = coordinates.clip_of(node);
+        if (clip >= 0) touched.push_back(coordinates.points() + clip);
+      }
+    }
+  });
   for (const auto& nodes : points_) {
     for (const auto& [i, j] : node_pairs<Measure>()) {
       const int p = nodes[static_cast<size_t>(i)], q = nodes[static_cast<size_t>(j)];
@@ -143,18 +154,18 @@ LanePositions<Measure> ElementPotential<Measure>::gather(int batch,
 }
 
 template <class Measure>
-Samples ElementPotential<Measure>::remembered(int batch, const double* history) const {
+Samples ElementPotential<Measure>::samples(int batch, const LaneStrains& strain,
+                                           const double* history) const {
   constexpr int m = Measure::kStrains;
   const double* own = history + Eigen::Index(kLanes) * columns() * batch;
-  return {{},
-          LaneHistory(own, kLanes, m),
-          LaneHistory(own + kLanes * m, kLanes, m),
-          LaneHistory(own + 2 * kLanes * m, kLanes, columns() - 2 * m)};
+  return {LaneView(strain.data(), kLanes, m), LaneView(own, kLanes, m),
+          LaneView(own + kLanes * m, kLanes, m),
+          LaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m)};
 }
 
 template <class Measure>
 typename ElementPotential<Measure>::Rests ElementPotential<Measure>::rests_near(
-    int batch, const LaneStrains& last) const {
+    int batch, const LaneView& last) const {
   Rests rests;
   for (int l = 0; l < kLanes; ++l) {
     typename Measure::Rest& rest = rests[static_cast<size_t>(l)];
@@ -168,35 +179,47 @@ typename ElementPotential<Measure>::Rests ElementPotential<Measure>::rests_near(
 
 template <class Measure>
 void ElementPotential<Measure>::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  const bool convex = at.curvature == Curvature::convex;
-  for (int batch = 0; batch < batches(); ++batch) {
-    Batch elements(*this, batch, at.configuration, at.history);
-    density_->add(elements.samples, at.time, elements.response);
-    derivatives.energy.stored += (elements.size * elements.response.stored).sum();
-    derivatives.energy.work += (elements.size * elements.response.work).sum();
-    if (derivatives.gradient) {
-      LanePositions<Measure> gradient;
-      elements.kernel.gradient(elements.response, elements.size, gradient);
-      for (int l = 0; l < kLanes; ++l) {
-        const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
-        for (int i = 0; i < Measure::kNodes; ++i) {
-          for (int a = 0; a < 3; ++a) {
-            (*derivatives.gradient)(a, nodes[static_cast<size_t>(i)]) += gradient(l, 3 * i + a);
-          }
-        }
+  derivatives.energy += groups_.sum<Energy>(
+      at.threads, [&](int batch) { return evaluate_batch(batch, at, derivatives); });
+}
+
+template <class Measure>
+Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at,
+                                                 const Derivatives& derivatives) const {
+  Batch elements(*this, batch, at.configuration, at.history);
+  density_->add(elements.samples, at.time, elements.response);
+  if (derivatives.gradient) add_gradient(batch, elements, *derivatives.gradient);
+  if (derivatives.hessian) {
+    if (at.curvature == Curvature::convex) {
+      make_tangent_convex(elements.response, Measure::kStrains);
+    }
+    add_hessian(batch, elements, at, *derivatives.hessian);
+  }
+  return {(elements.size * elements.response.stored).sum(),
+          (elements.size * elements.response.work).sum()};
+}
+
+template <class Measure>
+void ElementPotential<Measure>::add_gradient(int batch, const Batch& elements,
+                                             Eigen::Matrix3Xd& gradient) const {
+  LanePositions<Measure> values;
+  elements.kernel.gradient(elements.response, elements.size, values);
+  for (int l = 0; l < kLanes; ++l) {
+    const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
+    for (int i = 0; i < Measure::kNodes; ++i) {
+      for (int a = 0; a < 3; ++a) {
+        gradient(a, nodes[static_cast<size_t>(i)]) += values(l, 3 * i + a);
       }
     }
-    if (!derivatives.hessian) continue;
-    if (convex) make_tangent_convex(elements.response, Measure::kStrains);
-    add_hessian(batch, elements, convex, at, *derivatives.hessian);
   }
 }
 
 template <class Measure>
-void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, bool convex,
-                                            const Evaluation& at, Hessian& hessian) const {
+void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, const Evaluation& at,
+                                            Hessian& hessian) const {
   LaneHessian<Measure> values;
-  elements.kernel.hessian(elements.response, elements.size, convex, values);
+  elements.kernel.hessian(elements.response, elements.size, at.curvature == Curvature::convex,
+                          values);
   const int* entry = entries_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
   for (int l = 0; l < kLanes; ++l) {
     const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
@@ -234,7 +257,7 @@ Eigen::VectorXd ElementPotential<Measure>::initial_history(
   advance({configuration, at_rest.data(), {}}, history.data());
   for (int batch = 0; batch < batches(); ++batch) {
     double* own = history.data() + Eigen::Index(kLanes) * columns() * batch;
-    MutableLaneHistory(own + kLanes * m, kLanes, m) = MutableLaneHistory(own, kLanes, m);
+    MutableLaneView(own + kLanes * m, kLanes, m) = MutableLaneView(own, kLanes, m);
   }
   return history;
 }
@@ -242,18 +265,16 @@ Eigen::VectorXd ElementPotential<Measure>::initial_history(
 template <class Measure>
 double ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
   constexpr int m = Measure::kStrains;
-  double work = 0;
-  for (int batch = 0; batch < batches(); ++batch) {
+  return groups_.sum<double>(at.threads, [&](int batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
     double* own = next + Eigen::Index(kLanes) * columns() * batch;
-    MutableLaneHistory(own, kLanes, m) = elements.samples.strain;
-    MutableLaneHistory(own + kLanes * m, kLanes, m) = elements.samples.last;
-    Lane done = Lane::Zero();
+    MutableLaneView(own, kLanes, m) = elements.strain;
+    MutableLaneView(own + kLanes * m, kLanes, m) = elements.samples.last;
+    Lane work = Lane::Zero();
     density_->advance(elements.samples, at.time,
-                      MutableLaneHistory(own + 2 * kLanes * m, kLanes, columns() - 2 * m), done);
-    work += (elements.size * done).sum();
-  }
-  return work;
+                      MutableLaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m), work);
+    return (elements.size * work).sum();
+  });
 }
 
 template <class Measure>

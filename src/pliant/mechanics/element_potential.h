@@ -4,6 +4,7 @@
 
 #include "pliant/material/density/density.h"
 #include "pliant/mechanics/element_fields.h"
+#include "pliant/mechanics/element_groups.h"
 #include "pliant/mechanics/lane_kernel.h"
 #include "pliant/mechanics/parametric_potential.h"
 #include "pliant/mechanics/stencils.h"
@@ -51,10 +52,11 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   int batches() const { return static_cast<int>(points_.size()) / kLanes; }
   int columns() const { return 2 * Measure::kStrains + density_->history_size(); }
   LanePositions<Measure> gather(int batch, const Configuration& configuration) const;
-  Samples remembered(int batch, const double* history) const;
-  Rests rests_near(int batch, const LaneStrains& last) const;
-  void add_hessian(int batch, const Batch& elements, bool convex, const Evaluation& at,
-                   Hessian& hessian) const;
+  Samples samples(int batch, const LaneStrains& strain, const double* history) const;
+  Rests rests_near(int batch, const LaneView& last) const;
+  Energy evaluate_batch(int batch, const Evaluation& at, const Derivatives& derivatives) const;
+  void add_gradient(int batch, const Batch& elements, Eigen::Matrix3Xd& gradient) const;
+  void add_hessian(int batch, const Batch& elements, const Evaluation& at, Hessian& hessian) const;
 
   std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches
   std::vector<typename Measure::Rest> rests_;
@@ -64,6 +66,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::vector<int> parameter_places_;
   std::vector<std::string> field_names_;
   std::vector<int> entries_;  // of each pair of each stencil: see bind
+  ElementGroups groups_;      // of batches
 };
 
 }  // namespace pliant

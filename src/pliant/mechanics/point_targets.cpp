@@ -2,13 +2,12 @@
 
 namespace pliant {
 
-PointTargets::PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets, Kind kind)
-    : stiffness_(std::move(stiffness)), targets_(std::move(targets)), kind_(kind) {}
+PointTargets::PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets)
+    : stiffness_(std::move(stiffness)), targets_(std::move(targets)) {}
 
 void PointTargets::evaluate(const Evaluation& at, Derivatives& derivatives) const {
   const Eigen::Matrix3Xd way = at.configuration.positions - targets_;
-  const double energy = way.colwise().squaredNorm().dot(stiffness_) / 2;
-  (kind_ == Kind::stored ? derivatives.energy.stored : derivatives.energy.work) += energy;
+  derivatives.energy.stored += way.colwise().squaredNorm().dot(stiffness_) / 2;
   if (derivatives.gradient) *derivatives.gradient += way * stiffness_.asDiagonal();
   if (!derivatives.hessian) return;
   Hessian& hessian = *derivatives.hessian;

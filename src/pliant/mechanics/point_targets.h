@@ -5,15 +5,12 @@
 namespace pliant {
 
 /// Quadratic pull of points towards targets: sum of stiffness / 2 |position - target|^2. A time
-/// step's inertia (stiffness = mass / time^2) and drag (coefficient / time) are such.
+/// step's inertia is such, with the stiffness mass / time^2.
 class PointTargets : public Potential {
  public:
-  /// What its energy counts as.
-  enum class Kind { stored, work };
-
   /// @param stiffness  N/m, one a point, >= 0
   /// @param targets    m, one column a point
-  PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets, Kind kind);
+  PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets);
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
@@ -22,7 +19,6 @@ class PointTargets : public Potential {
  private:
   Eigen::VectorXd stiffness_;
   Eigen::Matrix3Xd targets_;
-  Kind kind_;
 };
 
 }  // namespace pliant

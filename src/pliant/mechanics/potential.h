@@ -37,6 +37,7 @@ struct Evaluation {
   const double* history = nullptr;  ///< of the potential, at the last accepted step
   StepTime time;
   Curvature curvature = Curvature::exact;
+  int threads = 1;  ///< at most; the results do not depend on it
 };
 
 /// Second derivatives in a system's generalised coordinates (N/m).
@@ -63,7 +64,7 @@ class Potential {
   /// Pairs of points that its Hessian couples.
   virtual std::vector<std::pair<int, int>> couplings() const = 0;
 
-  /// Learns where its part of the Hessian goes; called before any evaluation with a Hessian.
+  /// Learns where its part of the Hessian goes; called before any evaluation.
   virtual void bind(const Coordinates& coordinates, const BlockPattern& pattern) = 0;
 
   /// Adds to the energy and to the derivatives that are asked for.

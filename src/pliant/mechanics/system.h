@@ -35,6 +35,9 @@ class System {
   void add_drive(Drive drive) { drives_.push_back(std::move(drive)); }
   void finish();
 
+  /// How many threads an evaluation may use; its results do not depend on it.
+  void set_threads(int threads) { threads_ = threads; }
+
   int points() const { return static_cast<int>(masses_.size()); }
   const Eigen::VectorXd& masses() const { return masses_; }
 
@@ -86,7 +89,7 @@ class System {
 
   Evaluation evaluation(const Part& part, const Configuration& at, const State& from,
                         const StepTime& time, Curvature curvature) const {
-    return {at, from.history.data() + part.first_history, time, curvature};
+    return {at, from.history.data() + part.first_history, time, curvature, threads_};
   }
 
   Eigen::VectorXd masses_;
@@ -97,6 +100,7 @@ class System {
   std::shared_ptr<const BlockPattern> pattern_;
   Eigen::Index history_size_ = 0;
   int parameter_count_ = 0;
+  int threads_ = 1;
 };
 
 }  // namespace pliant

@@ -5,6 +5,20 @@ namespace {
 
 struct Mean {
   Eigen::VectorXd sum, weight;
+
+  explicit Mean(int vertices)
+      : sum(Eigen::VectorXd::Zero(vertices)), weight(Eigen::VectorXd::Zero(vertices)) {}
+
+  // Gives the values of elements, weighted by their sizes, to their vertices.
+  void add(const Eigen::MatrixXi& vertices, const Eigen::VectorXd& sizes,
+           const Eigen::VectorXd& values) {
+    for (Eigen::Index e = 0; e < vertices.cols(); ++e) {
+      for (const int vertex : vertices.col(e)) {
+        sum(vertex) += sizes(e) * values(e);
+        weight(vertex) += sizes(e);
+      }
+    }
+  }
 };
 
 }  // namespace
@@ -15,21 +29,13 @@ std::map<std::string, Eigen::VectorXd> vertex_fields(const System& system, const
   std::map<std::string, Mean> means;
   for (const ShownPotential& part : shown) {
     const std::vector<std::string> names = part.fields->field_names();
-    const Eigen::MatrixXi points = part.fields->element_points();
+    const Eigen::MatrixXi elements = part.fields->element_points().array() - first_point;
     const Eigen::VectorXd sizes = part.fields->element_sizes();
     const Eigen::MatrixXd values =
         part.fields->field_values(system.history_of(*part.potential, state));
     for (size_t f = 0; f < names.size(); ++f) {
-      Mean& mean = means[names[f]];
-      if (mean.sum.size() == 0)
-        mean = {Eigen::VectorXd::Zero(vertices), Eigen::VectorXd::Zero(vertices)};
-      for (Eigen::Index e = 0; e < points.cols(); ++e) {
-        for (Eigen::Index i = 0; i < points.rows(); ++i) {
-          const int vertex = points(i, e) - first_point;
-          mean.sum(vertex) += sizes(e) * values(static_cast<Eigen::Index>(f), e);
-          mean.weight(vertex) += sizes(e);
-        }
-      }
+      Mean& mean = means.try_emplace(names[f], vertices).first->second;
+      mean.add(elements, sizes, values.row(static_cast<Eigen::Index>(f)));
     }
   }
   std::map<std::string, Eigen::VectorXd> fields;

@@ -33,6 +33,12 @@ std::string unit_text(const FieldLegend& legend, const NumberScale& numbers) {
   return fmt::format("(1e{}{}{})", numbers.exponent, unit.empty() ? "" : " ", unit);
 }
 
+/// What stands below the bar.
+std::vector<std::string> note_lines(const FieldLegend& legend) {
+  if (!legend.percentiles) return {};
+  return {"2nd to 98th", "percentile"};
+}
+
 BarLayout layout_of(const FieldLegend& legend, const NumberScale& numbers, float cap_height) {
   BarLayout layout;
   layout.gap = cap_height;
@@ -40,7 +46,9 @@ BarLayout layout_of(const FieldLegend& legend, const NumberScale& numbers, float
   for (const double tick : numbers.ticks) {
     layout.text_width = std::max(layout.text_width, text_width(numbers.label(tick), cap_height));
   }
-  for (const std::string& line : {legend.name, unit_text(legend, numbers)}) {
+  std::vector<std::string> lines = note_lines(legend);
+  lines.insert(lines.end(), {legend.name, unit_text(legend, numbers)});
+  for (const std::string& line : lines) {
     const float beyond_bar = text_width(line, cap_height) - layout.bar_width - layout.gap;
     layout.text_width = std::max(layout.text_width, beyond_bar);
   }
@@ -92,6 +100,11 @@ void draw_colour_bar(Image& image, const FieldLegend& legend, const TextStyle& s
   const float first_line = top - style.cap_height - (unit.empty() ? 0 : line);
   draw_text(image, legend.name, {left, first_line}, TextAlignment::left, style);
   draw_text(image, unit, {left, first_line + line}, TextAlignment::left, style);
+
+  float note_line = top + static_cast<float>(size.y()) + 2 * style.cap_height;
+  for (const std::string& note : note_lines(legend)) {
+    draw_text(image, note, {left, note_line += line}, TextAlignment::left, style);
+  }
 
   const float bar_right = left + static_cast<float>(size.x());
   for (const double tick : numbers.ticks) {

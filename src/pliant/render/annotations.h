@@ -13,6 +13,7 @@ struct FieldLegend {
   std::string name;
   std::string unit;  ///< may be empty
   ColourScale scale;
+  bool percentiles = false;  ///< the scale ends at percentiles, which the colour bar says
 };
 
 /// Sizes of the labels on a picture of a given height.

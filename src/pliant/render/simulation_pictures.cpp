@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/render/contact_sheet.h"
+#include "pliant/render/field_range.h"
 #include "pliant/render/number_scale.h"
 
 namespace pliant {
@@ -20,11 +21,14 @@ constexpr double kFieldAmbient = 0.55;
 /// Part of a picture's width that the colour bar may keep free of cloth; beyond it they overlap.
 constexpr double kWidestLegend = 0.4;
 
+/// A field has both signs where the smaller side reaches this part of the larger one: less is
+/// rounding, or not to be seen.
+constexpr double kBothSigns = 0.01;
+
 /// What all frames span.
 struct Extent {
   Eigen::AlignedBox3d box;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  FieldRange field;
 };
 
 const Eigen::VectorXd& field_of(const FrameMesh& mesh, const std::string& name,
@@ -43,16 +47,12 @@ void extend(Extent& extent, const FrameMesh& mesh, const std::string& field,
   extent.box.extend(Eigen::AlignedBox3d(mesh.positions.rowwise().minCoeff(),
                                         mesh.positions.rowwise().maxCoeff()));
   if (field.empty()) return;
-  for (const double value : field_of(mesh, field, file)) {
-    if (!std::isfinite(value)) continue;
-    extent.low = std::min(extent.low, value);
-    extent.high = std::max(extent.high, value);
-  }
+  extent.field.add(field_of(mesh, field, file));
 }
 
 Extent extent_of(const SimulationFrames& simulation, const std::string& field,
                  const RunContext& run) {
-  Extent extent;
+  Extent extent{{}, FieldRange(simulation.frames.size())};
   ProgressTask task(run.progress, "reading frames", double(simulation.frames.size()));
   for (size_t i = 0; i < simulation.frames.size(); ++i) {
     run.stop.throw_if_requested();
@@ -63,21 +63,32 @@ Extent extent_of(const SimulationFrames& simulation, const std::string& field,
   return extent;
 }
 
-ColourScale scale_of(const Extent& extent, const PictureOptions& options) {
-  if (options.range) return {options.colour_map, options.range->first, options.range->second};
-  if (!(extent.low <= extent.high)) return {options.colour_map, 0, 0};  // no value anywhere
-  if (options.colour_map == ColourMap::viridis) {
-    return {options.colour_map, extent.low, extent.high};
+bool has_both_signs(double low, double high) {
+  return low < 0 && high > 0 && std::min(-low, high) >= kBothSigns * std::max(-low, high);
+}
+
+/// In the middle of coolwarm is zero, unless a range was asked for.
+ColourScale scale_of(const ShownRange& range, const PictureOptions& options) {
+  if (options.range) {
+    const auto [low, high] = *options.range;
+    const ColourMap map = low == -high ? ColourMap::coolwarm : ColourMap::viridis;
+    return {options.colour_map.value_or(map), low, high};
   }
-  const double largest = std::max(std::abs(extent.low), std::abs(extent.high));
-  return {options.colour_map, -largest, largest};
+  const ColourMap map =
+      has_both_signs(range.low, range.high) ? ColourMap::coolwarm : ColourMap::viridis;
+  if (options.colour_map.value_or(map) == ColourMap::viridis) {
+    return {ColourMap::viridis, range.low, range.high};
+  }
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  return {ColourMap::coolwarm, -largest, largest};
 }
 
 FieldLegend legend_of(const SimulationFrames& simulation, const Extent& extent,
                       const PictureOptions& options) {
   const auto unit = simulation.units.find(options.field);
+  const ShownRange range = extent.field.shown().value_or(ShownRange{});
   return {options.field, unit == simulation.units.end() ? "" : unit->second,
-          scale_of(extent, options)};
+          scale_of(range, options), range.percentiles && !options.range};
 }
 
 int time_decimals(const std::vector<SimulationFrame>& frames) {

@@ -19,9 +19,10 @@ struct PictureOptions {
   ViewDirection view = ViewDirection::three_quarter;  ///< fitted to all frames
   std::optional<Camera> camera = {};                  ///< in place of `view`
   std::string field = {};                             ///< shown by colour; empty: none
-  ColourMap colour_map = ColourMap::viridis;
-  /// Values of the first and the last colour; by default those of all frames, about zero for a
-  /// colour map with two sides.
+  /// By default coolwarm for a field that has values of both signs, and viridis otherwise.
+  std::optional<ColourMap> colour_map = {};
+  /// Values of the first and the last colour; by default the 2nd and the 98th percentile over all
+  /// frames, for coolwarm as far from zero on both sides.
   std::optional<std::pair<double, double>> range = {};
   Colour colour = RenderMesh().colour;  ///< where no field is shown
   bool edges = false;

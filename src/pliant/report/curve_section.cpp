@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +15,11 @@ namespace {
 
 constexpr PrintSize kCurveSize = {345, 300};
 
+/// Bending is drawn to one side: what bends to the other counts alike.
+double drawn_strain(const std::string& component, double strain) {
+  return component.starts_with("bend") ? std::abs(strain) : strain;
+}
+
 /// Strains of the rows that shaped the component: of fitted experiments, or of all that are
 /// compared in an evaluation.
 std::vector<double> data_strains(const ReportData& data, const std::string& component) {
@@ -23,7 +29,7 @@ std::vector<double> data_strains(const ReportData& data, const std::string& comp
     if (e.component != component || (e.validation && !data.results.evaluation)) continue;
     const Prediction& p = data.predictions[i];
     for (std::size_t row = 0; row < p.rows(); ++row) {
-      if (p.used[row]) strains.push_back(p.strain[row]);
+      if (p.used[row]) strains.push_back(drawn_strain(component, p.strain[row]));
     }
   }
   return strains;

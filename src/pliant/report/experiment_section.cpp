@@ -7,6 +7,7 @@
 #include "pliant/report/number_format.h"
 #include "pliant/report/residual_figure.h"
 #include "pliant/report/sections.h"
+#include "pliant/report/shape_part.h"
 
 namespace pliant::report {
 namespace {
@@ -32,6 +33,10 @@ std::string error_in_words(const ResultExperiment& e) {
   const std::string_view reference = e.measures_lengths() ? "largest extension" : "peak";
   std::string detail;
   if (e.rms_position_mm) detail = format_significant(e.rms_position_mm, 2) + " mm";
+  if (e.rms_percent_of_length) {
+    return fmt::format("RMS distance {} ({} of the strip's length)", detail,
+                       format_percent(e.rms_percent_of_length));
+  }
   if (e.rms_force && e.peak_force) {
     detail = fmt::format("{} of {} {}", format_significant(e.rms_force, 2),
                          format_significant(e.peak_force, 3), force_unit(e));
@@ -56,6 +61,10 @@ std::string description(const ResultExperiment& e, bool evaluation) {
   if (!error.empty()) facts.push_back(error);
   if (e.rms_elastic_percent_of_peak) {
     facts.push_back("best curve without friction " + format_percent(e.rms_elastic_percent_of_peak));
+  }
+  if (!e.rms_elastic_percent_of_peak && e.rms_elastic_position_mm) {
+    facts.push_back("best curve without friction " +
+                    format_significant(e.rms_elastic_position_mm, 2) + " mm");
   }
   if (!e.noise.empty() && !e.validation) facts.push_back("noise of the " + e.noise);
   return fmt::format("{}", fmt::join(facts, " · "));
@@ -85,19 +94,28 @@ std::string handled(const ResultExperiment& e) {
   return "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
 }
 
-std::string experiment_part(const ResultExperiment& e, const Prediction& prediction,
-                            std::size_t budget, bool evaluation, FigureSheet& figures) {
+/// Loops beside their residuals.
+std::string loop_part(const ResultExperiment& e, const Prediction& prediction, std::size_t budget,
+                      FigureSheet& figures) {
   LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .compact = false});
   loop.figure.print_size = kLoopSize;
   const std::string drawn =
       loop.drawn < loop.total ? fmt::format("Loops ({} of {} points drawn)", loop.drawn, loop.total)
                               : std::string("Loops");
+  const std::string legend = figures.can_draw() ? legend_html(loop.legend) : std::string();
+  return legend + "<div class=\"experiment\">\n" +
+         captioned(drawn, figures.add(loop.figure, "figure-tall")) + "<div>\n" +
+         residuals(e, prediction, budget / 2, figures) + "</div></div>\n";
+}
+
+std::string experiment_part(const ReportData& data, std::size_t i, std::size_t budget,
+                            FigureSheet& figures) {
+  const ResultExperiment& e = data.results.experiments[i];
   std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
-  html += fmt::format("<p class=\"description\">{}</p>\n", escape_html(description(e, evaluation)));
-  if (figures.can_draw()) html += legend_html(loop.legend);
-  html += "<div class=\"experiment\">\n" +
-          captioned(drawn, figures.add(loop.figure, "figure-tall")) + "<div>\n" +
-          residuals(e, prediction, budget / 2, figures) + "</div></div>\n";
+  html += fmt::format("<p class=\"description\">{}</p>\n",
+                      escape_html(description(e, data.results.evaluation)));
+  html += data.shapes[i] ? shape_part(e, *data.shapes[i], figures)
+                         : loop_part(e, data.predictions[i], budget, figures);
   return html + handled(e) + "</article>\n";
 }
 
@@ -114,8 +132,7 @@ std::string experiment_section(const ReportData& data, FigureSheet& figures) {
       "or "
       "of the apparatus.</p>\n";
   for (std::size_t i = 0; i < experiments.size(); ++i) {
-    html += experiment_part(experiments[i], data.predictions[i], row_budget(experiments.size()),
-                            data.results.evaluation, figures);
+    html += experiment_part(data, i, row_budget(experiments.size()), figures);
   }
   return html + "</section>\n";
 }

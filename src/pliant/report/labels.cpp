@@ -1,7 +1,9 @@
 #include "pliant/report/labels.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +18,8 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+constexpr double kBendingStrain = 3;  // times the curvature ([P] 4.3)
+
 bool is_bending(std::string_view component) { return component.starts_with("bend"); }
 
 }  // namespace
@@ -23,6 +27,7 @@ bool is_bending(std::string_view component) { return component.starts_with("bend
 QuantityLabel quantity_label(std::string_view column) {
   if (column == "force_N_per_m") return {"Shear force", "N/m"};
   if (column == "angle_deg") return {"Shear angle", "°"};
+  if (column == "moment_N") return {"Moment per width", "N"};
   // Longest first: `_N_per_m` ends in `_m` too.
   constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kUnits = {
       {{"_N_per_m", "N/m"},
@@ -44,12 +49,16 @@ QuantityLabel quantity_label(std::string_view column) {
 }
 
 StrainScale strain_scale(std::string_view component) {
-  if (is_bending(component)) return {{"Curvature", "1/m"}, 1.0};
+  if (is_bending(component)) return {{"Curvature", "1/m"}, 1.0 / kBendingStrain};
   return {{component.starts_with("shear") ? "Shear strain" : "Strain", "%"}, 100.0};
 }
 
 std::string strain_range_text(std::string_view component, double low, double high) {
   const StrainScale scale = strain_scale(component);
+  constexpr double kNothing = 1e-5;  // of the larger end: what rounding left of zero
+  const double nothing = kNothing * std::max(std::abs(low), std::abs(high));
+  if (std::abs(low) < nothing) low = 0;
+  if (std::abs(high) < nothing) high = 0;
   std::string name = scale.label.name;
   name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
   return fmt::format("{} {} to {} {}", name, format_significant(scale.factor * low, 2),

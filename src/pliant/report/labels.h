@@ -16,7 +16,8 @@ struct QuantityLabel {
 /// The label of a column such as `force_N`, `length_mm` or `force_N_per_m`.
 QuantityLabel quantity_label(std::string_view column);
 
-/// How the strain of a component is shown: membrane strains in per cent, curvatures in 1/m.
+/// How the strain of a component is shown: membrane strains in per cent, those of
+/// bending as curvatures.
 struct StrainScale {
   QuantityLabel label;
   double factor = 1.0;  ///< from the numbers in the files to the ones shown

@@ -31,6 +31,9 @@ ReportData read_report_data(const std::filesystem::path& directory) {
   for (const ResultExperiment& experiment : data.results.experiments) {
     data.predictions.push_back(
         read_prediction(directory / experiment.prediction_file, experiment.quantity));
+    data.shapes.emplace_back();
+    if (experiment.shape_file.empty()) continue;
+    data.shapes.back() = read_strip_shapes(directory / experiment.shape_file);
   }
   data.membrane = membrane_measure(directory / "material.json");
   return data;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pliant/report/curves.h"
 #include "pliant/report/prediction.h"
 #include "pliant/report/results.h"
+#include "pliant/report/strip_shapes.h"
 
 namespace pliant::report {
 
@@ -15,6 +17,7 @@ struct ReportData {
   Results results;
   std::vector<ComponentCurve> curves;
   std::vector<Prediction> predictions;  ///< one an experiment, in the order of the results
+  std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
   /// `stvk`, ... where the directory's material file names it: decides how strains are explained.
   std::string membrane;
 };

@@ -44,8 +44,8 @@ ResultParameter read_parameter(const JsonReader& json) {
 
 std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
   if (!json) return std::nullopt;
-  return LoopMeasures{json->number("secant_modulus_N_per_m"), json->number("hysteresis_ratio"),
-                      json->number("loop_loss")};
+  return LoopMeasures{json->number("secant_modulus_N_per_m"), json->number("secant_rigidity_N_m"),
+                      json->number("hysteresis_ratio"), json->number("loop_loss")};
 }
 
 std::string noise_in_words(const std::optional<JsonReader>& json) {
@@ -76,6 +76,8 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.rms_percent_of_peak = json.number("rms_percent_of_peak");
   e.rms_elastic_percent_of_peak = json.number("rms_elastic_percent_of_peak");
   e.rms_position_mm = json.number("rms_position_mm");
+  e.rms_elastic_position_mm = json.number("rms_elastic_position_mm");
+  e.rms_percent_of_length = json.number("rms_percent_of_length");
   e.points = json.integer_or("points", 0);
   e.specimens = json.integer_or("specimens", 0);
   e.excluded = json.integer_or("excluded", 0);
@@ -85,6 +87,8 @@ ResultExperiment read_experiment(const JsonReader& json) {
     e.measured_loop = read_loop(loop->object("measured"));
     e.predicted_loop = read_loop(loop->object("predicted"));
   }
+  e.unloads = json.flag_or("unloads", false);
+  if (json.has("shape_file")) e.shape_file = json.relative_file_or("shape_file", "");
   e.handled = json.texts("handled");
   return e;
 }

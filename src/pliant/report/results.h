@@ -28,6 +28,7 @@ struct ResultParameter {
 /// What a load-unload loop says at a glance.
 struct LoopMeasures {
   std::optional<double> secant_modulus;    ///< N/m, at the peak, engineering strain
+  std::optional<double> secant_rigidity;   ///< N m, of moments: at the peak, over curvature
   std::optional<double> hysteresis_ratio;  ///< (Fmax - Fmin) / Favg, [T] 5.2.2
   std::optional<double> loop_loss;         ///< work lost in the loop over work of loading, 0..1
 };
@@ -36,6 +37,7 @@ struct ResultExperiment {
   std::string name, type, direction, component;
   std::string quantity;  ///< what is measured and predicted, with its unit: `force_N`
   std::string prediction_file;
+  std::string shape_file;  ///< of strips whose profiles are measured; empty otherwise
   bool validation = false;
 
   bool measures_lengths() const { return quantity.starts_with("length"); }
@@ -43,10 +45,12 @@ struct ResultExperiment {
   std::optional<double> rms_force, peak_force;  ///< N, or N/m for shear
   /// Of the peak force, or of the largest extension where lengths are measured.
   std::optional<double> rms_percent_of_peak, rms_elastic_percent_of_peak;
-  std::optional<double> rms_position_mm;
+  std::optional<double> rms_position_mm, rms_elastic_position_mm;
+  std::optional<double> rms_percent_of_length;  ///< of distances from a predicted profile
   int points = 0, specimens = 0, excluded = 0;
   std::string noise;  ///< in words; empty where not stated
   std::optional<std::array<double, 2>> strain_range;
+  bool unloads = false;  ///< by enough to show friction, without a loop too
   std::optional<LoopMeasures> measured_loop, predicted_loop;
   std::vector<std::string> handled;
 };

@@ -61,6 +61,8 @@ std::string facts(const SimulationResults& results) {
       {"Simulated time", time_text(simulated_time(results))},
       {"Steps", fmt::format("{} of {}", results.steps, time_text(results.time_step))},
       {"Frames", std::to_string(results.frames)}};
+  const std::string method = method_text(results.method);
+  if (!method.empty()) all.emplace_back("Method", method);
   if (results.seconds.mean) {
     all.emplace_back("Computing time", time_text(*results.seconds.mean * results.steps));
   }
@@ -137,6 +139,9 @@ std::string step_section(const SimulationResults& results) {
     }
   };
   row("Computing time", results.seconds, time_text);
+  if (results.substeps.max.value_or(1) > 1) {
+    row("Parts that a step was taken in", results.substeps, number_text);
+  }
   row("Newton iterations", results.newton_iterations, number_text);
   row("Iterations of the linear solver, all together", results.linear_iterations, number_text);
   if (table.empty()) return {};

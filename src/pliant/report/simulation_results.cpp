@@ -1,8 +1,11 @@
 #include "pliant/report/simulation_results.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
 #include "pliant/io/csv.h"
 #include "pliant/report/json_reader.h"
 
@@ -14,6 +17,15 @@ StepStatistics read_statistics(const JsonReader& json, std::string_view key) {
   if (!numbers) return {};
   return {numbers->number("min"), numbers->number("median"), numbers->number("mean"),
           numbers->number("max")};
+}
+
+SimulationMethod read_method(const JsonReader& json) {
+  const std::optional<JsonReader> method = json.object("method");
+  if (!method) return {};
+  return {method->text_or("kind", ""),       method->text_or("integrator", ""),
+          method->text_or("solve", ""),      method->text_or("friction", ""),
+          method->number("tolerance"),       method->number("linear_tolerance"),
+          method->flag_or("adaptive", false)};
 }
 
 EnergyTable read_energy(const std::filesystem::path& file) {
@@ -28,7 +40,30 @@ void read_frames(const JsonReader& json, SimulationResults& results) {
   if (!frames.empty()) results.last_time = frames.back().number("time").value_or(0);
 }
 
+/// `converged to 10 uN`
+std::string solution_text(const SimulationMethod& method) {
+  if (method.solve == "linearized") {
+    return "one linear system a step, solved to " +
+           format_number(method.linear_tolerance.value_or(0), 2);
+  }
+  if (!method.tolerance) return "converged";
+  return "converged to " + format_quantity(*method.tolerance, Dimension::force, 2);
+}
+
 }  // namespace
+
+std::string method_text(const SimulationMethod& method) {
+  std::vector<std::string> parts;
+  if (method.kind == "quasi-static") parts.emplace_back("path of equilibria");
+  if (method.integrator == "backward-euler") parts.emplace_back("backward Euler");
+  if (method.integrator == "bdf2") parts.emplace_back("BDF2");
+  if (!method.solve.empty()) parts.push_back(solution_text(method));
+  if (!method.friction.empty()) {
+    parts.push_back(method.friction == "none" ? "no friction" : method.friction + " friction");
+  }
+  if (method.adaptive) parts.emplace_back("steps halved where they fail");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
 SimulationResults read_simulation_results(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "simulation.json";
@@ -52,8 +87,10 @@ SimulationResults read_simulation_results(const std::filesystem::path& directory
   r.steps = json.integer_or("steps", 0);
   r.threads = json.integer_or("threads", 0);
   r.time_step = json.number("time_step").value_or(0);
+  r.method = read_method(json);
   read_frames(json, r);
   r.seconds = read_statistics(json, "seconds_per_step");
+  r.substeps = read_statistics(json, "substeps");
   r.newton_iterations = read_statistics(json, "newton_iterations");
   r.linear_iterations = read_statistics(json, "linear_iterations");
   r.peak_memory = json.number("peak_memory_MB");

@@ -23,6 +23,17 @@ struct EnergyTable {
   std::size_t rows() const { return time.size(); }
 };
 
+/// How the steps were computed, in the words of scene/1; empty where the file does not say.
+struct SimulationMethod {
+  std::string kind, integrator, solve, friction;
+  std::optional<double> tolerance;         ///< N, of converged steps
+  std::optional<double> linear_tolerance;  ///< relative, of linearized steps
+  bool adaptive = false;
+};
+
+/// The method in one line, without the length of the step.
+std::string method_text(const SimulationMethod& method);
+
 /// simulation.json of a results directory, and its energies.
 struct SimulationResults {
   std::string name, command, created, version, scene, scene_sha256;
@@ -30,9 +41,10 @@ struct SimulationResults {
   bool finished = true;
   int triangles = 0, vertices = 0, steps = 0, threads = 0;
   double time_step = 0;  ///< s
+  SimulationMethod method;
   std::size_t frames = 0;
   double last_time = 0;  ///< s, of the last frame
-  StepStatistics seconds, newton_iterations, linear_iterations;
+  StepStatistics seconds, substeps, newton_iterations, linear_iterations;
   std::optional<double> peak_memory;           ///< MB
   std::optional<double> min_contact_distance;  ///< m
   std::string energy_file;                     ///< relative to the directory; empty: none

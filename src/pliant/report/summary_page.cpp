@@ -8,6 +8,7 @@
 #include "pliant/report/loop_figure.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sections.h"
+#include "pliant/report/shape_figures.h"
 #include "pliant/report/verdict.h"
 
 namespace pliant::report {
@@ -105,6 +106,30 @@ PrintSize loop_print_size(std::size_t count) {
   return {std::min((kPrintWidth - (columns - 1) * kGap) / columns, kWidest), kHeight};
 }
 
+/// The small picture of an experiment: its loop, or its strips from the side.
+LoopFigure small_figure(const ReportData& data, std::size_t i) {
+  const ResultExperiment& e = data.results.experiments[i];
+  if (!data.shapes[i]) {
+    return loop_figure(e, data.predictions[i], {.budget = kLoopBudget, .compact = true});
+  }
+  const StripShapes& shapes = *data.shapes[i];
+  LoopFigure strips;
+  strips.figure = side_view(shapes, chosen_settings(shapes), /*compact=*/true);
+  strips.figure.data_file = e.shape_file;
+  strips.legend = {kMeasuredShape, kPredictedShape};
+  return strips;
+}
+
+/// Adds the styles of a figure that the legend does not have yet.
+void add_to_legend(const std::vector<SeriesStyle>& styles, std::vector<SeriesStyle>& legend) {
+  for (const SeriesStyle& style : styles) {
+    const bool known = std::any_of(legend.begin(), legend.end(), [&](const SeriesStyle& other) {
+      return std::string_view(other.group) == style.group;
+    });
+    if (!known) legend.push_back(style);
+  }
+}
+
 std::string loops(const ReportData& data, FigureSheet& figures) {
   std::vector<std::size_t> chosen = representative_experiments(data.results);
   const std::size_t components = chosen.size();
@@ -113,16 +138,16 @@ std::string loops(const ReportData& data, FigureSheet& figures) {
   std::vector<SeriesStyle> legend;
   for (const std::size_t i : chosen) {
     const ResultExperiment& e = data.results.experiments[i];
-    LoopFigure loop = loop_figure(e, data.predictions[i], {.budget = kLoopBudget, .compact = true});
+    LoopFigure loop = small_figure(data, i);
     loop.figure.print_size = loop_print_size(chosen.size());
-    if (loop.legend.size() > legend.size()) legend = loop.legend;
+    add_to_legend(loop.legend, legend);
     cells += fmt::format("<figure><figcaption><strong>{}</strong> {}</figcaption>\n{}</figure>\n",
                          escape_html(component_title(e.component)), escape_html(e.name),
                          figures.add(loop.figure, "figure-small"));
   }
   if (cells.empty()) return {};
   return fmt::format(
-      "<section class=\"figure-block\"><h2>Measured and predicted loops</h2>\n{}"
+      "<section class=\"figure-block\"><h2>Measured and predicted</h2>\n{}"
       "<div class=\"loops loops-{}\">\n{}</div>{}</section>\n",
       figures.can_draw() ? legend_html(legend) : std::string(), chosen.size(), cells,
       components > chosen.size()
@@ -133,6 +158,15 @@ std::string loops(const ReportData& data, FigureSheet& figures) {
 std::string pair(std::optional<double> measured, std::optional<double> predicted, int digits) {
   if (!measured && !predicted) return kNoValue;
   return format_significant(measured, digits) + " / " + format_significant(predicted, digits);
+}
+
+/// In N/m, or in uN m with its unit where a moment was measured.
+std::string secant_pair(const LoopMeasures& measured, const LoopMeasures& predicted) {
+  if (!measured.secant_rigidity) return pair(measured.secant_modulus, predicted.secant_modulus, 3);
+  const auto micro = [](std::optional<double> rigidity) {
+    return rigidity ? std::optional<double>(1e6 * *rigidity) : std::nullopt;
+  };
+  return pair(micro(measured.secant_rigidity), micro(predicted.secant_rigidity), 3) + " µN m";
 }
 
 std::string percent_pair(std::optional<double> measured, std::optional<double> predicted) {
@@ -146,6 +180,12 @@ std::string percent_pair(std::optional<double> measured, std::optional<double> p
 std::string error_of_peak(const ResultExperiment& e) {
   if (e.rms_percent_of_peak) return format_percent(e.rms_percent_of_peak);
   if (e.rms_position_mm) return format_significant(e.rms_position_mm, 2) + " mm";
+  return kNoValue;
+}
+
+std::string elastic_error(const ResultExperiment& e) {
+  if (e.rms_elastic_percent_of_peak) return format_percent(e.rms_elastic_percent_of_peak);
+  if (e.rms_elastic_position_mm) return format_significant(e.rms_elastic_position_mm, 2) + " mm";
   return kNoValue;
 }
 
@@ -178,8 +218,8 @@ std::string experiment_table(const Results& results) {
     table.cell(shortened(e.name, kMaxNameLength));
     table.cell(results.evaluation || e.validation ? "predicted" : "fitted");
     table.cell(error_of_peak(e));
-    table.cell(format_percent(e.rms_elastic_percent_of_peak));
-    table.cell(pair(measured.secant_modulus, predicted.secant_modulus, 3));
+    table.cell(elastic_error(e));
+    table.cell(secant_pair(measured, predicted));
     table.cell(pair(measured.hysteresis_ratio, predicted.hysteresis_ratio, 2));
     table.cell(percent_pair(measured.loop_loss, predicted.loop_loss));
   }
@@ -188,9 +228,11 @@ std::string experiment_table(const Results& results) {
   return html +
          "<p class=\"small\">RMS error: of the peak force, or of the largest extension where "
          "lengths are "
-         "measured. The rest: of the largest load-unload cycle. Secant modulus: force per width at "
+         "measured; where profiles are, the distance from the predicted one. The rest: of the "
+         "largest load-unload cycle. Secant modulus: force per width at "
          "the peak "
-         "over engineering strain. Hysteresis ratio: loading minus unloading force over their "
+         "over engineering strain; of bending, moment per width over curvature (µN m). Hysteresis "
+         "ratio: loading minus unloading force over their "
          "mean, at "
          "half the extension. Loop loss: work lost in the cycle over the work of loading it. "
          "&ldquo;Fitted&rdquo; experiments shaped the material, &ldquo;predicted&rdquo; ones did "
@@ -234,7 +276,9 @@ std::string as_extension(const StrainRange& range) {
 std::string validity(const ReportData& data) {
   const bool green_lagrange = data.membrane == "stvk";
   std::vector<std::string> lines;
+  bool membrane = false;
   for (const StrainRange& range : strain_ranges(data.results)) {
+    membrane = membrane || !range.component.starts_with("bend");
     const bool convertible = green_lagrange && range.component.starts_with("stretch");
     lines.push_back(fmt::format("{}: {}{}", component_title(range.component),
                                 strain_range_text(range.component, range.low, range.high),
@@ -243,7 +287,7 @@ std::string validity(const ReportData& data) {
   if (lines.empty()) return {};
   std::string html =
       "<section><h2>Range of validity</h2>\n" + bullet_list(first_of(lines, kMaxListed));
-  if (green_lagrange) {
+  if (green_lagrange && membrane) {
     html +=
         "<p class=\"small\">Strain is Green-Lagrange strain: half of (stretch&sup2; &minus; 1)."
         "</p>\n";

@@ -124,16 +124,25 @@ std::string prediction_sentence(const Experiments& all, bool evaluation) {
 
 /// Where only positions are compared there is no force to take a percentage of.
 std::string position_sentence(const std::vector<ResultExperiment>& experiments) {
-  std::size_t count = 0;
-  double largest = 0.0;
+  std::size_t lengths = 0, profiles = 0;
+  double largest_length = 0.0, largest_distance = 0.0;
   for (const ResultExperiment& e : experiments) {
     if (e.rms_percent_of_peak || !e.rms_position_mm) continue;
-    ++count;
+    const bool profile = e.rms_percent_of_length.has_value();
+    double& largest = profile ? largest_distance : largest_length;
     largest = std::max(largest, *e.rms_position_mm);
+    ++(profile ? profiles : lengths);
   }
-  if (count == 0) return {};
-  return fmt::format("In {} the RMS error of the lengths is at most {} mm. ",
-                     counted(count, "experiment"), format_significant(largest, 2));
+  std::string text;
+  if (lengths > 0) {
+    text += fmt::format("In {} the RMS error of the lengths is at most {} mm. ",
+                        counted(lengths, "experiment"), format_significant(largest_length, 2));
+  }
+  if (profiles > 0) {
+    text += fmt::format("In {} the strips lie within {} mm (RMS) of the predicted profiles. ",
+                        counted(profiles, "experiment"), format_significant(largest_distance, 2));
+  }
+  return text;
 }
 
 std::string undetermined_sentence(const std::vector<std::string>& items) {
@@ -167,7 +176,7 @@ std::vector<std::string> loading_only_components(const Results& results) {
     auto known = std::find_if(unloads.begin(), unloads.end(),
                               [&](const auto& entry) { return entry.first == e.component; });
     if (known == unloads.end()) known = unloads.insert(known, {e.component, false});
-    known->second = known->second || e.measured_loop.has_value();
+    known->second = known->second || e.unloads || e.measured_loop.has_value();
   }
   std::vector<std::string> components;
   for (const auto& [component, yes] : unloads) {

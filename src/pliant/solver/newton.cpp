@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -82,21 +84,22 @@ bool solve(const LinearSolver& solver, const Eigen::VectorXd& force, Eigen::Vect
   return linear.converged;
 }
 
-// Computes Newton's step with a new Hessian.
-// @return false where no shift makes the Hessian positive definite
-bool fresh_step(const Objective& objective, const NewtonOptions& options, LinearSolver& solver,
-                Hessian& hessian, const Configuration& at, const Eigen::VectorXd& force,
-                Eigen::VectorXd& step, NewtonSummary& summary) {
+// Newton's step with a new Hessian; nothing where no shift makes it positive definite.
+std::optional<Eigen::VectorXd> fresh_step(const Objective& objective, const NewtonOptions& options,
+                                          LinearSolver& solver, Hessian& hessian,
+                                          const Configuration& at, const Eigen::VectorXd& force,
+                                          NewtonSummary& summary) {
   Eigen::Matrix3Xd gradient;
+  Eigen::VectorXd step;
   if (options.curvature == Curvature::exact) {
     objective.linearize(at, Curvature::exact, gradient, hessian);
     ++summary.factorizations;
-    if (solver.factorize(hessian.matrix) && solve(solver, force, step, summary)) return true;
+    if (solver.factorize(hessian.matrix) && solve(solver, force, step, summary)) return step;
   }
   objective.linearize(at, Curvature::convex, gradient, hessian);
-  if (!factorize_shifted(hessian.matrix, solver, summary.factorizations)) return false;
+  if (!factorize_shifted(hessian.matrix, solver, summary.factorizations)) return std::nullopt;
   solve(solver, force, step, summary);
-  return true;
+  return step;
 }
 
 }  // namespace
@@ -135,8 +138,12 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
       solve(solver, force, step, summary);
       if (descend()) continue;
     }
-    has_factor = fresh_step(objective, options, solver, hessian, at, force, step, summary);
-    if (!has_factor || !descend()) return summary;
+    std::optional<Eigen::VectorXd> fresh =
+        fresh_step(objective, options, solver, hessian, at, force, summary);
+    if (!fresh) return summary;
+    has_factor = true;
+    step = std::move(*fresh);
+    if (!descend()) return summary;
   }
 }
 

@@ -17,6 +17,23 @@ double linear_tolerance(const TimeStepOptions& options) {
   return options.solve == StepSolve::linearized ? options.linear_tolerance : kOfNewtonStep;
 }
 
+// The change of the unknowns if everything kept its velocity: where the search for the step begins.
+// Clips move on without turning; axes that are prescribed stay.
+Eigen::VectorXd coasting(const Coordinates& coordinates, const Configuration& at,
+                         const Eigen::Matrix3Xd& velocities, double step) {
+  Eigen::Matrix3Xd way = step * velocities;
+  for (int i = 0; i < coordinates.points(); ++i) {
+    if (!coordinates.is_free(i)) way.col(i).setZero();
+  }
+  Eigen::VectorXd change = coordinates.reduce(at, way);
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (coordinates.clip_is_prescribed(k)) continue;
+    change.segment<3>(3 * coordinates.clip_row(k)) =
+        step * velocities(Eigen::all, coordinates.clip_points(k)).rowwise().mean();
+  }
+  return change;
+}
+
 }  // namespace
 
 // new velocity = (x - now) / time: backward Euler has now = x_n, time = h; BDF2 has
@@ -56,7 +73,7 @@ TimeStepper::TimeStepper(const System& system, const TimeStepOptions& options,
 
 TimeStepper::~TimeStepper() = default;
 
-StepSummary TimeStepper::linear_step(const Objective& objective, const State& state, double step,
+StepSummary TimeStepper::linear_step(const Objective& objective, Eigen::VectorXd change,
                                      Configuration& at) {
   const Coordinates& coordinates = system_.coordinates();
   Eigen::Matrix3Xd gradient;
@@ -66,29 +83,12 @@ StepSummary TimeStepper::linear_step(const Objective& objective, const State& st
     summary.converged = false;
     return summary;
   }
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates.unknowns());
-  for (int i = 0; i < system_.points(); ++i) {
-    if (coordinates.is_free(i)) {
-      change.segment<3>(3 * coordinates.row(i)) = step * state.velocities.col(i);
-    }
-  }
   const LinearSummary linear = solver_->solve(-coordinates.reduce(at, gradient), change);
   summary.linear_iterations = linear.iterations;
   summary.converged = linear.converged;
   summary.residual = linear.residual;
   at = coordinates.moved(at, change);
   return summary;
-}
-
-// Newton's method begins where free points would be without forces.
-void TimeStepper::predict(double step, const State& state, Configuration& at) const {
-  for (int i = 0; i < system_.points(); ++i) {
-    if (!system_.coordinates().is_free(i)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (system_.coordinates().is_axis_prescribed(i, axis)) continue;
-      at.positions(axis, i) += step * state.velocities(axis, i);
-    }
-  }
 }
 
 StepSummary TimeStepper::advance(State& state, double step) {
@@ -100,7 +100,7 @@ StepSummary TimeStepper::advance(State& state, double step) {
   const Eigen::Matrix3Xd start = scheme.mix(state.configuration.positions, state.last_positions);
   const Eigen::Matrix3Xd velocities = scheme.mix(state.velocities, state.last_velocities);
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
-                             start + scheme.time * velocities, PointTargets::Kind::stored);
+                             start + scheme.time * velocities);
   Objective objective(system_, state, {1 / scheme.time, scheme.now, scheme.earlier});
   objective.add(inertia);
   std::optional<AirDrag> drag;
@@ -109,13 +109,14 @@ StepSummary TimeStepper::advance(State& state, double step) {
     objective.add(*drag);
   }
 
+  const Eigen::VectorXd guess = coasting(system_.coordinates(), at, state.velocities, step);
   StepSummary summary;
   if (options_.solve == StepSolve::linearized) {
-    summary = linear_step(objective, state, step, at);
+    summary = linear_step(objective, guess, at);
   } else {
     NewtonOptions newton;
     newton.tolerance = options_.tolerance;
-    predict(step, state, at);
+    at = system_.coordinates().moved(at, guess);
     const NewtonSummary solved = minimize(objective, newton, *solver_, hessian_, at);
     summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual, 0};
   }

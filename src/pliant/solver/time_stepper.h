@@ -47,9 +47,8 @@ class TimeStepper {
  private:
   struct Scheme;  // the weights of the step's formula
 
-  StepSummary linear_step(const Objective& objective, const State& state, double step,
-                          Configuration& at);
-  void predict(double step, const State& state, Configuration& at) const;
+  /// @param change  of the unknowns, a guess
+  StepSummary linear_step(const Objective& objective, Eigen::VectorXd change, Configuration& at);
 
   const System& system_;
   TimeStepOptions options_;

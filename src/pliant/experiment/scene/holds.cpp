@@ -68,8 +68,10 @@ SceneCord read_cord(const Value& value) {
   if (vertex) cord.vertex = vertex->integer(0, std::numeric_limits<int>::max());
   if (auto force = fields.optional("force")) {
     cord.force = read_keyframed_vector(*force);
-  } else {
+  } else if (fields.optional("end")) {
     cord.spring = read_spring(fields);
+  } else {
+    value.fail("pulls with nothing", "either `force`, or `end`, `length` and `stiffness`");
   }
   fields.finish();
   return cord;

@@ -29,7 +29,7 @@ void read_time(Fields& keyframe, std::vector<double>& times) {
 /// The list `keyframes`, which is not empty.
 std::vector<Value> read_keyframes(Fields& fields) {
   const Value list = fields.require("keyframes");
-  const std::vector<Value> keyframes = list.items();
+  std::vector<Value> keyframes = list.items();
   if (keyframes.empty()) list.fail("is empty", "at least one keyframe");
   return keyframes;
 }

@@ -5,9 +5,8 @@
 namespace pliant {
 
 std::filesystem::path read_named_file(const Value& value, const std::string& expected) {
-  const std::string name = value.text();
-  const std::filesystem::path file =
-      std::filesystem::path(value.location().file).parent_path() / name;
+  const std::string name = value.text(expected);
+  std::filesystem::path file = std::filesystem::path(value.location().file).parent_path() / name;
   std::error_code ignored;
   if (name.empty() || !std::filesystem::exists(file, ignored)) {
     value.fail("the file " + quoted_value(file.string()) + " does not exist",

@@ -73,6 +73,23 @@ int Stepping::step_count() const {
   return static_cast<int>(std::ceil(duration / step * (1 - kRounding)));
 }
 
+const char* name_of(SimulationKind kind) {
+  return kind == SimulationKind::dynamic ? "dynamic" : "quasi-static";
+}
+
+const char* name_of(Integrator integrator) {
+  return integrator == Integrator::bdf2 ? "bdf2" : "backward-euler";
+}
+
+const char* name_of(StepSolve solution) {
+  return solution == StepSolve::linearized ? "linearized" : "converged";
+}
+
+const char* name_of(const std::optional<FrictionForm>& friction) {
+  if (!friction) return "none";
+  return *friction == FrictionForm::linearized ? "linearized" : "variational";
+}
+
 Stepping read_stepping(const Value& value) {
   Fields fields = value.fields();
   Stepping stepping;

@@ -32,6 +32,12 @@ struct Stepping {
   int step_count() const;
 };
 
+// What scenes and results call the ways to step.
+const char* name_of(SimulationKind kind);
+const char* name_of(Integrator integrator);
+const char* name_of(StepSolve solution);
+const char* name_of(const std::optional<FrictionForm>& friction);
+
 /// @throws InputError
 Stepping read_stepping(const Value& value);
 

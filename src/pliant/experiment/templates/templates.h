@@ -7,5 +7,8 @@ namespace pliant {
 TestTemplate hanging_weights_template();
 TestTemplate tensile_cycles_template();
 TestTemplate shear_cycles_template();
+TestTemplate pure_bending_template();
+TestTemplate cantilever_template();
+TestTemplate rolled_strip_template();
 
 }  // namespace pliant

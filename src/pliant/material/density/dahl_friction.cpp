@@ -1,5 +1,7 @@
 #include "pliant/material/density/dahl_friction.h"
 
+#include <cmath>
+
 namespace pliant {
 namespace {
 
@@ -15,32 +17,47 @@ Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2
 struct Lanes {
   Lane work, stress, slope;
 
-  Lanes(const DahlBySide& dahl, const Lane& strain, const Lane& last, const Lane& before,
-        const Lane& from) {
-    const Lane way = strain - last, last_way = last - before;
-    Lane s, g, a, b, tau;
+  Lanes(const DahlBySide& dahl, bool by_side, const Lane& strain, const Lane& last,
+        const Lane& earlier, const Lane& from) {
+    const Lane way = strain - last, last_way = last - earlier, side = strain + last;
+    const DahlParameters &p = dahl.positive, &n = dahl.negative;
+    Lane s, g;
     for (int i = 0; i < kLanes; ++i) {
-      const double direction = way(i) == 0 ? last_way(i) : way(i);
-      s(i) = direction < 0 ? -1 : 1;
+      const double now = way(i), before = last_way(i);
+      s(i) = std::copysign(1.0, now == 0 ? before : now);
+      g(i) = std::copysign(1.0, side(i));
     }
+    if (!by_side) {
+      solve(p.a, p.b, p.tau, s, g, way, last, from);
+      return;
+    }
+    Lane a, b, tau;
     for (int i = 0; i < kLanes; ++i) {
-      const bool negative = strain(i) + last(i) < 0;
-      g(i) = negative ? -1 : 1;
-      a(i) = negative ? dahl.negative.a : dahl.positive.a;
-      b(i) = negative ? dahl.negative.b : dahl.positive.b;
-      tau(i) = negative ? dahl.negative.tau : dahl.positive.tau;
+      a(i) = g(i) < 0 ? n.a : p.a;
+      b(i) = g(i) < 0 ? n.b : p.b;
+      tau(i) = g(i) < 0 ? n.tau : p.tau;
     }
-    const Lane per_tau = 1 / tau, s_g_b = s * g * b;
+    solve(a, b, tau, s, g, way, last, from);
+  }
+
+ private:
+  // Number: one for all lanes (double) or one for each (Lane).
+  template <class Number>
+  void solve(const Number& a, const Number& b, const Number& tau, const Lane& s, const Lane& g,
+             const Lane& way, const Lane& last, const Lane& from) {
+    const Number per_tau = 1 / tau;
+    const Lane g_b = g * b;
     if ((way == 0).all()) {  // where a linearised step asks
       work = Lane::Zero();
       stress = from;
-      slope = (a + g * b * last - s * from) * per_tau;
+      slope = (a + g_b * last - s * from) * per_tau;
       return;
     }
-    const Lane decay = (-s * way * per_tau).exp();
-    const Lane at_start = s * a + s_g_b * last - g * b * tau;
+    const Lane at_start = s * (a + g_b * last) - g_b * tau;
     const Lane excess = from - at_start;
-    work = at_start * way + s_g_b * way.square() / 2 + excess * s * tau * (1 - decay);
+    const Lane decay = (-s * way * per_tau).exp();
+    const Lane s_g_b = s * g_b;
+    work = way * (at_start + s_g_b * way / 2) + excess * s * tau * (1 - decay);
     stress = at_start + s_g_b * way + excess * decay;
     slope = s_g_b - s * excess * decay * per_tau;
   }
@@ -52,10 +69,10 @@ bool is_blind_to_zero(const DahlBySide& dahl) {
   return p.b == 0 && n.b == 0 && p.a == n.a && p.tau == n.tau;
 }
 
-Lanes friction_lanes(const DahlBySide& dahl, int component, const Samples& samples) {
+Lanes friction_lanes(const DahlBySide& dahl, bool by_side, int component, const Samples& samples) {
   const Lane strain = samples.strain.col(component), last = samples.last.col(component);
   const Lane from = samples.history.col(0);
-  Lanes lanes(dahl, strain, last, samples.before.col(component), from);
+  Lanes lanes(dahl, by_side, strain, last, samples.before.col(component), from);
   if (is_blind_to_zero(dahl) || (strain * last).minCoeff() >= 0) return lanes;
   for (int i = 0; i < kLanes; ++i) {
     if (strain(i) * last(i) >= 0) continue;  // does not cross zero
@@ -77,15 +94,15 @@ DahlFriction::DahlFriction(int component, const DahlBySide& dahl)
     : component_(component), dahl_(dahl), by_side_(true) {}
 
 void DahlFriction::add(const Samples& samples, const StepTime&, Response& response) const {
-  const Lanes lanes = friction_lanes(dahl_, component_, samples);
+  const Lanes lanes = friction_lanes(dahl_, by_side_, component_, samples);
   response.work += lanes.work;
   response.stress.col(component_) += lanes.stress;
   response.tangent.col(component_ * samples.strain.cols() + component_) += lanes.slope;
 }
 
-void DahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneHistory next,
+void DahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneView next,
                            Lane& work) const {
-  const Lanes lanes = friction_lanes(dahl_, component_, samples);
+  const Lanes lanes = friction_lanes(dahl_, by_side_, component_, samples);
   next.col(0) = lanes.stress;
   work += lanes.work;
 }

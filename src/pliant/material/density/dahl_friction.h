@@ -22,7 +22,7 @@ class DahlFriction : public ParametricDensity {
 
   int history_size() const override { return 1; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
-  void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+  void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   /// (a, b, tau), and those of negative strain where they differ.
   Eigen::VectorXd parameters() const override;

@@ -5,8 +5,8 @@
 namespace pliant {
 namespace {
 
-FrictionStress published(const DahlParameters& dahl, double strain, const FrictionState& from,
-                         double s) {
+FrictionStress on_one_side(const DahlParameters& dahl, double strain, const FrictionState& from,
+                           double s) {
   const double g = strain + from.strain < 0 ? -1 : 1;
   const double decay = std::exp(-s * (strain - from.strain) / dahl.tau);
   const double excess = from.stress - s * (dahl.a + g * dahl.b * from.strain);
@@ -24,6 +24,20 @@ FrictionStress published(const DahlParameters& dahl, double strain, const Fricti
   return result;
 }
 
+// Joined at zero strain, as the exact solution is.
+FrictionStress published(const DahlParameters& dahl, double strain, const FrictionState& from,
+                         double s) {
+  if (strain * from.strain >= 0) return on_one_side(dahl, strain, from, s);
+  const FrictionStress to_zero = on_one_side(dahl, 0, from, s);
+  FrictionStress result = on_one_side(dahl, strain, {0, to_zero.stress}, s);
+  for (size_t i = 0; i < result.parameters.size(); ++i) {
+    result.parameters[i] += result.from_stress * to_zero.parameters[i];
+  }
+  result.from_strain = result.from_stress * to_zero.from_strain;
+  result.from_stress *= to_zero.from_stress;
+  return result;
+}
+
 }  // namespace
 
 FrictionStress published_friction_stress(const DahlParameters& dahl, double strain,
@@ -34,7 +48,7 @@ FrictionStress published_friction_stress(const DahlParameters& dahl, double stra
 FrictionStress anchored_friction_stress(const DahlParameters& dahl, double strain, double anchor,
                                         int direction) {
   const double s = direction;
-  const double g = strain + anchor < 0 ? -1 : 1;
+  const double g = (anchor != 0 ? anchor : strain) < 0 ? -1 : 1;
   FrictionStress result =
       published(dahl, strain, {anchor, -s * max_friction_stress(dahl, anchor)}, s);
   // The anchor's stress depends on a, b and the anchor's strain too.

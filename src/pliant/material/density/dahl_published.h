@@ -5,8 +5,8 @@
 namespace pliant {
 
 /// The papers' approximation of the friction stress along one monotone stretch ([T] Eq. 5.3), which
-/// drops the offset b tau; strain must not change sign. Kept as the reference of the published
-/// estimator.
+/// drops the offset b tau. The papers' stretches keep to one side of zero strain; here a stretch
+/// may cross it, its two sides joined there. Kept as the reference of the published estimator.
 FrictionStress published_friction_stress(const DahlParameters& dahl, double strain,
                                          const FrictionState& from);
 

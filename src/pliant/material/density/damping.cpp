@@ -19,7 +19,7 @@ void Damping::add(const Samples& samples, const StepTime& time, Response& respon
 }
 
 // Stress at the end of the step times the step's strain.
-void Damping::advance(const Samples& samples, const StepTime& time, MutableLaneHistory,
+void Damping::advance(const Samples& samples, const StepTime& time, MutableLaneView,
                       Lane& work) const {
   const Lane strain = samples.strain.col(component_) - samples.last.col(component_);
   work += coefficient_ * time.per_second * way(samples, time) * strain;

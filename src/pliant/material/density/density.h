@@ -17,9 +17,10 @@ using LaneStrains =
 /// Column i strains + j holds d stress_i / d strain_j.
 using LaneTangents = Eigen::Array<double, kLanes, Eigen::Dynamic, Eigen::ColMajor, kLanes,
                                   kMaxStrains * kMaxStrains>;
-/// One column a number of a density's history.
-using LaneHistory = Eigen::Map<const Eigen::Array<double, kLanes, Eigen::Dynamic>>;
-using MutableLaneHistory = Eigen::Map<Eigen::Array<double, kLanes, Eigen::Dynamic>>;
+/// Numbers of eight points that stand elsewhere: one column a strain component or a number of a
+/// density's history.
+using LaneView = Eigen::Map<const Eigen::Array<double, kLanes, Eigen::Dynamic>>;
+using MutableLaneView = Eigen::Map<Eigen::Array<double, kLanes, Eigen::Dynamic>>;
 
 /// What laws that depend on the rate of strain know of the present step: the rate is
 /// (strain - (now last + earlier before)) per_second.
@@ -29,12 +30,17 @@ struct StepTime {
   double earlier = 0;     ///< weight of the strain one accepted step before that
 };
 
-/// Eight material points: their strain, and what they remember.
+/// Eight material points: their strain, and what they remember. A view: the numbers outlive it.
 struct Samples {
-  LaneStrains strain;
-  LaneStrains last;     ///< strain at the last accepted step
-  LaneStrains before;   ///< strain one accepted step before that
-  LaneHistory history;  ///< what the density itself keeps, set at accepted steps only
+  LaneView strain;
+  LaneView last;     ///< strain at the last accepted step
+  LaneView before;   ///< strain one accepted step before that
+  LaneView history;  ///< what the density itself keeps, set at accepted steps only
+
+  /// The same points, with a part of the history as the whole.
+  Samples with_history(int first, int size) const {
+    return {strain, last, before, LaneView(history.data() + kLanes * first, kLanes, size)};
+  }
 };
 
 /// What eight material points answer, per rest area or volume.
@@ -79,7 +85,7 @@ class Density {
   /// Ends a step at `samples.strain`.
   /// @param next  the history from then on
   /// @param work  gets the work done during the step against friction and damping added
-  virtual void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+  virtual void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                        Lane& work) const = 0;
 };
 

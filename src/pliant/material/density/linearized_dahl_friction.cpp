@@ -29,8 +29,8 @@ void LinearizedDahlFriction::add(const Samples& samples, const StepTime&,
   }
 }
 
-void LinearizedDahlFriction::advance(const Samples& samples, const StepTime&,
-                                     MutableLaneHistory next, Lane& work) const {
+void LinearizedDahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneView next,
+                                     Lane& work) const {
   for (int i = 0; i < kLanes; ++i) {
     const FrictionState start{samples.last(i, component_), samples.history(i, 0)};
     work(i) += friction_work(dahl_, samples.strain(i, component_), start);

@@ -26,7 +26,7 @@ void StiffnessDensity::add(const Samples& samples, const StepTime&, Response& re
   }
 }
 
-void StiffnessDensity::advance(const Samples&, const StepTime&, MutableLaneHistory, Lane&) const {}
+void StiffnessDensity::advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const {}
 
 Eigen::VectorXd StiffnessDensity::parameters() const {
   return Eigen::Map<const Eigen::VectorXd>(stiffness_.values().data(), stiffness_.size());

@@ -14,7 +14,7 @@ class StiffnessDensity : public ParametricDensity {
 
   int history_size() const override { return 0; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
-  void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+  void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;
   void set_parameters(const Eigen::VectorXd& values) override;

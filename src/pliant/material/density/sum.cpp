@@ -1,42 +1,34 @@
 #include "pliant/material/density/sum.h"
 
-#include <new>
-
 namespace pliant {
-namespace {
-
-constexpr Eigen::Index kColumn = kLanes;  // numbers of one column of a history
-
-}  // namespace
 
 void Sum::add_addend(std::unique_ptr<Density> addend) {
-  Addend entry{std::move(addend), nullptr, history_size_, parameter_count_, 0};
+  Addend entry;
+  entry.density = std::move(addend);
   entry.parametric = dynamic_cast<ParametricDensity*>(entry.density.get());
+  entry.first_history = history_size_;
+  entry.history_size = entry.density->history_size();
+  entry.first_parameter = parameter_count_;
   if (entry.parametric) {
     entry.parameter_count = static_cast<int>(entry.parametric->parameters().size());
   }
-  history_size_ += entry.density->history_size();
+  history_size_ += entry.history_size;
   parameter_count_ += entry.parameter_count;
   addends_.push_back(std::move(entry));
 }
 
 void Sum::add(const Samples& samples, const StepTime& time, Response& response) const {
-  Samples own = samples;
   for (const Addend& addend : addends_) {
-    new (&own.history) LaneHistory(samples.history.data() + kColumn * addend.first_history, kLanes,
-                                   addend.density->history_size());
-    addend.density->add(own, time, response);
+    addend.density->add(own(addend, samples), time, response);
   }
 }
 
-void Sum::advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+void Sum::advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                   Lane& work) const {
-  Samples own = samples;
   for (const Addend& addend : addends_) {
-    const int size = addend.density->history_size();
-    const Eigen::Index first = kColumn * addend.first_history;
-    new (&own.history) LaneHistory(samples.history.data() + first, kLanes, size);
-    addend.density->advance(own, time, MutableLaneHistory(next.data() + first, kLanes, size), work);
+    const MutableLaneView own_next(next.data() + kLanes * addend.first_history, kLanes,
+                                   addend.history_size);
+    addend.density->advance(own(addend, samples), time, own_next, work);
   }
 }
 
@@ -60,12 +52,10 @@ void Sum::set_parameters(const Eigen::VectorXd& values) {
 
 void Sum::differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                         SampleDerivatives& derivatives) const {
-  Samples own = samples;
   for (const Addend& addend : addends_) {
     if (!addend.parametric) continue;
-    new (&own.history) LaneHistory(samples.history.data() + kColumn * addend.first_history, kLanes,
-                                   addend.density->history_size());
-    addend.parametric->differentiate(own, lane, first_history + addend.first_history,
+    addend.parametric->differentiate(own(addend, samples), lane,
+                                     first_history + addend.first_history,
                                      first_parameter + addend.first_parameter, derivatives);
   }
 }

@@ -17,7 +17,7 @@ class Sum : public ParametricDensity {
 
   int history_size() const override { return history_size_; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
-  void advance(const Samples& samples, const StepTime& time, MutableLaneHistory next,
+  void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;
   void set_parameters(const Eigen::VectorXd& values) override;
@@ -29,9 +29,14 @@ class Sum : public ParametricDensity {
     std::unique_ptr<Density> density;
     ParametricDensity* parametric = nullptr;  // the same, where it has parameters
     int first_history = 0;
+    int history_size = 0;
     int first_parameter = 0;
     int parameter_count = 0;
   };
+
+  static Samples own(const Addend& addend, const Samples& samples) {
+    return samples.with_history(addend.first_history, addend.history_size);
+  }
 
   std::vector<Addend> addends_;
   int history_size_ = 0;

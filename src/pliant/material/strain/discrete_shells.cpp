@@ -1,5 +1,6 @@
 #include "pliant/material/strain/discrete_shells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,6 +77,12 @@ double dihedral_angle(const DiscreteShells::Positions& positions) {
 double continued_angle(double angle, double near) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return angle + kTurn * std::round((near - angle) / kTurn);
+}
+
+DiscreteShells::Rest DiscreteShells::continued(const Rest& rest, const Strain& last) {
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const double angle = rest.angle + last(0) * rest.height / 3;
+  return {rest.angle, rest.height, angle - std::clamp(angle, -kQuarter, kQuarter)};
 }
 
 DiscreteShells::Strain DiscreteShells::strain(const Rest& rest, const Positions& positions) {

@@ -9,8 +9,8 @@ namespace pliant {
 ///
 /// Nodes: the edge's two ends, then the opposite vertex of the triangle that has the edge in this
 /// direction, then that of the other. theta is the signed angle between the normals, continued
-/// through +-pi: the branch nearest to `Rest::near_angle` counts, which the owner of the hinge sets
-/// to the last accepted angle (it is state).
+/// through +-pi: the branch nearest to `Rest::near_angle` counts, which follows the last accepted
+/// angle (it is state).
 struct DiscreteShells : StrainTypes<4, 1> {
   struct Rest {
     double angle = 0;       ///< theta0
@@ -25,9 +25,9 @@ struct DiscreteShells : StrainTypes<4, 1> {
   static Hessian convex_weighted_hessian(const Rest&, const Positions&, const Strain&) {
     return Hessian::Zero();
   }
-  static Rest continued(const Rest& rest, const Strain& last) {
-    return {rest.angle, rest.height, rest.angle + last(0) * rest.height / 3};
-  }
+  /// Within a step a hinge may turn by a quarter beyond where it was, and by three quarters the
+  /// other way, through flat: a fold that springs open turns far.
+  static Rest continued(const Rest& rest, const Strain& last);
 };
 
 /// Signed angle between the normals of a hinge's triangles, in (-pi, pi]; 0 where they are

@@ -1,0 +1,92 @@
+#include "apps/pliant/textile_info.h"
+
+#include <fmt/format.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/experiment/bending_length.h"
+#include "pliant/material/bending_strain.h"
+#include "pliant/material/kes_bending.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+
+// "0.19 gf cm^2/cm (18.6 uN m)"
+std::string in_both(double si, const char* unit, Dimension dimension) {
+  return fmt::format("{} {} ({})", format_number(si / *unit_scale(unit, dimension), kDigits), unit,
+                     format_quantity(si, dimension, kDigits));
+}
+
+bool reaches_beyond(const MaterialComponent& component) {
+  return component.range && component.range->second < kStrainPerCurvature * kKesSlopeCurvature[1];
+}
+
+void add_kes(const MaterialComponent& component, std::vector<std::string>& lines, Json& json) {
+  const KesBending kes = kes_bending(component);
+  const char* rigidity_unit = "gf cm^2/cm";
+  const char* moment_unit = "gf cm/cm";
+  json["kes_B_N_m"] = kes.rigidity;
+  json["kes_B_gf_cm2_per_cm"] =
+      kes.rigidity / *unit_scale(rigidity_unit, Dimension::bending_stiffness);
+  json["kes_2HB_N"] = kes.hysteresis;
+  json["kes_2HB_gf_cm_per_cm"] = kes.hysteresis / *unit_scale(moment_unit, Dimension::force);
+  json["residual_curvature_1_per_m"] =
+      kes.residual_curvature ? Json(*kes.residual_curvature) : Json(nullptr);
+  json["kes_beyond_range"] = reaches_beyond(component);
+  lines.push_back(labelled("KES bending B",
+                           in_both(kes.rigidity, rigidity_unit, Dimension::bending_stiffness), 1));
+  lines.push_back(
+      labelled("KES bending 2HB", in_both(kes.hysteresis, moment_unit, Dimension::force), 1));
+  if (kes.residual_curvature) {
+    lines.push_back(labelled("residual curvature",
+                             fmt::format("{} 1/m, unloaded from 250 1/m",
+                                         format_number(*kes.residual_curvature, kDigits)),
+                             1));
+  }
+  if (reaches_beyond(component)) {
+    lines.push_back(labelled("", "B, 2HB: by the law beyond the curvatures that were measured", 1));
+  }
+}
+
+void add_bending_length(const Material& material, const std::string& name,
+                        std::vector<std::string>& lines, Json& json) {
+  for (const char* key : {"overhang_m", "bending_length_m", "flexural_rigidity_N_m"}) {
+    json[key] = nullptr;
+  }
+  if (!(material.density > 0)) {
+    lines.push_back(labelled("bending length", "not known without the density", 1));
+    return;
+  }
+  const auto length = bending_length(*law_of(material, name), material.density);
+  if (!length) {
+    lines.push_back(labelled("bending length", "no overhang below 10 m dips by 41.5 degrees", 1));
+    return;
+  }
+  json["overhang_m"] = length->overhang;
+  json["bending_length_m"] = length->length;
+  json["flexural_rigidity_N_m"] = length->flexural_rigidity;
+  lines.push_back(
+      labelled("bending length",
+               fmt::format("{}, overhang {} at 41.5 degrees (ASTM D1388, ISO 9073-7)",
+                           format_quantity(length->length, Dimension::length, kDigits),
+                           format_quantity(length->overhang, Dimension::length, kDigits)),
+               1));
+  lines.push_back(labelled(
+      "flexural rigidity",
+      format_quantity(length->flexural_rigidity, Dimension::bending_stiffness, kDigits), 1));
+}
+
+}  // namespace
+
+Json textile_info(const Material& material, const std::string& name, FileInfo& info) {
+  Json json;
+  add_kes(material.components.at(name), info.lines, json);
+  add_bending_length(material, name, info.lines, json);
+  return json;
+}
+
+}  // namespace pliant

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "pliant/material/material.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+
+/// Adds what textile instruments would read of a bending component (docs/bending.md): B and 2HB of
+/// KES-FB2, and the bending length where the density is known.
+/// @param component  its stiffness is given, and that of a sheet
+/// @param name       e.g. bend.warp
+/// @return the same for the summary, SI and the instruments' units
+nlohmann::ordered_json textile_info(const Material& material, const std::string& name,
+                                    FileInfo& info);
+
+}  // namespace pliant

@@ -1,0 +1,122 @@
+#include "pliant/experiment/imposed_strain.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/friction_path.h"
+
+namespace pliant {
+namespace {
+
+enum NuisanceIndex { kOffset, kInitialFriction };
+
+}  // namespace
+
+ImposedStrain::ImposedStrain(const ExperimentSpec& spec, const DataRows& data, StrainRecord record)
+    : apparatus_(std::move(record.apparatus)) {
+  require_rows(data.specimens(), data, 3);
+  for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
+  measured_ = Eigen::Map<const Eigen::VectorXd>(record.measured.data(),
+                                                static_cast<int>(record.measured.size()));
+  info_ = describe_experiment(spec, data, record.quantity);
+  const bool rested = spec.initial_friction == InitialFriction::rest;
+  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, record, rested);
+  describe_start(spec);
+}
+
+void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& record,
+                                 bool rested) {
+  Specimen specimen;
+  specimen.rows = rows;
+  specimen.rested = rested;
+  specimen.first_nuisance = static_cast<int>(nuisance_.size());
+  // Turning points lie where even speed puts them: in what the machine moves, not in the strain.
+  const std::span<const double> driven(record.driven.data() + rows.first,
+                                       static_cast<size_t>(rows.count));
+  specimen.stretches = monotone_stretches(driven, reversal_threshold(driven, 0));
+  for (Stretch& stretch : specimen.stretches) stretch.turn = record.strain_of(stretch.turn);
+
+  const size_t number = specimens_.size();
+  const double peak = measured_.segment(rows.first, rows.count).cwiseAbs().maxCoeff();
+  nuisance_.push_back({nuisance_name(info_, number, record.offset), record.quantity.unit, 0,
+                       -0.2 * peak, 0.2 * peak, 0.01 * peak});
+  if (!rested) {
+    nuisance_.push_back(
+        {nuisance_name(info_, number, "initial_friction"), "1", 0, -1, 1, 0.5, true});
+  }
+
+  const auto load = [this](int row, int) {
+    const auto index = static_cast<size_t>(row);
+    return CarriedLoad{strain_[index], measured_(row) - apparatus_[index], 1};
+  };
+  append_stretches(rows, static_cast<int>(number), specimen.stretches, load, path_);
+  specimens_.push_back(std::move(specimen));
+}
+
+void ImposedStrain::describe_start(const ExperimentSpec& spec) {
+  if (spec.role == ExperimentRole::validate) return;
+  info_.handled.push_back(fmt::format("an offset of the {} is estimated along (nuisance parameter)",
+                                      info_.quantity.kind));
+  info_.handled.push_back(spec.initial_friction == InitialFriction::rest
+                              ? "friction starts at rest"
+                              : "the friction state at the first row is unknown and estimated "
+                                "along");
+}
+
+std::optional<Prediction> ImposedStrain::predict(const ComponentLaw& law,
+                                                 const Eigen::VectorXd& nuisance,
+                                                 bool with_jacobian) const {
+  const auto parameters = law.parameter_count() + static_cast<int>(nuisance_.size());
+  Prediction prediction;
+  prediction.value.resize(rows());
+  prediction.strain = Eigen::Map<const Eigen::VectorXd>(strain_.data(), rows());
+  prediction.jacobian.resize(rows(), with_jacobian ? parameters : 0);
+  for (const Specimen& specimen : specimens_) {
+    predict_specimen(specimen, law, nuisance, with_jacobian, prediction);
+  }
+  return prediction;
+}
+
+void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLaw& law,
+                                     const Eigen::VectorXd& nuisance, bool with_jacobian,
+                                     Prediction& prediction) const {
+  const auto parameters = prediction.jacobian.cols();
+  const int first_index = law.parameter_count() + specimen.first_nuisance;
+  const double offset = nuisance(specimen.first_nuisance + kOffset);
+  const double ratio = specimen.rested ? 0 : nuisance(specimen.first_nuisance + kInitialFriction);
+  const Eigen::VectorXd fixed = Eigen::VectorXd::Zero(parameters);
+
+  const double first_strain = strain_[static_cast<size_t>(specimen.rows.first)];
+  PathPoint start{first_strain, ratio * law.max_friction(first_strain), fixed, fixed};
+  if (with_jacobian && !specimen.rested && law.friction_count() > 0) {
+    start.friction_gradient(law.stiffness.size()) = ratio;
+    start.friction_gradient(law.stiffness.size() + 1) = ratio * std::abs(first_strain);
+    start.friction_gradient(first_index + kInitialFriction) = law.max_friction(first_strain);
+  }
+  FrictionPath path(law, start);
+  for (const Stretch& stretch : specimen.stretches) {
+    for (int i = stretch.first; i <= stretch.last; ++i) {
+      const int row = specimen.rows.first + i;
+      const auto index = static_cast<size_t>(row);
+      const PathStress here = path.at(strain_[index]);
+      prediction.value(row) = offset + here.stress + apparatus_[index];
+      if (!with_jacobian) continue;
+      prediction.jacobian.row(row) = here.gradient;
+      prediction.jacobian(row, first_index + kOffset) += 1;
+    }
+    path.turn_at(stretch.turn, fixed);
+  }
+}
+
+Eigen::VectorXd ImposedStrain::unfitted_nuisance() const {
+  return Eigen::VectorXd::Zero(static_cast<int>(nuisance_.size()));
+}
+
+LoopSeries ImposedStrain::loop(const Eigen::VectorXd& stress) const {
+  return {Eigen::Map<const Eigen::VectorXd>(strain_.data(), rows()), stress};
+}
+
+}  // namespace pliant

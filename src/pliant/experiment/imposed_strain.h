@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pliant/experiment/data_source.h"
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/turning_points.h"
+
+namespace pliant {
+
+/// What a machine that imposes a path of strain has recorded, a value a row (SI).
+struct StrainRecord {
+  std::vector<double> driven;               ///< what it moves at even speed: an angle, a curvature
+  std::function<double(double)> strain_of;  ///< strain at a value of it; increasing
+  std::vector<double> measured;             ///< stress, and what the apparatus adds to it
+  std::vector<double> apparatus;            ///< known share of the apparatus in `measured`
+  MeasuredQuantity quantity;
+  std::string offset;  ///< name of the nuisance parameter for an offset of `measured`
+};
+
+/// Strain to and fro, imposed by a machine that measures the stress: shear and pure bending.
+///
+/// Of each specimen two numbers are estimated along: an offset of the measured quantity and, unless
+/// it is at rest, the friction at the first row as a share of the maximum.
+class ImposedStrain : public Experiment {
+ public:
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  Eigen::VectorXd unfitted_nuisance() const override;
+  LoopSeries loop(const Eigen::VectorXd& stress) const override;
+  double loop_width() const override { return 1; }
+  double loop_length() const override { return 1; }
+
+ protected:
+  /// @throws InputError for a specimen of fewer than three rows
+  ImposedStrain(const ExperimentSpec& spec, const DataRows& data, StrainRecord record);
+
+ private:
+  struct Specimen {
+    SpecimenRows rows;
+    std::vector<Stretch> stretches;  // their turning values are strains
+    int first_nuisance = 0;
+    bool rested = true;
+  };
+
+  void add_specimen(const SpecimenRows& rows, const StrainRecord& record, bool rested);
+  void describe_start(const ExperimentSpec& spec);
+  void predict_specimen(const Specimen& specimen, const ComponentLaw& law,
+                        const Eigen::VectorXd& nuisance, bool with_jacobian,
+                        Prediction& prediction) const;
+
+  std::vector<double> strain_;
+  std::vector<double> apparatus_;
+  std::vector<Specimen> specimens_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,196 @@
+#include "pliant/experiment/strip_profiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/material/bending_strain.h"
+
+namespace pliant {
+namespace {
+
+// Elements of a strip that winds: each turns by a few radians at most.
+int element_count(double length, double curvature) {
+  constexpr double kTurn = 4;
+  constexpr int kFewest = 6, kMost = 16;
+  return std::clamp(static_cast<int>(std::ceil(length * std::abs(curvature) / kTurn)), kFewest,
+                    kMost);
+}
+
+// A strip that winds around its cylinder more than once keeps to one side of it and unbends all the
+// way, in steps of any length. One that does not swings down, and its points bend back and forth:
+// what friction remembers of that comes with an error that falls like the length of the steps.
+int release_steps(double length, double curvature) {
+  constexpr double kOnce = 6.3;  // rad
+  constexpr int kWound = 8, kSwinging = 64;
+  if (curvature == 0) return 1;
+  return length * std::abs(curvature) > kOnce ? kWound : kSwinging;
+}
+
+Eigen::Vector2d left_of(const Eigen::Vector2d& tangent) { return {-tangent.y(), tangent.x()}; }
+
+// Moment per width of what hangs beyond each point of a measured profile ([P] Eq. 7), about it.
+std::vector<double> hanging_moments(const ProfileRows& profile, double length, double weight) {
+  const std::vector<double> shares = profile.shares();
+  std::vector<double> moments(profile.points.size(), 0);
+  for (size_t i = 0; i < moments.size(); ++i) {
+    for (size_t k = i + 1; k < moments.size(); ++k) {
+      const double middle = (profile.points[k].x() + profile.points[k - 1].x()) / 2;
+      const double piece = length * (shares[k] - shares[k - 1]);
+      moments[i] -= weight * piece * (middle - profile.points[i].x());
+    }
+  }
+  return moments;
+}
+
+void require_density(const ExperimentSpec& spec, double density) {
+  if (density > 0) return;
+  throw InputError({spec.where.file, spec.where.line, spec.where.field},
+                   "the study states no density, and its own weight bends the strip",
+                   "`density:` of the study, e.g. 150 g/m^2");
+}
+
+}  // namespace
+
+StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, double density,
+                             std::string_view setting)
+    : setting_(setting), weight_(density * kStandardGravity) {
+  require_density(spec, density);
+  measured_ = Eigen::VectorXd::Zero(data.rows());
+  profiles_ = read_profiles(data, setting);
+  info_ = describe_experiment(spec, data, {"distance_mm", "distance", "mm", 1e3});
+  path_.strain.resize(static_cast<size_t>(data.rows()));
+  path_.force = path_.strain;
+  path_.factor.assign(path_.strain.size(), 1);
+  path_.direction.assign(path_.strain.size(), 1);
+  path_.anchor.assign(path_.strain.size(), 0);
+  path_.specimen.assign(path_.strain.size(), 0);
+  path_.starts_flat.assign(path_.strain.size(), 0);
+}
+
+void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled) {
+  const auto same = std::find_if(strips_.begin(), strips_.end(), [&](const Strip& strip) {
+    return strip.rolled == rolled && strip.elastica.line().length() == length;
+  });
+  if (same == strips_.end()) {
+    strips_.push_back({{rows}, Elastica(length, element_count(length, rolled)), rolled});
+  } else {
+    same->profiles.push_back(rows);
+  }
+  const std::vector<double> curvature = profile_curvature(rows);
+  const std::vector<double> moments = hanging_moments(rows, length, weight_);
+  const auto first = static_cast<size_t>(rows.first);
+  info_.used[first] = 0;  // the clamp
+  path_.starts_flat[first] = 1;
+  for (size_t i = 0; i < rows.points.size(); ++i) {
+    path_.strain[first + i] = kStrainPerCurvature * curvature[i];
+    path_.force[first + i] = moments[i];
+    path_.anchor[first + i] = rows.first;
+    path_.specimen[first + i] = rows.specimen;
+    path_.direction[first + i] = rolled < 0 ? 1 : -1;
+  }
+  path_.strain[first] = kStrainPerCurvature * rolled;
+}
+
+std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
+                                                  bool with_derivatives) const {
+  StripHistory history = strip.elastica.rolled(law, strip.rolled);
+  const int steps = release_steps(strip.elastica.line().length(), strip.rolled);
+  return strip.elastica.released(law, weight_, {}, steps, with_derivatives, history);
+}
+
+void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
+                            double length, int parameters, Prediction& prediction) {
+  const std::vector<double> shares = measured.shares();
+  for (size_t i = 0; i < measured.points.size(); ++i) {
+    const double place = predicted.nearest(measured.points[i], shares[i] * length);
+    const StripPoint nearest = predicted.at(place);
+    const Eigen::Vector2d across = left_of(nearest.tangent);
+    const Eigen::Index row = measured.first + static_cast<Eigen::Index>(i);
+    prediction.value(row) = across.dot(nearest.position - measured.points[i]);
+    prediction.strain(row) = kStrainPerCurvature * nearest.curvature;
+    if (parameters == 0) continue;
+    prediction.jacobian.row(row) =
+        (across.transpose() * predicted.position_by_parameter(place)).leftCols(parameters);
+  }
+}
+
+std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law, const Eigen::VectorXd&,
+                                                 bool with_jacobian) const {
+  const int parameters = with_jacobian ? law.parameter_count() : 0;
+  Prediction prediction;
+  prediction.value.resize(rows());
+  prediction.strain.resize(rows());
+  prediction.jacobian.resize(rows(), parameters);
+  for (const Strip& strip : strips_) {
+    const std::optional<StripShape> shape = shape_of(strip, law, with_jacobian);
+    if (!shape) return std::nullopt;
+    const StripProfile predicted = strip.elastica.profile({}, *shape);
+    for (const ProfileRows& measured : strip.profiles) {
+      compare(measured, predicted, strip.elastica.line().length(), parameters, prediction);
+    }
+  }
+  return prediction;
+}
+
+double StripProfiles::reference() const {
+  double longest = 0;
+  for (const Strip& strip : strips_) longest = std::max(longest, strip.elastica.line().length());
+  return longest;
+}
+
+ProfileLine StripProfiles::measured_line(const ProfileRows& rows, double length) const {
+  ProfileLine line;
+  line.setting = rows.setting;
+  line.first_row = rows.first;
+  for (const double share : rows.shares()) line.arc_length.push_back(share * length);
+  for (const Eigen::Vector2d& point : rows.points) {
+    line.x.push_back(point.x());
+    line.y.push_back(point.y());
+  }
+  line.curvature = profile_curvature(rows);
+  line.moment = hanging_moments(rows, length, weight_);
+  return line;
+}
+
+ProfileLine StripProfiles::predicted_line(const Strip& strip, const StripShape& shape) const {
+  constexpr int kPoints = 150;
+  const double length = strip.elastica.line().length();
+  const StripProfile profile = strip.elastica.profile({}, shape);
+  ProfileRows rows{strip.profiles.front().setting, 0, 0, {}};
+  ProfileLine line;
+  line.setting = rows.setting;
+  for (int i = 0; i <= kPoints; ++i) {
+    line.arc_length.push_back(length * i / kPoints);
+    const StripPoint point = profile.at(line.arc_length.back());
+    line.x.push_back(point.position.x());
+    line.y.push_back(point.position.y());
+    line.curvature.push_back(point.curvature);
+    rows.points.push_back(point.position);
+  }
+  line.moment = hanging_moments(rows, length, weight_);
+  return line;
+}
+
+std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law) const {
+  StripShapes shapes;
+  shapes.setting_name = setting_;
+  for (const Strip& strip : strips_) {
+    const std::optional<StripShape> shape = shape_of(strip, law, false);
+    if (!shape) return std::nullopt;
+    for (const ProfileRows& rows : strip.profiles) {
+      shapes.measured.push_back(measured_line(rows, strip.elastica.line().length()));
+    }
+    shapes.predicted.push_back(predicted_line(strip, *shape));
+    if (strip.rolled != 0) {
+      shapes.bent.push_back(bent_and_released(law, strip.profiles.front().setting, strip.rolled));
+    }
+  }
+  return shapes;
+}
+
+LoopSeries StripProfiles::loop(const Eigen::VectorXd& distance) const {
+  return {Eigen::VectorXd::LinSpaced(rows(), 1, rows()), distance};
+}
+
+}  // namespace pliant

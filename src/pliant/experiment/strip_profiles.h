@@ -1,0 +1,58 @@
+#pragma once
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/profile_rows.h"
+#include "pliant/solver/elastica/elastica.h"
+
+namespace pliant {
+
+/// Strips that hang from a clamp, their profiles measured; what is compared is the distance of each
+/// measured point from the profile that the law predicts.
+///
+/// The measured value of every row is zero, the predicted one the distance (m), positive where the
+/// predicted profile passes on the left of the measured point.
+class StripProfiles : public Experiment {
+ public:
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  Eigen::VectorXd unfitted_nuisance() const override { return {}; }
+  LoopSeries loop(const Eigen::VectorXd& distance) const override;
+  double loop_width() const override { return 1; }
+  double loop_length() const override { return 1; }
+  double reference() const override;
+  std::optional<StripShapes> shapes(const ComponentLaw& law) const override;
+
+ protected:
+  /// A strip, and the measured profiles that should have its shape.
+  struct Strip {
+    std::vector<ProfileRows> profiles;
+    Elastica elastica;
+    double rolled = 0;  ///< curvature that the strip was bent to before (1/m)
+  };
+
+  /// @param density  kg/m^2
+  /// @param setting  column of what the experiment varies
+  StripProfiles(const ExperimentSpec& spec, const DataRows& data, double density,
+                std::string_view setting);
+
+  /// Adds a profile of a strip of some length.
+  void add_strip(const ProfileRows& rows, double length, double rolled);
+
+  const std::vector<ProfileRows>& profiles() const { return profiles_; }
+
+ private:
+  std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
+                                     bool with_derivatives) const;
+  static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,
+                      int parameters, Prediction& prediction);
+
+  ProfileLine measured_line(const ProfileRows& rows, double length) const;
+  ProfileLine predicted_line(const Strip& strip, const StripShape& shape) const;
+
+  std::string setting_;
+  double weight_ = 0;  // N/m^2
+  std::vector<ProfileRows> profiles_;
+  std::vector<Strip> strips_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,106 @@
+#include <optional>
+#include <string_view>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
+#include "pliant/io/text_file.h"
+#include "pliant/io/vtu.h"
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+
+/// The tags of an XML text, one after the other, without what stands between them.
+class TagReader {
+ public:
+  explicit TagReader(std::string_view text) : rest_(text) {}
+
+  /// The next tag without its brackets; none at the end and where the appended bytes begin.
+  std::optional<std::string_view> next() {
+    const std::size_t begin = rest_.find('<');
+    if (begin == std::string_view::npos) return std::nullopt;
+    rest_.remove_prefix(begin + 1);
+    const std::size_t end = end_of_tag();
+    if (end == std::string_view::npos) return std::nullopt;
+    const std::string_view tag = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    if (tag.starts_with("AppendedData")) return std::nullopt;
+    return tag;
+  }
+
+ private:
+  /// A value in quotes may hold the bracket that ends a tag.
+  std::size_t end_of_tag() const {
+    bool quoted = false;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      if (rest_[i] == '"') quoted = !quoted;
+      if (rest_[i] == '>' && !quoted) return i;
+    }
+    return std::string_view::npos;
+  }
+
+  std::string_view rest_;
+};
+
+/// The text of an attribute; empty where the tag does not have it.
+std::string attribute(std::string_view tag, const std::string& name) {
+  const std::string opening = " " + name + "=\"";
+  const std::size_t at = tag.find(opening);
+  if (at == std::string_view::npos) return "";
+  const std::string_view value = tag.substr(at + opening.size());
+  return std::string(value.substr(0, value.find('"')));
+}
+
+long count(std::string_view tag, const std::string& name, const std::string& file) {
+  const std::optional<long> number = parse_integer(attribute(tag, name));
+  if (!number || *number < 0) {
+    throw InputError({file, 0, name}, quoted_value(attribute(tag, name)) + " is no count",
+                     "a whole number from 0");
+  }
+  return *number;
+}
+
+std::string unescaped(std::string text) {
+  constexpr std::pair<std::string_view, char> kEscapes[] = {
+      {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}};
+  for (const auto& [escape, character] : kEscapes) {
+    for (std::size_t at = text.find(escape); at != std::string::npos; at = text.find(escape, at)) {
+      text.replace(at++, escape.size(), 1, character);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+VtuHead read_vtu_head(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const std::string text = read_text_file(path, kLargestFile);
+  VtuHead head;
+  bool has_piece = false;
+  std::string_view part;  // of the file that holds the arrays which come next
+  TagReader tags(text);
+  while (const auto tag = tags.next()) {
+    if (tag->starts_with("Piece ")) {
+      if (has_piece) throw InputError({file}, "is a grid of several pieces", "one piece");
+      has_piece = true;
+      head.points = count(*tag, "NumberOfPoints", file);
+      head.cells = count(*tag, "NumberOfCells", file);
+    }
+    if (tag->starts_with("PointData") || tag->starts_with("CellData")) part = *tag;
+    if (tag->starts_with("/PointData") || tag->starts_with("/CellData")) part = {};
+    if (tag->starts_with("DataArray ") && !part.empty()) {
+      const std::optional<long> components = parse_integer(attribute(*tag, "NumberOfComponents"));
+      head.fields.push_back({unescaped(attribute(*tag, "Name")),
+                             static_cast<int>(components.value_or(1)),
+                             part.starts_with("PointData")});
+    }
+  }
+  if (!has_piece || text.find("UnstructuredGrid") == std::string::npos) {
+    throw InputError({file}, "is no VTK unstructured grid", "a .vtu file, as `simulate` writes it");
+  }
+  return head;
+}
+
+}  // namespace pliant

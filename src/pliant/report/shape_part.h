@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "pliant/report/figure.h"
+#include "pliant/report/results.h"
+#include "pliant/report/strip_shapes.h"
+
+namespace pliant::report {
+
+/// Figures of an experiment that measures the profiles of strips, with what it takes to read them,
+/// as HTML.
+std::string shape_part(const ResultExperiment& experiment, const StripShapes& shapes,
+                       FigureSheet& figures);
+
+}  // namespace pliant::report

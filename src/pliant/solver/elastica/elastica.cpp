@@ -1,0 +1,335 @@
+#include "pliant/solver/elastica/elastica.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "pliant/base/assert.h"
+#include "pliant/material/bending_strain.h"
+
+namespace pliant {
+namespace {
+
+int constraint_count(const StripEnds& ends) {
+  return (ends.far_angle ? 1 : 0) + (ends.far_position ? 2 : 0);
+}
+
+// The loads of the far end in the order of its gaps.
+Eigen::VectorXd loads_of(const StripEnds& ends, const StripShape& shape) {
+  Eigen::VectorXd loads(constraint_count(ends));
+  Eigen::Index next = 0;
+  if (ends.far_angle) loads(next++) = shape.far_load.z();
+  if (ends.far_position) loads.segment<2>(next) = shape.far_load.head<2>();
+  return loads;
+}
+
+void add_loads(const StripEnds& ends, const Eigen::VectorXd& change, StripShape& shape) {
+  Eigen::Index next = 0;
+  if (ends.far_angle) shape.far_load.z() += change(next++);
+  if (ends.far_position) shape.far_load.head<2>() += change.segment<2>(next);
+}
+
+// Work per width and length since the history at `strain`: of the moment on the curvature.
+double bending_work(const ComponentLaw& law, double strain, const FrictionState& from) {
+  double work = law.stiffness.first_moment(strain) - law.stiffness.first_moment(from.strain);
+  if (law.friction_law == FrictionLaw::dahl) {
+    const DahlParameters dahl{law.friction[0], law.friction[1], law.friction[2]};
+    work += friction_work({dahl, dahl}, strain, from);
+  }
+  return work / kStrainPerCurvature;
+}
+
+FrictionState state_at(const StripHistory& history, Eigen::Index i) {
+  return {kStrainPerCurvature * history.curvature(i), history.friction(i)};
+}
+
+// At every point of a shape that was reached in one stretch.
+std::vector<FrictionStress> friction_of(const ComponentLaw& law, const StripHistory& history,
+                                        const StripShape& shape) {
+  std::vector<FrictionStress> friction;
+  for (Eigen::Index i = 0; i < shape.curvature.size(); ++i) {
+    friction.push_back(
+        law.friction_stress(kStrainPerCurvature * shape.curvature(i), state_at(history, i)));
+  }
+  return friction;
+}
+
+// d friction stress / d parameters at fixed curvature, the history's part included; a row a point.
+Eigen::MatrixXd friction_by_parameter(const ComponentLaw& law, const StripHistory& history,
+                                      const std::vector<FrictionStress>& friction) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(friction.size()), law.parameter_count() + 1);
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    const FrictionStress& here = friction[static_cast<size_t>(i)];
+    result.row(i) = here.from_strain * kStrainPerCurvature * history.curvature_by_parameter.row(i) +
+                    here.from_stress * history.friction_by_parameter.row(i);
+    for (int k = 0; k < law.friction_count(); ++k) {
+      result(i, law.stiffness.size() + k) += here.parameters[static_cast<size_t>(k)];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+/// The strip at some curvatures: energy and its first derivatives, and how far the far end is from
+/// where it is held.
+struct Elastica::Balance {
+  double energy = 0;        // N, without the far end's loads
+  Eigen::VectorXd moment;   // N
+  Eigen::VectorXd tangent;  // d moment / d curvature
+  Eigen::VectorXd cosine, sine;
+  Eigen::VectorXd force;  // on the cross-section, along y: what hangs on it, less the far load
+  double force_x = 0;
+  Eigen::VectorXd gradient;  // of energy and loads, by curvature
+  Eigen::MatrixXd border;    // d gap / d curvature, a column each
+  Eigen::VectorXd gap;       // of the far end: angle, x, y
+};
+
+Elastica::Elastica(double length, int elements) : line_(length, elements) {}
+
+StripHistory Elastica::rested(const ComponentLaw& law) const { return rolled(law, 0); }
+
+StripHistory Elastica::rolled(const ComponentLaw& law, double curvature) const {
+  PLIANT_ASSERT(law.friction_law != FrictionLaw::constant_slope, "no energy is known of this law");
+  const FrictionStress friction = law.friction_stress(kStrainPerCurvature * curvature, {});
+  const int parameters = law.parameter_count() + 1;
+  StripHistory history;
+  history.curvature = Eigen::VectorXd::Constant(line_.size(), curvature);
+  history.friction = Eigen::VectorXd::Constant(line_.size(), friction.stress);
+  history.curvature_by_parameter = Eigen::MatrixXd::Zero(line_.size(), parameters);
+  history.friction_by_parameter = Eigen::MatrixXd::Zero(line_.size(), parameters);
+  for (int i = 0; i < law.friction_count(); ++i) {
+    history.friction_by_parameter.col(law.stiffness.size() + i)
+        .setConstant(friction.parameters[static_cast<size_t>(i)]);
+  }
+  return history;
+}
+
+Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, const StripEnds& ends,
+                                    const StripHistory& history, const Eigen::VectorXd& held,
+                                    const StripShape& shape) const {
+  const Eigen::VectorXd& w = line_.weights();
+  const Eigen::VectorXd turned = line_.integration() * shape.curvature;
+  const Eigen::ArrayXd angle = turned.array() + ends.clamp_angle;
+  Balance b;
+  b.cosine = angle.cos();
+  b.sine = angle.sin();
+  b.moment.resize(line_.size());
+  b.tangent.resize(line_.size());
+  for (int i = 0; i < line_.size(); ++i) {
+    const double strain = kStrainPerCurvature * shape.curvature(i);
+    const FrictionState from = state_at(history, i);
+    const FrictionStress friction = law.friction_stress(strain, from);
+    b.moment(i) = law.elastic_stress(strain) + friction.stress;
+    b.tangent(i) = kStrainPerCurvature * (law.elastic_tangent(strain) + friction.slope);
+    b.energy += w(i) * bending_work(law, strain, from);
+  }
+  const Eigen::VectorXd hanging = weight * (line_.length() - line_.places().array());
+  b.energy += w.dot(hanging.cwiseProduct(b.sine));
+  b.gradient = w.cwiseProduct(b.moment);
+  if (held.size() > 0) {
+    b.energy -= w.dot(held.cwiseProduct(shape.curvature));
+    b.gradient -= w.cwiseProduct(held);
+  }
+  b.force = hanging;
+  if (ends.far_position) {
+    b.force.array() -= shape.far_load.y();
+    b.force_x = shape.far_load.x();
+  }
+  b.gradient += line_.integration().transpose() *
+                w.cwiseProduct(b.force.cwiseProduct(b.cosine) + b.force_x * b.sine);
+
+  b.gap.resize(constraint_count(ends));
+  b.border.resize(line_.size(), b.gap.size());
+  Eigen::Index next = 0;
+  if (ends.far_angle) {
+    b.gap(next) = w.dot(shape.curvature) - *ends.far_angle;
+    b.border.col(next++) = w;
+    b.gradient -= shape.far_load.z() * w;
+  }
+  if (ends.far_position) {
+    b.gap(next) = w.dot(b.cosine) - ends.far_position->x();
+    b.border.col(next++) = -line_.integration().transpose() * w.cwiseProduct(b.sine);
+    b.gap(next) = w.dot(b.sine) - ends.far_position->y();
+    b.border.col(next++) = line_.integration().transpose() * w.cwiseProduct(b.cosine);
+  }
+  return b;
+}
+
+// Of the energy: the law's tangents, and what turning does to the moments of weight and loads.
+Eigen::MatrixXd Elastica::stiffness(const Balance& b, bool convex) const {
+  const Eigen::VectorXd& w = line_.weights();
+  Eigen::VectorXd turning = b.force_x * b.cosine - b.force.cwiseProduct(b.sine);
+  Eigen::VectorXd tangent = b.tangent;
+  if (convex) {
+    turning = turning.cwiseMax(0);
+    tangent = tangent.cwiseMax(1e-3 * tangent.cwiseAbs().maxCoeff());
+  }
+  Eigen::MatrixXd h = line_.integration_gram(w.cwiseProduct(turning));
+  h.diagonal() += w.cwiseProduct(tangent);
+  return h;
+}
+
+// The same, bordered by the derivatives of the gaps.
+Eigen::MatrixXd Elastica::bordered(const Balance& b) const {
+  const Eigen::Index n = line_.size(), m = b.gap.size();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n + m, n + m);
+  k.topLeftCorner(n, n) = stiffness(b, false);
+  k.topRightCorner(n, m) = -b.border;
+  k.bottomLeftCorner(m, n) = -b.border.transpose();
+  return k;
+}
+
+// Change of the curvatures, then of the far end's loads.
+Eigen::VectorXd Elastica::newton_step(const Balance& b) const {
+  if (b.gap.size() == 0) {
+    Eigen::LLT<Eigen::MatrixXd> factor(stiffness(b, false));
+    if (factor.info() != Eigen::Success) factor.compute(stiffness(b, true));
+    return factor.solve(-b.gradient);
+  }
+  Eigen::VectorXd right(line_.size() + b.gap.size());
+  right << -b.gradient, b.gap;
+  Eigen::MatrixXd k = bordered(b);
+  Eigen::VectorXd step = k.partialPivLu().solve(right);
+  const auto bend = step.head(line_.size());
+  if (bend.dot(k.topLeftCorner(line_.size(), line_.size()) * bend) > 0) return step;
+  k.topLeftCorner(line_.size(), line_.size()) = stiffness(b, true);
+  return k.partialPivLu().solve(right);
+}
+
+// Whether the energy grows in every direction that the far end allows.
+bool Elastica::is_stable(const Balance& b) const {
+  Eigen::MatrixXd h = stiffness(b, false);
+  if (b.gap.size() > 0) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(b.border);
+    const Eigen::MatrixXd all = qr.householderQ();
+    const auto allowed = all.rightCols(line_.size() - b.gap.size());
+    h = (allowed.transpose() * h * allowed).eval();
+  }
+  return Eigen::LLT<Eigen::MatrixXd>(h).info() == Eigen::Success;
+}
+
+std::optional<StripShape> Elastica::equilibrium(const ComponentLaw& law, double weight,
+                                                const StripEnds& ends, const StripHistory& history,
+                                                const StripShape& guess,
+                                                const Eigen::VectorXd& held) const {
+  constexpr double kTolerance = 1e-11, kShare = 1e-4, kShortest = 1e-8, kRounding = 1e-13;
+  constexpr int kMost = 200;
+  // Relative to what bends the strip into an arc of one radian, and to what hangs on it.
+  const auto error = [&](const Balance& b) {
+    const double scale = b.tangent.cwiseAbs().maxCoeff() / line_.length() +
+                         b.moment.cwiseAbs().maxCoeff() + weight * line_.length() * line_.length();
+    const double gap = b.gap.size() > 0 ? b.gap.cwiseAbs().maxCoeff() : 0;
+    return std::max((b.gradient.array() / line_.weights().array()).abs().maxCoeff() / scale, gap);
+  };
+  StripShape shape = guess;
+  Balance here = balance(law, weight, ends, history, held, shape);
+  for (int iteration = 0; iteration < kMost && here.gradient.allFinite(); ++iteration) {
+    const double wrong = error(here);
+    if (wrong < kTolerance) {
+      shape.stable = is_stable(here);
+      return shape;
+    }
+    const Eigen::VectorXd step = newton_step(here);
+    if (!step.allFinite()) return std::nullopt;
+    // Down the energy, the gaps of the far end weighed in by its new loads and a penalty.
+    const Eigen::VectorXd bend = step.head(line_.size()), load = step.tail(here.gap.size());
+    StripShape loaded = shape;
+    add_loads(ends, load, loaded);
+    const Eigen::VectorXd loads = loads_of(ends, loaded);
+    const double penalty = here.tangent.maxCoeff() / std::pow(line_.length(), 3);
+    const auto merit = [&](const Balance& b) {
+      return b.energy - loads.dot(b.gap) + penalty / 2 * b.gap.squaredNorm();
+    };
+    const double slope =
+        here.gradient.dot(bend) + load.dot(here.gap) - penalty * here.gap.squaredNorm();
+    const bool lost = -slope <= kRounding * std::abs(here.energy);  // in rounding
+    bool better = false;
+    for (double share = 1; share > kShortest && !better; share /= 2) {
+      StripShape trial = loaded;
+      trial.curvature += share * bend;
+      Balance there = balance(law, weight, ends, history, held, trial);
+      better = lost ? error(there) < (1 - kShare * share) * wrong
+                    : merit(there) <= merit(here) + kShare * share * slope;
+      if (!better) continue;
+      shape = std::move(trial);
+      here = std::move(there);
+    }
+    if (!better) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<StripShape> Elastica::released(const ComponentLaw& law, double weight,
+                                             const StripEnds& ends, int steps,
+                                             bool with_derivatives, StripHistory& history) const {
+  StripShape shape;
+  shape.curvature = history.curvature;
+  const Balance start = balance(law, weight, ends, history, {}, shape);
+  const Eigen::VectorXd held = start.gradient.cwiseQuotient(line_.weights());
+  for (int step = 1; step <= steps; ++step) {
+    const double share = 1 - static_cast<double>(step) / steps;
+    std::optional<StripShape> next = equilibrium(law, weight, ends, history, shape, share * held);
+    if (!next) return std::nullopt;
+    if (with_derivatives) differentiate(law, weight, ends, history, *next);
+    history = accepted(law, history, *next);
+    shape = std::move(*next);
+  }
+  return shape;
+}
+
+void Elastica::differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
+                             const StripHistory& history, StripShape& shape) const {
+  const Balance b = balance(law, weight, ends, history, {}, shape);
+  const Eigen::VectorXd& w = line_.weights();
+  const Eigen::Index n = line_.size(), parameters = law.parameter_count() + 1;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + b.gap.size(), parameters);
+  right.topRows(n) =
+      -(w.asDiagonal() * friction_by_parameter(law, history, friction_of(law, history, shape)));
+  for (int i = 0; i < n; ++i) {
+    const double strain = kStrainPerCurvature * shape.curvature(i);
+    right.row(i).head(law.stiffness.size()) -=
+        w(i) * strain * law.stiffness.weights(strain).transpose();
+  }
+  right.col(parameters - 1).head(n) -=
+      line_.integration().transpose() *
+      w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine));
+  Eigen::MatrixXd change;
+  if (b.gap.size() == 0 && shape.stable) {
+    change = stiffness(b, false).llt().solve(right);
+  } else {
+    change = bordered(b).partialPivLu().solve(right);
+  }
+  shape.curvature_by_parameter = change.topRows(n);
+  shape.far_load_by_parameter = Eigen::MatrixXd::Zero(3, parameters);
+  Eigen::Index next = n;
+  if (ends.far_angle) shape.far_load_by_parameter.row(2) = change.row(next++);
+  if (ends.far_position) shape.far_load_by_parameter.topRows<2>() = change.middleRows<2>(next);
+}
+
+StripHistory Elastica::accepted(const ComponentLaw& law, const StripHistory& history,
+                                const StripShape& shape) const {
+  StripHistory next;
+  next.curvature = shape.curvature;
+  next.friction.resize(line_.size());
+  Eigen::VectorXd slope(line_.size());
+  const std::vector<FrictionStress> friction = friction_of(law, history, shape);
+  for (int i = 0; i < line_.size(); ++i) {
+    next.friction(i) = friction[static_cast<size_t>(i)].stress;
+    slope(i) = kStrainPerCurvature * friction[static_cast<size_t>(i)].slope;
+  }
+  if (shape.curvature_by_parameter.size() == 0) return next;
+  next.curvature_by_parameter = shape.curvature_by_parameter;
+  next.friction_by_parameter = friction_by_parameter(law, history, friction) +
+                               slope.asDiagonal() * shape.curvature_by_parameter;
+  return next;
+}
+
+StripProfile Elastica::profile(const StripEnds& ends, const StripShape& shape) const {
+  return StripProfile(line_, ends.clamp_angle, shape.curvature, shape.curvature_by_parameter);
+}
+
+}  // namespace pliant

@@ -1,0 +1,68 @@
+#include "pliant/experiment/bending_length.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/quantity.h"
+
+#include "support/published_bending.h"
+
+namespace pliant {
+namespace {
+
+using test::published_bending;
+using test::PublishedBending;
+
+ComponentLaw elastic(double k1) {
+  ComponentLaw law;
+  law.stiffness = ScalarCurve::constant(k1);
+  return law;
+}
+
+double peirce(double rigidity, double area_density) {
+  return std::cbrt(rigidity / (area_density * kStandardGravity));
+}
+
+// The heavy elastica dips by 41.5 degrees at weight overhang^3 / rigidity = 8.0042.
+TEST(BendingLength, OfAnElasticStripIsPeircesWithin2In10000) {
+  for (const double k1 : {1e-7, 2e-6, 5e-4}) {
+    const auto result = bending_length(elastic(k1), 0.2);
+    ASSERT_TRUE(result) << k1;
+    const double expected = peirce(3 * k1, 0.2);
+    EXPECT_NEAR(result->length, expected * std::cbrt(8.0042) / 2, 1e-5 * expected) << k1;
+    EXPECT_NEAR(result->length, expected, 2e-4 * expected) << k1;
+    EXPECT_EQ(result->overhang, 2 * result->length);
+    EXPECT_NEAR(result->flexural_rigidity, 3 * k1, 6e-4 * 3 * k1) << k1;
+  }
+}
+
+// Peirce's own formula, c = l (cos(angle / 2) / (8 tan angle))^(1/3), is good to 2 % up to there.
+TEST(BendingLength, FollowsPeircesFormulaAtOtherAngles) {
+  for (const double degrees : {10.0, 25.0, 41.5}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const auto result = bending_length(elastic(5e-6), 0.15, angle);
+    ASSERT_TRUE(result);
+    const double by_formula =
+        result->overhang * std::cbrt(std::cos(angle / 2) / (8 * std::tan(angle)));
+    EXPECT_NEAR(by_formula, peirce(3 * 5e-6, 0.15), 0.02 * by_formula) << degrees;
+  }
+}
+
+TEST(BendingLength, FrictionMakesAStripReadStiffer) {
+  for (const PublishedBending& fabric : published_bending()) {
+    ComponentLaw smooth = fabric.law();
+    smooth.friction_law = FrictionLaw::none;
+    const auto with = bending_length(fabric.law(), fabric.density);
+    const auto without = bending_length(smooth, fabric.density);
+    ASSERT_TRUE(with && without) << fabric.name;
+    EXPECT_GT(with->length, without->length) << fabric.name;
+  }
+}
+
+TEST(BendingLength, IsNoneForASheetThatNeverDips) {
+  EXPECT_FALSE(bending_length(elastic(1e6), 0.2));
+}
+
+}  // namespace
+}  // namespace pliant

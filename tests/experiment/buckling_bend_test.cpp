@@ -1,0 +1,130 @@
+#include "pliant/experiment/buckling_bend.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using Side = BucklingBend::Side;
+
+constexpr double kWidth = 0.04, kDensity = 0.3;
+constexpr int kOffset = 0, kDrift = 1, kLength = 2;  // among the nuisance parameters
+
+/// Clamps that come nearer and go back, twice, the second time further; the forces are not looked
+/// at but for their size.
+BucklingBend measured(Side side, const std::string& distances = "") {
+  std::string rows = "force_N,distance_mm\n" + distances;
+  if (distances.empty()) {
+    const auto half_cycle = [&](double from, double to) {
+      for (int i = 0; i < 8; ++i) {
+        const double distance = from + (to - from) * i / 8;
+        rows += fmt::format("{},{}\n", -1e-3 * (19.6 - distance), distance);
+      }
+    };
+    half_cycle(19.6, 17);
+    half_cycle(17, 19.6);
+    half_cycle(19.6, 14);
+    half_cycle(14, 19.6);
+  }
+  const test::TemporaryFolder folder;
+  ExperimentSpec spec;
+  spec.name = "bend";
+  spec.type = "buckling-bend";
+  spec.direction = "warp";
+  spec.length = 0.02;
+  spec.width = kWidth;
+  spec.data.files = {folder.write("bend.csv", rows)};
+  return BucklingBend(spec, kDensity, side);
+}
+
+ComponentLaw knit() {
+  ComponentLaw law;
+  law.stiffness = ScalarCurve::affine(2e-6, 1e-10);
+  law.friction_law = FrictionLaw::dahl;
+  law.friction = {3e-5, 1e-9, 40};
+  return law;
+}
+
+Eigen::Vector3d apparatus() { return {0.02, 0.002, 0.0199}; }
+
+TEST(BucklingBend, PushesLessOnTheWayBack) {
+  const BucklingBend bend = measured(Side::down);
+  const auto prediction = bend.predict(knit(), apparatus(), false);
+  ASSERT_TRUE(prediction);
+  // Rows 18 and 30 stand at one distance, on the way there and back.
+  EXPECT_LT(prediction->value(18), prediction->value(30) - 1e-3);
+}
+
+TEST(BucklingBend, OfAnElasticStripWithoutFrictionIsOneCurve) {
+  ComponentLaw law = knit();
+  law.friction_law = FrictionLaw::none;
+  const auto prediction = measured(Side::down).predict(law, Eigen::Vector3d(0, 0, 0.0199), false);
+  ASSERT_TRUE(prediction);
+  EXPECT_NEAR(prediction->value(18), prediction->value(30), 1e-9);
+  // A wave of a length that has hardly buckled: Euler's load and what the weight adds.
+  const double euler = 3 * 2e-6 * std::pow(2 * std::numbers::pi / 0.0199, 2) * kWidth;
+  EXPECT_NEAR(prediction->value(0), -euler, 0.5 * euler);
+}
+
+TEST(BucklingBend, AddsOffsetAndDriftOfTheForce) {
+  const BucklingBend bend = measured(Side::up);
+  const auto plain = bend.predict(knit(), Eigen::Vector3d(0, 0, 0.0199), false);
+  const auto shifted = bend.predict(knit(), apparatus(), false);
+  ASSERT_TRUE(plain && shifted);
+  const int last = bend.rows() - 1;
+  EXPECT_NEAR(shifted->value(0) - plain->value(0), 0.02, 1e-12);
+  EXPECT_NEAR(shifted->value(last) - plain->value(last), 0.022, 1e-12);
+}
+
+TEST(BucklingBend, IsEasierWithItsWeightThanAgainstIt) {
+  ComponentLaw law = knit();
+  law.friction_law = FrictionLaw::none;
+  const auto down = measured(Side::down).predict(law, apparatus(), false);
+  const auto up = measured(Side::up).predict(law, apparatus(), false);
+  ASSERT_TRUE(down && up);
+  EXPECT_GT(down->value(5), up->value(5) + 1e-4);
+}
+
+TEST(BucklingBend, KnowsItsDerivatives) {
+  const BucklingBend bend = measured(Side::down);
+  const ComponentLaw law = knit();
+  const auto at = bend.predict(law, apparatus(), true);
+  ASSERT_TRUE(at);
+  const int law_count = law.parameter_count();
+  ASSERT_EQ(at->jacobian.cols(), law_count + 3);
+  Eigen::VectorXd p(law_count + 3);
+  p << law.parameters(), apparatus();
+  for (int k = 0; k < p.size(); ++k) {
+    const double step = 1e-5 * p(k);
+    const auto value = [&](double change) {
+      Eigen::VectorXd q = p;
+      q(k) += change;
+      return bend.predict(law.with_parameters(q), q.tail(3), false)->value;
+    };
+    const Eigen::VectorXd difference = (value(step) - value(-step)) / (2 * step);
+    EXPECT_LT((difference - at->jacobian.col(k)).norm(), 1e-3 * difference.norm()) << k;
+  }
+}
+
+TEST(BucklingBend, NamesWhatItEstimatesAlong) {
+  const BucklingBend bend = measured(Side::down);
+  EXPECT_EQ(bend.info().component, "bend.warp");
+  ASSERT_EQ(bend.nuisance().size(), 3u);
+  EXPECT_EQ(bend.nuisance()[kOffset].name, "bend.force_offset");
+  EXPECT_EQ(bend.nuisance()[kDrift].name, "bend.force_drift");
+  EXPECT_EQ(bend.nuisance()[kLength].name, "bend.strip_length");
+  EXPECT_GT(bend.nuisance()[kLength].lower, 0.0196);
+}
+
+TEST(BucklingBend, RefusesADistanceThatIsNotPositive) {
+  EXPECT_THROW(measured(Side::down, "0,19\n0,18\n0,-17\n"), InputError);
+}
+
+}  // namespace
+}  // namespace pliant

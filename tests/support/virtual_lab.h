@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/experiment/study.h"
+#include "pliant/experiment/virtual_lab.h"
+
+#include "io/temporary_folder.h"
+
+namespace pliant::test {
+
+/// A material that has one component.
+inline Material made_up_material(const std::string& component, const ComponentLaw& law) {
+  Material material;
+  material.name = "made-up";
+  material.density = 0.15;
+  MaterialComponent part;
+  part.stiffness = law.stiffness;
+  if (law.friction_law == FrictionLaw::dahl) {
+    part.friction = ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, {}};
+  }
+  material.components[component] = part;
+  return material;
+}
+
+/// The weights of [T] 5.3.2: 1 to 6 N in steps of 1 N, three times, a clip of 20 g, 100 mm x 100
+/// mm.
+inline LabExperiment hung_weights() {
+  LabExperiment experiment;
+  experiment.name = "weights";
+  experiment.type = "hanging-weights";
+  experiment.direction = "warp";
+  experiment.clip_mass = 0.02;
+  experiment.peaks = {1, 2, 3, 4, 5, 6};
+  experiment.repeats = 3;
+  return experiment;
+}
+
+/// Cycles of growing amplitude on a strip of 100 mm x 40 mm, and how it is sampled by default.
+inline LabExperiment strip_cycles(std::vector<double> engineering_strains) {
+  LabExperiment experiment;
+  experiment.name = "cycles";
+  experiment.type = "tensile-cycles";
+  experiment.direction = "warp";
+  experiment.width = 0.04;
+  experiment.peaks = std::move(engineering_strains);
+  return experiment;
+}
+
+inline VirtualLab lab_of(const Material& material, std::vector<LabExperiment> experiments) {
+  VirtualLab lab;
+  lab.name = material.name;
+  lab.material = material;
+  lab.experiments = std::move(experiments);
+  return lab;
+}
+
+inline VirtualLab lab_of(const Material& material, const LabExperiment& experiment) {
+  return lab_of(material, std::vector<LabExperiment>{experiment});
+}
+
+/// Names and contents of files.
+using MeasuredFiles = std::vector<std::pair<std::string, std::string>>;
+
+inline MeasuredFiles measurements_of(const VirtualLab& lab, std::uint64_t seed = 0) {
+  RunContext context;
+  context.seed = seed;
+  return make_measurements(lab, context);
+}
+
+/// A folder with virtual measurements and the study of them.
+class LabFolder : public TemporaryFolder {
+ public:
+  explicit LabFolder(const MeasuredFiles& files) {
+    for (const auto& [name, content] : files) write(name, content);
+  }
+
+  Study study() const { return read_study(path() / "study.yaml"); }
+};
+
+}  // namespace pliant::test

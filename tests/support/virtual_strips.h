@@ -1,0 +1,46 @@
+#pragma once
+
+#include "pliant/experiment/virtual_lab.h"
+
+#include "support/published_bending.h"
+#include "support/virtual_lab.h"
+
+namespace pliant::test {
+
+/// A fabric of the table in [P] 4.3, by its name.
+inline Material published_bending_material(const std::string& name) {
+  for (const PublishedBending& fabric : published_bending()) {
+    if (fabric.name != name) continue;
+    Material material = made_up_material("bend.warp", fabric.law());
+    material.name = name;
+    material.density = fabric.density;
+    return material;
+  }
+  throw std::invalid_argument("no published fabric " + name);
+}
+
+/// A strip of 100 mm by 25 mm, rolled once around each of the cylinders (radii in m) and let go.
+inline LabExperiment rolled_strips(std::vector<double> radii) {
+  LabExperiment experiment;
+  experiment.name = "rolls";
+  experiment.type = "rolled-strip";
+  experiment.direction = "warp";
+  experiment.width = 0.025;
+  experiment.settings = std::move(radii);
+  return experiment;
+}
+
+/// Strips that stick out of a clamp (overhangs in m).
+inline LabExperiment overhanging_strips(std::vector<double> overhangs) {
+  LabExperiment experiment = rolled_strips(std::move(overhangs));
+  experiment.name = "overhangs";
+  experiment.type = "cantilever";
+  return experiment;
+}
+
+/// The cylinders of [P] 4.3.
+inline std::vector<double> published_radii() {
+  return {0.003, 0.004, 0.005, 0.006, 0.007, 0.0075, 0.010, 0.016, 0.023, 0.0275, 0.0315, 0.050};
+}
+
+}  // namespace pliant::test

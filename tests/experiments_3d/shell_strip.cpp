@@ -1,0 +1,172 @@
+#include "experiments_3d/shell_strip.h"
+
+#include <cmath>
+
+#include "pliant/base/quantity.h"
+#include "pliant/geometry/hinges.h"
+#include "pliant/geometry/regular_grid.h"
+#include "pliant/material/bending_strain.h"
+#include "pliant/material/strain/discrete_shells.h"
+#include "pliant/mechanics/element_potential.h"
+#include "pliant/solver/static_path.h"
+
+#include "support/cloth_sheet.h"
+
+namespace pliant::test {
+
+/// The energy of a constant stress; with moments times rest areas as sizes of its stencils, that of
+/// moments that act on hinges from outside.
+class FadingMoment : public ParametricDensity {
+ public:
+  void set_share(double share) { share_ = share; }
+
+  int history_size() const override { return 0; }
+  void add(const Samples& samples, const StepTime&, Response& response) const override {
+    response.stored -= share_ * samples.strain.col(0);
+    response.stress.col(0) -= share_;
+  }
+  void advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const override {}
+  Eigen::VectorXd parameters() const override { return {}; }
+  void set_parameters(const Eigen::VectorXd&) override {}
+  void differentiate(const Samples&, int, int, int, SampleDerivatives&) const override {}
+
+ private:
+  double share_ = 0;
+};
+
+namespace {
+
+// A woven cloth: under its own weight a strip of 100 mm grows by 0.01 %.
+constexpr double kMembrane = 5000, kShear = 2500;  // N/m
+
+MaterialComponent component_of(const ComponentLaw& law) {
+  if (law.friction_law == FrictionLaw::none) return component(law.stiffness);
+  return component(law.stiffness,
+                   DahlParameters{law.friction[0], law.friction[1], law.friction[2]});
+}
+
+}  // namespace
+
+Material bending_all_ways(const ComponentLaw& bending, double density) {
+  Material material = linear_cloth(kMembrane, kShear, 0);
+  material.density = density;
+  material.bending_of = "sheet";
+  for (const char* name : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    material.components[name] = component_of(bending);
+  }
+  return material;
+}
+
+Material bending_along_warp(const ComponentLaw& bending, double density) {
+  Material material = bending_all_ways(bending, density);
+  const double k = bending.stiffness.value(0);
+  material.components["bend.weft"] = component(ScalarCurve::constant(k));
+  material.components["bend.diagonal"] = component(ScalarCurve::constant(1e4 * k));
+  return material;
+}
+
+ShellStrip::ShellStrip(const StripGrid& grid, const Material& material, double curvature)
+    : grid_(grid),
+      mesh_(regular_grid(grid.width, grid.rows * grid.cell(), grid.columns + 1, grid.rows + 1)),
+      system_(bent_positions(curvature), material.density * vertex_areas(mesh_)) {
+  ParameterList parameters;
+  add_cloth(system_, mesh_, material, {}, parameters);
+  weight_ = std::make_shared<PointForces>(weight());
+  system_.add(weight_);
+  hold(*law_of(material, "bend.warp"), curvature);
+  for (const int number : {0, 1}) {
+    for (const int vertex : row(number)) system_.coordinates().prescribe(vertex);
+  }
+}
+
+std::vector<int> ShellStrip::row(int number) const {
+  std::vector<int> vertices;
+  const int across = grid_.columns + 1;
+  for (int i = 0; i < across; ++i) vertices.push_back(number * across + i);
+  return vertices;
+}
+
+Eigen::Vector2d ShellStrip::middle(const Eigen::Matrix3Xd& positions, int number) const {
+  return positions(Eigen::all, row(number)).topRows<2>().rowwise().mean();
+}
+
+// Row after row at their rest distance, turned at each by what the curvature makes of a cell: the
+// hinges then have the curvature of the cylinder, and the membrane is not strained. Curvature to
+// the left is away from the mesh's normals, so that its strains are positive.
+Eigen::Matrix3Xd ShellStrip::bent_positions(double curvature) const {
+  Eigen::Matrix3Xd positions(3, mesh_.vertex_count());
+  Eigen::Vector2d at(-grid_.cell() / 2, 0);
+  for (int number = 0; number < row_count(); ++number) {
+    for (const int vertex : row(number)) {
+      positions.col(vertex) << at, grid_.width / 2 - mesh_.positions(0, vertex);
+    }
+    const double angle = curvature * grid_.cell() * number;
+    at += grid_.cell() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  return positions;
+}
+
+Eigen::Matrix3Xd ShellStrip::weight() const {
+  return Eigen::Vector3d(0, -kStandardGravity, 0) * system_.masses().transpose();
+}
+
+// Per width (N), of what hangs beyond a row about it.
+double ShellStrip::hanging_moment(const Eigen::Matrix3Xd& positions, int number) const {
+  const Eigen::Matrix3Xd forces = weight();
+  double moment = 0;
+  for (int beyond = number + 1; beyond < row_count(); ++beyond) {
+    const double lever = middle(positions, beyond).x() - middle(positions, number).x();
+    moment += lever * forces(1, row(beyond)).sum();
+  }
+  return moment / grid_.width;
+}
+
+// The moments of the bent cloth, less those of the weight, on all hinges across the strip.
+void ShellStrip::hold(const ComponentLaw& law, double curvature) {
+  const double strain = kStrainPerCurvature * curvature;
+  const double bent = law.elastic_stress(strain) + law.friction_stress(strain, {}).stress;
+  const Eigen::Matrix3Xd positions = bent_positions(curvature);
+  Stencils<DiscreteShells> stencils;
+  for (const Hinge& hinge : find_hinges(mesh_)) {
+    if (hinge.rest_edge.y() != 0) continue;
+    const int number = hinge.vertices[0] / (grid_.columns + 1);
+    const double moment = bent - hanging_moment(positions, number);
+    stencils.add(hinge.vertices, {0, hinge.height, 0}, moment * hinge.area);
+  }
+  held_ = std::make_shared<FadingMoment>();
+  system_.add(std::make_shared<ElementPotential<DiscreteShells>>(stencils, held_));
+}
+
+std::vector<double> ShellStrip::places() const {
+  std::vector<double> places;
+  for (int number = 1; number < row_count(); ++number) {
+    places.push_back((number - 0.5) * grid_.cell());
+  }
+  return places;
+}
+
+std::vector<Eigen::Vector2d> ShellStrip::released(int steps) {
+  system_.add_drive([this](double time, Configuration&) { held_->set_share(1 - time); });
+  return follow(steps);
+}
+
+std::vector<Eigen::Vector2d> ShellStrip::loaded(int steps) {
+  system_.add_drive([this](double time, Configuration&) { weight_->set_forces(time * weight()); });
+  return follow(steps);
+}
+
+std::vector<Eigen::Vector2d> ShellStrip::follow(int steps) {
+  system_.finish();
+  StaticPathOptions options;
+  options.newton.tolerance = 1e-10;      // N; a vertex weighs some 1e-6 N
+  options.newton.max_iterations = 2000;  // a strip that swings down is far from where it was
+  StaticPath path(system_, options);
+  for (int step = 1; step <= steps; ++step) path.step(static_cast<double>(step) / steps);
+  std::vector<Eigen::Vector2d> points;
+  for (int number = 1; number < row_count(); ++number) {
+    points.push_back(middle(path.state().configuration.positions, number));
+  }
+  return points;
+}
+
+}  // namespace pliant::test

@@ -171,7 +171,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;
     elastic.friction_law = FrictionLaw::none;
-    result.elastic = fit_law(problem, elastic, plan.fit, stop);
+    result.elastic = fit_law_roughly(problem, elastic, plan.fit, stop);
   }
   return result;
 }

@@ -13,6 +13,24 @@ constexpr int kMostLinearStarts = 3;
 constexpr double kReachedShare = 1e-3;
 constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
 
+// A trial tells where a start leads; only the best is followed to the end.
+LeastSquaresOptions trial(double best_cost) {
+  constexpr double kHopeless = 100;
+  LeastSquaresOptions options;
+  options.max_iterations = 50;
+  options.function_tolerance = 1e-6;
+  options.hopeless_cost = kHopeless * best_cost;
+  options.patience = 4;
+  return options;
+}
+
+// Parameters to a small share of their standard errors, or exact where the data are.
+LeastSquaresOptions finish() {
+  LeastSquaresOptions options;
+  options.function_tolerance = 1e-10;
+  return options;
+}
+
 std::vector<ComponentLaw> starting_laws(const ComponentProblem& problem, const ComponentLaw& shape,
                                         const std::vector<ComponentLaw>& extra) {
   std::vector<ComponentLaw> laws;
@@ -60,6 +78,31 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
       std::sqrt(2 * solution.cost / std::max<double>(residuals - static_cast<double>(free), 1));
 }
 
+LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
+                  const FitOptions& options, const StopToken& stop,
+                  const std::vector<ComponentLaw>& extra) {
+  LawFit fit;
+  fit.limits = limits_of(problem, shape, options);
+  const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
+  const double exact = least_squares.residuals * kExactRms * kExactRms / 2;
+  std::vector<double> costs;
+  LeastSquaresSummary best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
+    const LeastSquaresSummary solution =
+        solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)),
+                            trial(std::max(best.cost, exact)), stop);
+    costs.push_back(solution.cost);
+    if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
+  }
+  take_solution(fit, shape, best, least_squares.residuals);
+  fit.starts_tried = static_cast<int>(costs.size());
+  for (const double cost : costs) {
+    if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
+  }
+  return fit;
+}
+
 }  // namespace
 
 const std::string& component_of(const ComponentProblem& problem) {
@@ -69,32 +112,19 @@ const std::string& component_of(const ComponentProblem& problem) {
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
                const FitOptions& options, const StopToken& stop,
                const std::vector<ComponentLaw>& extra) {
-  LawFit fit;
-  fit.limits = limits_of(problem, shape, options);
-  const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
-  std::vector<double> costs;
-  LeastSquaresSummary best;
-  best.cost = std::numeric_limits<double>::infinity();
-  for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
-    const LeastSquaresSummary solution =
-        solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)), {}, stop);
-    costs.push_back(solution.cost);
-    if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
-  }
-  take_solution(fit, shape, best, least_squares.residuals);
-  fit.starts_tried = static_cast<int>(costs.size());
-  const double exact = least_squares.residuals * kExactRms * kExactRms / 2;
-  for (const double cost : costs) {
-    if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
-  }
-  return fit;
+  return refit(problem, best_trial(problem, shape, options, stop, extra), stop);
+}
+
+LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
+                       const FitOptions& options, const StopToken& stop) {
+  return best_trial(problem, shape, options, stop, {});
 }
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {
   LawFit again = fit;
   const LeastSquaresProblem least_squares = problem.least_squares(fit.law, fit.limits);
   take_solution(again, fit.law,
-                solve_least_squares(least_squares, fit.solution.parameters, {}, stop),
+                solve_least_squares(least_squares, fit.solution.parameters, finish(), stop),
                 least_squares.residuals);
   return again;
 }

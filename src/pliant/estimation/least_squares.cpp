@@ -82,13 +82,18 @@ class Residuals : public ceres::CostFunction {
 
 class StopCallback : public ceres::IterationCallback {
  public:
-  explicit StopCallback(const StopToken& stop) : stop_(stop) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  StopCallback(const StopToken& stop, const LeastSquaresOptions& options)
+      : stop_(stop), options_(options) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
+    if (stop_.stop_requested()) return ceres::SOLVER_ABORT;
+    const bool hopeless =
+        iteration.iteration >= options_.patience && iteration.cost > options_.hopeless_cost;
+    return hopeless ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
   const StopToken& stop_;
+  const LeastSquaresOptions& options_;
 };
 
 ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
@@ -134,7 +139,7 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
                                          problem.upper(parameters.index(i)) / parameters.scale(i));
   }
   ceres::Solver::Options solver = solver_options(options);
-  StopCallback callback(stop);
+  StopCallback callback(stop, options);
   solver.callbacks.push_back(&callback);
   ceres::Solver::Summary report;
   ceres::Solve(solver, &ceres_problem, &report);
@@ -185,7 +190,7 @@ LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
   // Ceres clips its steps to the bounds and can stall beside one: what is pressed to a bound is
   // held there and the rest solved again, until a solution presses what was held for it.
   std::vector<char> held(static_cast<size_t>(start.size()), 0);
-  for (int round = 0; round < kBoundRounds; ++round) {
+  for (int round = 0; round < kBoundRounds && summary.cost <= options.hopeless_cost; ++round) {
     const std::vector<char> pressed = pressed_to_bounds(problem, summary.parameters);
     if (pressed == held) break;
     held = pressed;

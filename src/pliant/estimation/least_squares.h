@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include <Eigen/Core>
@@ -28,6 +29,9 @@ struct LeastSquaresOptions {
   double function_tolerance = 1e-15;   ///< relative change of the cost
   double gradient_tolerance = 1e-14;   ///< of the scaled problem
   double parameter_tolerance = 1e-11;  ///< relative change of the scaled parameters
+  /// A cost above this after `patience` iterations is not worth more of them.
+  double hopeless_cost = std::numeric_limits<double>::infinity();
+  int patience = 0;
 };
 
 struct LeastSquaresSummary {

@@ -60,6 +60,12 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
   }
 }
 
+// Components are fitted side by side; what threads they leave over, their experiments use.
+void share_threads(const Experiments& experiments, size_t components, int threads) {
+  const int each = std::max(threads / static_cast<int>(std::max<size_t>(components, 1)), 1);
+  for (const auto& experiment : experiments) experiment->set_threads(each);
+}
+
 }  // namespace
 
 StudyResult fit_study(const Study& study, const StudyFitOptions& options,
@@ -77,6 +83,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
         "rolled-strip that is not under `validate`");
   }
   result.assumptions = assumptions_of(study, experiments);
+  share_threads(experiments, works.size(), context.threads);
   for (ComponentWork& work : works) {
     if (work.fitted.empty()) {
       result.warnings.push_back(work.component + " has validation experiments alone: not fitted");

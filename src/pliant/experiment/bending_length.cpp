@@ -5,7 +5,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/base/quantity.h"
 #include "pliant/math/root.h"
-#include "pliant/solver/elastica/elastica.h"
+#include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kGrowth = 1.25;  // of the length, from one trial to the next
 std::optional<double> dip(const ComponentLaw& law, double weight, double length) {
   const Elastica strip(length);
   StripHistory history = strip.rested(law);
-  const auto shape = strip.released(law, weight, {}, 1, false, history);
+  const auto shape = released(strip, law, weight, {}, false, history);
   if (!shape) return std::nullopt;
   const Eigen::Vector2d tip = strip.profile({}, *shape).at(length).position;
   return std::atan2(-tip.y(), tip.x());

@@ -98,6 +98,9 @@ class Experiment {
   const std::vector<NuisanceParameter>& nuisance() const { return nuisance_; }
   const MeasuredPath& path() const { return path_; }
 
+  /// How many threads a prediction may use; its results do not depend on it.
+  void set_threads(int threads) { threads_ = threads; }
+
   /// Predicts the measured quantity of all rows.
   /// @param nuisance  one value for each of `nuisance()`
   /// @return nothing when the law cannot carry the loads (no equilibrium)
@@ -133,6 +136,7 @@ class Experiment {
   Eigen::VectorXd measured_;
   std::vector<NuisanceParameter> nuisance_;
   MeasuredPath path_;
+  int threads_ = 1;
 };
 
 }  // namespace pliant

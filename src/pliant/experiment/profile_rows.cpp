@@ -1,11 +1,6 @@
 #include "pliant/experiment/profile_rows.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <Eigen/QR>
 #include <fmt/format.h>
-#include <unsupported/Eigen/Splines>
 
 namespace pliant {
 namespace {
@@ -74,33 +69,6 @@ std::vector<ProfileRows> read_profiles(const DataRows& data, std::string_view se
   }
   for (const ProfileRows& profile : profiles) require_sound(profile, data);
   return profiles;
-}
-
-std::vector<double> profile_curvature(const ProfileRows& profile) {
-  constexpr int kDegree = 3, kPointsPerKnot = 3, kMostSpans = 12;
-  using Line = Eigen::Spline<double, 2>;
-  const auto count = static_cast<Eigen::Index>(profile.points.size());
-  const int spans = std::clamp(static_cast<int>(count) / kPointsPerKnot, 1, kMostSpans);
-  Eigen::RowVectorXd knots(spans + 2 * kDegree + 1);
-  knots << Eigen::RowVectorXd::Zero(kDegree), Eigen::RowVectorXd::LinSpaced(spans + 1, 0, 1),
-      Eigen::RowVectorXd::Ones(kDegree);
-  const std::vector<double> shares = profile.shares();
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(count, spans + kDegree), points(count, 2);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double u = shares[static_cast<size_t>(i)];
-    const Eigen::Index span = Line::Span(u, kDegree, knots);
-    basis.row(i).segment(span - kDegree, kDegree + 1) = Line::BasisFunctions(u, kDegree, knots);
-    points.row(i) = profile.points[static_cast<size_t>(i)].transpose();
-  }
-  const Eigen::MatrixXd controls = basis.colPivHouseholderQr().solve(points);
-  const Line line(knots, Line::ControlPointVectorType(controls.transpose()));
-  std::vector<double> curvature;
-  for (const double u : shares) {
-    const auto d = line.derivatives(u, 2);
-    const double turn = d(0, 1) * d(1, 2) - d(1, 1) * d(0, 2);
-    curvature.push_back(turn / std::pow(std::hypot(d(0, 1), d(1, 1)), 3));
-  }
-  return curvature;
 }
 
 }  // namespace pliant

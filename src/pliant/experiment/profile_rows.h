@@ -26,9 +26,4 @@ struct ProfileRows {
 ///         turns back, or a profile of fewer than five points
 std::vector<ProfileRows> read_profiles(const DataRows& data, std::string_view setting);
 
-/// A profile's curvature, by cubic splines through its points in the sense of least squares ([P]
-/// 4.3).
-/// @return 1/m, one for each point; positive where the profile turns left
-std::vector<double> profile_curvature(const ProfileRows& profile);
-
 }  // namespace pliant

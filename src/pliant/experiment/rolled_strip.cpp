@@ -7,15 +7,16 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/profile_curvature.h"
 
 namespace pliant {
 namespace {
 
 // Nothing hangs on the free end: what it kept of its curvature is less than the cylinder's.
-void require_less_curved(const ProfileRows& profile, const DataRows& data) {
+void require_less_curved(const ProfileRows& profile, double length, const DataRows& data) {
   constexpr double kMost = 1.3;  // noise, and what little weight there is
-  constexpr size_t kEnd = 4;     // the last of that many parts
-  const std::vector<double> curvature = profile_curvature(profile);
+  constexpr size_t kEnd = 2;     // the last of that many parts
+  const std::vector<double> curvature = profile_curvature(profile, length);
   const size_t count = std::max<size_t>(curvature.size() / kEnd, 2);
   const double mean =
       std::accumulate(curvature.end() - static_cast<std::ptrdiff_t>(count), curvature.end(), 0.0) /
@@ -40,7 +41,7 @@ RolledStrip::RolledStrip(const ExperimentSpec& spec, double density, const DataR
       throw InputError(data.location(profile.first, "radius"), "is zero",
                        "the radius of the cylinder; negative where it turns the strip right");
     }
-    require_less_curved(profile, data);
+    require_less_curved(profile, spec.length, data);
     add_strip(profile, spec.length, 1 / profile.setting);
   }
   info_.handled.push_back(

@@ -1,30 +1,24 @@
 #include "pliant/experiment/strip_profiles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "pliant/base/parallel.h"
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/profile_curvature.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
 namespace {
 
 // Elements of a strip that winds: each turns by a few radians at most.
 int element_count(double length, double curvature) {
-  constexpr double kTurn = 4;
-  constexpr int kFewest = 6, kMost = 16;
+  constexpr double kTurn = 6;
+  constexpr int kFewest = 8, kMost = 16;
   return std::clamp(static_cast<int>(std::ceil(length * std::abs(curvature) / kTurn)), kFewest,
                     kMost);
-}
-
-// A strip that winds around its cylinder more than once keeps to one side of it and unbends all the
-// way, in steps of any length. One that does not swings down, and its points bend back and forth:
-// what friction remembers of that comes with an error that falls like the length of the steps.
-int release_steps(double length, double curvature) {
-  constexpr double kOnce = 6.3;  // rad
-  constexpr int kWound = 8, kSwinging = 64;
-  if (curvature == 0) return 1;
-  return length * std::abs(curvature) > kOnce ? kWound : kSwinging;
 }
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& tangent) { return {-tangent.y(), tangent.x()}; }
@@ -77,7 +71,7 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
   } else {
     same->profiles.push_back(rows);
   }
-  const std::vector<double> curvature = profile_curvature(rows);
+  const std::vector<double> curvature = profile_curvature(rows, length);
   const std::vector<double> moments = hanging_moments(rows, length, weight_);
   const auto first = static_cast<size_t>(rows.first);
   info_.used[first] = 0;  // the clamp
@@ -95,8 +89,7 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
 std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
                                                   bool with_derivatives) const {
   StripHistory history = strip.elastica.rolled(law, strip.rolled);
-  const int steps = release_steps(strip.elastica.line().length(), strip.rolled);
-  return strip.elastica.released(law, weight_, {}, steps, with_derivatives, history);
+  return released(strip.elastica, law, weight_, {}, with_derivatives, history);
 }
 
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
@@ -122,14 +115,21 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law, const 
   prediction.value.resize(rows());
   prediction.strain.resize(rows());
   prediction.jacobian.resize(rows(), parameters);
-  for (const Strip& strip : strips_) {
+  std::atomic<bool> found = true;
+  parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
+    if (!found) return;
+    const Strip& strip = strips_[static_cast<size_t>(i)];
     const std::optional<StripShape> shape = shape_of(strip, law, with_jacobian);
-    if (!shape) return std::nullopt;
+    if (!shape) {
+      found = false;
+      return;
+    }
     const StripProfile predicted = strip.elastica.profile({}, *shape);
     for (const ProfileRows& measured : strip.profiles) {
       compare(measured, predicted, strip.elastica.line().length(), parameters, prediction);
     }
-  }
+  });
+  if (!found) return std::nullopt;
   return prediction;
 }
 
@@ -148,7 +148,7 @@ ProfileLine StripProfiles::measured_line(const ProfileRows& rows, double length)
     line.x.push_back(point.x());
     line.y.push_back(point.y());
   }
-  line.curvature = profile_curvature(rows);
+  line.curvature = profile_curvature(rows, length);
   line.moment = hanging_moments(rows, length, weight_);
   return line;
 }

@@ -6,13 +6,14 @@
 
 #include "pliant/base/quantity.h"
 #include "pliant/io/csv_writer.h"
-#include "pliant/solver/elastica/elastica.h"
+#include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
 namespace {
 
-constexpr int kElements = 24;  // a fit takes 6 to 16
-constexpr int kSteps = 256;    // of a release; a fit takes fewer
+// Finer than a fit takes them.
+constexpr int kElements = 24;
+constexpr double kAccuracy = 1e-6;  // of a release (rad)
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -22,8 +23,8 @@ Points hanging_strip(const LabExperiment& experiment, const ComponentLaw& law, d
   const double length = rolled ? experiment.length : setting;
   const Elastica strip(length, kElements);
   StripHistory history = rolled ? strip.rolled(law, 1 / setting) : strip.rested(law);
-  const auto shape =
-      strip.released(law, density * kStandardGravity, {}, kSteps, /*derivatives=*/false, history);
+  const auto shape = released(strip, law, density * kStandardGravity, {}, /*derivatives=*/false,
+                              history, kAccuracy);
   if (!shape) {
     throw SolverError(fmt::format("virtual experiment {}: the strip at {:.4g} mm finds no "
                                   "equilibrium; its profile",

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/solver/elastica/equilibria.h"
+#include "pliant/solver/elastica/line_factor.h"
+#include "pliant/solver/elastica/strip_release.h"
 
 #include "support/published_bending.h"
 
@@ -38,7 +40,7 @@ TEST(GaussLine, IntegratesPolynomialsExactly) {
   const Eigen::VectorXd fifth = s.pow(5);
   EXPECT_NEAR(line.weights().dot(fifth), std::pow(2, 6) / 6, 1e-13);
   EXPECT_NEAR(line.weights().dot(s.pow(11).matrix()), std::pow(2, 12) / 12, 1e-10);
-  EXPECT_LT((line.integration() * fifth - (s.pow(6) / 6).matrix()).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((line.integrals(fifth) - (s.pow(6) / 6).matrix()).cwiseAbs().maxCoeff(), 1e-13);
   for (const double place : {0.0, 0.3, 2.0 / 3, 1.9, 2.0}) {
     EXPECT_NEAR(line.integral_weights(place) * fifth, std::pow(place, 6) / 6, 1e-13) << place;
     EXPECT_NEAR(line.value_weights(place) * fifth, std::pow(place, 5), 1e-12) << place;
@@ -48,9 +50,23 @@ TEST(GaussLine, IntegratesPolynomialsExactly) {
 TEST(GaussLine, KnowsTheGramMatrixOfItsIntegration) {
   const GaussLine line(2, 4);
   const Eigen::VectorXd factors = line.places().array().sin();
-  const Eigen::MatrixXd plain =
-      line.integration().transpose() * factors.asDiagonal() * line.integration();
+  const Eigen::MatrixXd map = line.integrals(Eigen::MatrixXd::Identity(line.size(), line.size()));
+  const Eigen::MatrixXd plain = map.transpose() * factors.asDiagonal() * map;
   EXPECT_LT((line.integration_gram(factors) - plain).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((line.transposed_integrals(factors) - map.transpose() * factors).norm(), 1e-14);
+}
+
+TEST(LineFactor, SolvesWithTheWholeMatrix) {
+  const GaussLine line(2, 4);
+  const Eigen::VectorXd bending = 1 + line.places().array().square();
+  const Eigen::VectorXd turning = line.places().array().cos();  // of both signs
+  Eigen::MatrixXd whole = line.integration_gram(turning);
+  whole.diagonal() += bending;
+  const LineFactor factor(line, bending, turning);
+  ASSERT_TRUE(factor.is_positive());
+  const Eigen::MatrixXd solution = Eigen::MatrixXd::Random(line.size(), 3);
+  EXPECT_LT((factor.solve(whole * solution) - solution).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_FALSE(LineFactor(line, bending, -20 * bending).is_positive());
 }
 
 TEST(Elastica, OfSmallSlopeSagsAsABeamDoes) {
@@ -114,7 +130,7 @@ TEST(Elastica, CarriesTheMomentOfWhatHangsOnIt) {
   for (const PublishedBending& fabric : test::published_bending()) {
     const Elastica strip(kLength);
     StripHistory history = strip.rolled(fabric.law(), 1 / 0.01);
-    const auto shape = strip.released(fabric.law(), fabric.weight(), {}, 1, false, history);
+    const auto shape = released(strip, fabric.law(), fabric.weight(), {}, false, history);
     ASSERT_TRUE(shape) << fabric.name;
     const double scale = fabric.weight() * kLength * kLength;
     for (int i = 0; i < strip.line().size(); i += 7) {
@@ -135,7 +151,7 @@ TEST(Elastica, WithoutWeightKeepsTheCurvatureThatFrictionHolds) {
   law.friction = {4e-4, 0, 8};
   const Elastica strip(kLength);
   StripHistory history = strip.rolled(law, 300);
-  const auto shape = strip.released(law, 0, {}, 4, false, history);
+  const auto shape = released(strip, law, 0, {}, false, history);
   ASSERT_TRUE(shape);
   for (const double curvature : shape->curvature) EXPECT_NEAR(3 * curvature, 4e-4 / 2e-5, 1e-6);
 }
@@ -146,7 +162,7 @@ TEST(Elastica, ConvergesUnderRefinement) {
   const auto tip = [&](int elements) {
     const Elastica strip(kLength, elements);
     StripHistory history = strip.rolled(felt.law(), 1 / 0.005);
-    const auto shape = strip.released(felt.law(), felt.weight(), {}, 1, false, history);
+    const auto shape = released(strip, felt.law(), felt.weight(), {}, false, history);
     EXPECT_TRUE(shape);
     return strip.profile({}, *shape).at(kLength).position;
   };
@@ -201,7 +217,7 @@ struct Outcome {
 Outcome released_tip(const ComponentLaw& law, double weight) {
   const Elastica strip(kLength);
   StripHistory history = strip.rolled(law, 1 / 0.01);
-  const auto shape = strip.released(law, weight, {}, 3, true, history);
+  const auto shape = released(strip, law, weight, {}, true, history);
   EXPECT_TRUE(shape);
   const StripProfile profile = strip.profile({}, *shape);
   return {profile.at(kLength).position, profile.position_by_parameter(kLength)};

@@ -112,7 +112,7 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
                                     const StripHistory& history, const Eigen::VectorXd& held,
                                     const StripShape& shape) const {
   const Eigen::VectorXd& w = line_.weights();
-  const Eigen::VectorXd turned = line_.integration() * shape.curvature;
+  const Eigen::VectorXd turned = line_.integrals(shape.curvature);
   const Eigen::ArrayXd angle = turned.array() + ends.clamp_angle;
   Balance b;
   b.cosine = angle.cos();
@@ -139,8 +139,8 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
     b.force.array() -= shape.far_load.y();
     b.force_x = shape.far_load.x();
   }
-  b.gradient += line_.integration().transpose() *
-                w.cwiseProduct(b.force.cwiseProduct(b.cosine) + b.force_x * b.sine);
+  b.gradient += line_.transposed_integrals(
+      w.cwiseProduct(b.force.cwiseProduct(b.cosine) + b.force_x * b.sine));
 
   b.gap.resize(constraint_count(ends));
   b.border.resize(line_.size(), b.gap.size());
@@ -152,15 +152,16 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
   }
   if (ends.far_position) {
     b.gap(next) = w.dot(b.cosine) - ends.far_position->x();
-    b.border.col(next++) = -line_.integration().transpose() * w.cwiseProduct(b.sine);
+    b.border.col(next++) = -line_.transposed_integrals(w.cwiseProduct(b.sine));
     b.gap(next) = w.dot(b.sine) - ends.far_position->y();
-    b.border.col(next++) = line_.integration().transpose() * w.cwiseProduct(b.cosine);
+    b.border.col(next++) = line_.transposed_integrals(w.cwiseProduct(b.cosine));
   }
   return b;
 }
 
-// Of the energy: the law's tangents, and what turning does to the moments of weight and loads.
-Eigen::MatrixXd Elastica::stiffness(const Balance& b, bool convex) const {
+// Of the energy: the law's tangents, and what turning does to the moments of weight and loads; or,
+// convex, a stand-in without what makes the energy fall.
+Elastica::Stiffness Elastica::stiffness(const Balance& b, bool convex) const {
   const Eigen::VectorXd& w = line_.weights();
   Eigen::VectorXd turning = b.force_x * b.cosine - b.force.cwiseProduct(b.sine);
   Eigen::VectorXd tangent = b.tangent;
@@ -168,27 +169,37 @@ Eigen::MatrixXd Elastica::stiffness(const Balance& b, bool convex) const {
     turning = turning.cwiseMax(0);
     tangent = tangent.cwiseMax(1e-3 * tangent.cwiseAbs().maxCoeff());
   }
-  Eigen::MatrixXd h = line_.integration_gram(w.cwiseProduct(turning));
-  h.diagonal() += w.cwiseProduct(tangent);
+  return {w.cwiseProduct(tangent), w.cwiseProduct(turning)};
+}
+
+Eigen::MatrixXd Elastica::matrix(const Stiffness& stiffness) const {
+  Eigen::MatrixXd h = line_.integration_gram(stiffness.turning);
+  h.diagonal() += stiffness.bending;
   return h;
+}
+
+LineFactor Elastica::factor(const Stiffness& stiffness) const {
+  return {line_, stiffness.bending, stiffness.turning};
 }
 
 // The same, bordered by the derivatives of the gaps.
 Eigen::MatrixXd Elastica::bordered(const Balance& b) const {
   const Eigen::Index n = line_.size(), m = b.gap.size();
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n + m, n + m);
-  k.topLeftCorner(n, n) = stiffness(b, false);
+  k.topLeftCorner(n, n) = matrix(stiffness(b, false));
   k.topRightCorner(n, m) = -b.border;
   k.bottomLeftCorner(m, n) = -b.border.transpose();
   return k;
 }
 
-// Change of the curvatures, then of the far end's loads.
-Eigen::VectorXd Elastica::newton_step(const Balance& b) const {
+// Change of the curvatures, then of the far end's loads; nothing where the strip has no stiffness.
+std::optional<Eigen::VectorXd> Elastica::newton_step(const Balance& b) const {
   if (b.gap.size() == 0) {
-    Eigen::LLT<Eigen::MatrixXd> factor(stiffness(b, false));
-    if (factor.info() != Eigen::Success) factor.compute(stiffness(b, true));
-    return factor.solve(-b.gradient);
+    for (const bool convex : {false, true}) {
+      const LineFactor line = factor(stiffness(b, convex));
+      if (line.is_positive()) return line.solve(-b.gradient);
+    }
+    return std::nullopt;
   }
   Eigen::VectorXd right(line_.size() + b.gap.size());
   right << -b.gradient, b.gap;
@@ -196,19 +207,18 @@ Eigen::VectorXd Elastica::newton_step(const Balance& b) const {
   Eigen::VectorXd step = k.partialPivLu().solve(right);
   const auto bend = step.head(line_.size());
   if (bend.dot(k.topLeftCorner(line_.size(), line_.size()) * bend) > 0) return step;
-  k.topLeftCorner(line_.size(), line_.size()) = stiffness(b, true);
+  k.topLeftCorner(line_.size(), line_.size()) = matrix(stiffness(b, true));
   return k.partialPivLu().solve(right);
 }
 
 // Whether the energy grows in every direction that the far end allows.
 bool Elastica::is_stable(const Balance& b) const {
-  Eigen::MatrixXd h = stiffness(b, false);
-  if (b.gap.size() > 0) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(b.border);
-    const Eigen::MatrixXd all = qr.householderQ();
-    const auto allowed = all.rightCols(line_.size() - b.gap.size());
-    h = (allowed.transpose() * h * allowed).eval();
-  }
+  const Stiffness all = stiffness(b, false);
+  if (b.gap.size() == 0) return factor(all).is_positive();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(b.border);
+  const Eigen::MatrixXd directions = qr.householderQ();
+  const auto allowed = directions.rightCols(line_.size() - b.gap.size());
+  const Eigen::MatrixXd h = allowed.transpose() * matrix(all) * allowed;
   return Eigen::LLT<Eigen::MatrixXd>(h).info() == Eigen::Success;
 }
 
@@ -233,10 +243,10 @@ std::optional<StripShape> Elastica::equilibrium(const ComponentLaw& law, double 
       shape.stable = is_stable(here);
       return shape;
     }
-    const Eigen::VectorXd step = newton_step(here);
-    if (!step.allFinite()) return std::nullopt;
+    const std::optional<Eigen::VectorXd> step = newton_step(here);
+    if (!step || !step->allFinite()) return std::nullopt;
     // Down the energy, the gaps of the far end weighed in by its new loads and a penalty.
-    const Eigen::VectorXd bend = step.head(line_.size()), load = step.tail(here.gap.size());
+    const Eigen::VectorXd bend = step->head(line_.size()), load = step->tail(here.gap.size());
     StripShape loaded = shape;
     add_loads(ends, load, loaded);
     const Eigen::VectorXd loads = loads_of(ends, loaded);
@@ -263,22 +273,12 @@ std::optional<StripShape> Elastica::equilibrium(const ComponentLaw& law, double 
   return std::nullopt;
 }
 
-std::optional<StripShape> Elastica::released(const ComponentLaw& law, double weight,
-                                             const StripEnds& ends, int steps,
-                                             bool with_derivatives, StripHistory& history) const {
+Eigen::VectorXd Elastica::holding_moments(const ComponentLaw& law, double weight,
+                                          const StripEnds& ends,
+                                          const StripHistory& history) const {
   StripShape shape;
   shape.curvature = history.curvature;
-  const Balance start = balance(law, weight, ends, history, {}, shape);
-  const Eigen::VectorXd held = start.gradient.cwiseQuotient(line_.weights());
-  for (int step = 1; step <= steps; ++step) {
-    const double share = 1 - static_cast<double>(step) / steps;
-    std::optional<StripShape> next = equilibrium(law, weight, ends, history, shape, share * held);
-    if (!next) return std::nullopt;
-    if (with_derivatives) differentiate(law, weight, ends, history, *next);
-    history = accepted(law, history, *next);
-    shape = std::move(*next);
-  }
-  return shape;
+  return balance(law, weight, ends, history, {}, shape).gradient.cwiseQuotient(line_.weights());
 }
 
 void Elastica::differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
@@ -294,12 +294,11 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
     right.row(i).head(law.stiffness.size()) -=
         w(i) * strain * law.stiffness.weights(strain).transpose();
   }
-  right.col(parameters - 1).head(n) -=
-      line_.integration().transpose() *
-      w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine));
+  right.col(parameters - 1).head(n) -= line_.transposed_integrals(
+      w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine)));
   Eigen::MatrixXd change;
   if (b.gap.size() == 0 && shape.stable) {
-    change = stiffness(b, false).llt().solve(right);
+    change = factor(stiffness(b, false)).solve(right);
   } else {
     change = bordered(b).partialPivLu().solve(right);
   }

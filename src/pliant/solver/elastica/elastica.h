@@ -7,6 +7,7 @@
 
 #include "pliant/material/component_law.h"
 #include "pliant/solver/elastica/gauss_line.h"
+#include "pliant/solver/elastica/line_factor.h"
 #include "pliant/solver/elastica/strip_profile.h"
 
 namespace pliant {
@@ -66,11 +67,9 @@ class Elastica {
                                         const StripShape& guess,
                                         const Eigen::VectorXd& held = {}) const;
 
-  /// Takes away the moments that hold a strip in the shape of its history, all together, in equal
-  /// steps.
-  /// @param history  gets what the material remembers at the end
-  std::optional<StripShape> released(const ComponentLaw& law, double weight, const StripEnds& ends,
-                                     int steps, bool with_derivatives, StripHistory& history) const;
+  /// Moments (N) that hold the points in the shape of their history.
+  Eigen::VectorXd holding_moments(const ComponentLaw& law, double weight, const StripEnds& ends,
+                                  const StripHistory& history) const;
 
   /// Fills in the derivatives of an equilibrium by the parameters of the law and by the weight.
   void differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
@@ -85,13 +84,19 @@ class Elastica {
 
  private:
   struct Balance;
+  /// Of the energy, by curvature and by angle, at the points; integrated.
+  struct Stiffness {
+    Eigen::VectorXd bending, turning;
+  };
 
   Balance balance(const ComponentLaw& law, double weight, const StripEnds& ends,
                   const StripHistory& history, const Eigen::VectorXd& held,
                   const StripShape& shape) const;
-  Eigen::MatrixXd stiffness(const Balance& balance, bool convex) const;
+  Stiffness stiffness(const Balance& balance, bool convex) const;
+  Eigen::MatrixXd matrix(const Stiffness& stiffness) const;
+  LineFactor factor(const Stiffness& stiffness) const;
   Eigen::MatrixXd bordered(const Balance& balance) const;
-  Eigen::VectorXd newton_step(const Balance& balance) const;
+  std::optional<Eigen::VectorXd> newton_step(const Balance& balance) const;
   bool is_stable(const Balance& balance) const;
 
   GaussLine line_;

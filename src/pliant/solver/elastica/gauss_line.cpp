@@ -11,9 +11,9 @@
 namespace pliant {
 namespace {
 
-constexpr int kOrder = 6;  // Gauss points of an element
+constexpr int kOrder = GaussLine::kOrder;
 
-using Values = Eigen::Matrix<double, kOrder, 1>;
+using Values = GaussLine::Values;
 using Weights = Eigen::Matrix<double, 1, kOrder>;
 
 // Legendre polynomials P_0 .. P_kOrder at x.
@@ -66,15 +66,16 @@ GaussLine::GaussLine(double length, int elements)
     : length_(length),
       elements_(elements),
       places_(kOrder * elements),
-      weights_(kOrder * elements),
-      integration_(kOrder * elements, kOrder * elements) {
+      weights_(kOrder * elements) {
   PLIANT_ASSERT(length > 0 && elements > 0, "a line of some length");
   const double half = length / elements / 2;
   for (int e = 0; e < elements; ++e) {
     places_.segment<kOrder>(kOrder * e) = half * (rule().points.array() + 1 + 2 * e);
     weights_.segment<kOrder>(kOrder * e) = half * rule().weights;
   }
-  for (int i = 0; i < size(); ++i) integration_.row(i) = integral_weights(places_(i));
+  for (int i = 0; i < kOrder; ++i) {
+    element_integration_.row(i) = half * legendre_integrals(rule().points(i)) * rule().coefficients;
+  }
 }
 
 int GaussLine::element_at(double place) const {
@@ -85,6 +86,30 @@ double GaussLine::local(int element, double place) const {
   return 2 * (place / length_ * elements_ - element) - 1;
 }
 
+Eigen::MatrixXd GaussLine::integrals(const Eigen::MatrixXd& values) const {
+  Eigen::MatrixXd result(values.rows(), values.cols());
+  Eigen::RowVectorXd before = Eigen::RowVectorXd::Zero(values.cols());
+  for (int e = 0; e < elements_; ++e) {
+    const auto here = values.middleRows<kOrder>(kOrder * e);
+    result.middleRows<kOrder>(kOrder * e) = element_integration_ * here;
+    result.middleRows<kOrder>(kOrder * e).rowwise() += before;
+    before += element_weights().transpose() * here;
+  }
+  return result;
+}
+
+Eigen::VectorXd GaussLine::transposed_integrals(const Eigen::VectorXd& values) const {
+  Eigen::VectorXd result(values.size());
+  double beyond = 0;
+  for (int e = elements_ - 1; e >= 0; --e) {
+    const auto here = values.segment<kOrder>(kOrder * e);
+    result.segment<kOrder>(kOrder * e) =
+        element_integration_.transpose() * here + beyond * element_weights();
+    beyond += here.sum();
+  }
+  return result;
+}
+
 // Beyond its element, an integral grows no more with a point's value: column i of the integration
 // is there weight i. Entry (i, j) for j in a later element than i is therefore weight i times what
 // column j gives with ones.
@@ -93,12 +118,11 @@ Eigen::MatrixXd GaussLine::integration_gram(const Eigen::VectorXd& factors) cons
   double beyond = 0;  // sum of the factors behind the element
   for (int e = elements_ - 1; e >= 0; --e) {
     const int first = kOrder * e;
-    const Eigen::Matrix<double, kOrder, kOrder> local =
-        integration_.block<kOrder, kOrder>(first, first);
-    const Values factor = factors.segment<kOrder>(first), weight = weights_.segment<kOrder>(first);
+    const Values factor = factors.segment<kOrder>(first), weight = element_weights();
+    const Block turned = element_integration_.transpose() * factor.asDiagonal();
     gram.block<kOrder, kOrder>(first, first) =
-        local.transpose() * factor.asDiagonal() * local + beyond * weight * weight.transpose();
-    const Values with_ones = local.transpose() * factor + beyond * weight;
+        turned * element_integration_ + beyond * weight * weight.transpose();
+    const Values with_ones = turned.rowwise().sum() + beyond * weight;
     gram.block(0, first, first, kOrder) = weights_.head(first) * with_ones.transpose();
     gram.block(first, 0, kOrder, first) = gram.block(0, first, first, kOrder).transpose();
     beyond += factor.sum();

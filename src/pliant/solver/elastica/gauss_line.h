@@ -8,20 +8,31 @@ namespace pliant {
 /// by element, whose integrals are exact.
 class GaussLine {
  public:
+  static constexpr int kOrder = 6;  ///< Gauss points of an element
+  using Values = Eigen::Matrix<double, kOrder, 1>;
+  using Block = Eigen::Matrix<double, kOrder, kOrder>;
+
   /// @param length    > 0 (m)
   /// @param elements  of equal length
   GaussLine(double length, int elements);
 
   int size() const { return static_cast<int>(places_.size()); }
+  int elements() const { return elements_; }
   double length() const { return length_; }
   /// Distances of the points from the start (m), ascending.
   const Eigen::VectorXd& places() const { return places_; }
   /// Integral of a function over the line = weights . values.
   const Eigen::VectorXd& weights() const { return weights_; }
-  /// Row i . values = integral from the start to point i.
-  const Eigen::MatrixXd& integration() const { return integration_; }
+  /// The same of one element: all are alike.
+  Values element_weights() const { return weights_.head<kOrder>(); }
+  /// Row i . values = integral from an element's start to its point i.
+  const Block& element_integration() const { return element_integration_; }
 
-  /// integration^T diag(factors) integration, at the cost of its entries.
+  /// Integrals from the start to the points, of a function a column.
+  Eigen::MatrixXd integrals(const Eigen::MatrixXd& values) const;
+  /// The transposed of that map.
+  Eigen::VectorXd transposed_integrals(const Eigen::VectorXd& values) const;
+  /// integration^T diag(factors) integration, where integration is the map of `integrals`.
   Eigen::MatrixXd integration_gram(const Eigen::VectorXd& factors) const;
 
   /// Integral from the start to `place` = these weights . values.
@@ -38,7 +49,7 @@ class GaussLine {
   double length_ = 0;
   int elements_ = 0;
   Eigen::VectorXd places_, weights_;
-  Eigen::MatrixXd integration_;
+  Block element_integration_;
 };
 
 }  // namespace pliant

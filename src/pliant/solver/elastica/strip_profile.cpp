@@ -9,12 +9,12 @@ StripProfile::StripProfile(const GaussLine& line, double clamp_angle,
                            const Eigen::VectorXd& curvature,
                            const Eigen::MatrixXd& curvature_by_parameter)
     : line_(line), clamp_angle_(clamp_angle), curvature_(curvature) {
-  const Eigen::VectorXd turn = line.integration() * curvature;
+  const Eigen::VectorXd turn = line.integrals(curvature);
   const Eigen::ArrayXd angle = turn.array() + clamp_angle;
   cosine_ = angle.cos();
   sine_ = angle.sin();
   if (curvature_by_parameter.size() > 0) {
-    turn_by_parameter_ = line.integration() * curvature_by_parameter;
+    turn_by_parameter_ = line.integrals(curvature_by_parameter);
   }
 }
 

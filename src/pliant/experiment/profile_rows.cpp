@@ -1,11 +1,10 @@
 #include "pliant/experiment/profile_rows.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
-#include <unsupported/Eigen/Splines>
+
+#include "pliant/math/spline_line.h"
 
 namespace pliant {
 namespace {
@@ -36,14 +35,7 @@ void require_sound(const ProfileRows& profile, const DataRows& data) {
 
 }  // namespace
 
-std::vector<double> ProfileRows::shares() const {
-  std::vector<double> result{0};
-  for (size_t i = 1; i < points.size(); ++i) {
-    result.push_back(result.back() + (points[i] - points[i - 1]).norm());
-  }
-  for (double& share : result) share /= result.back();
-  return result;
-}
+std::vector<double> ProfileRows::shares() const { return length_shares(points); }
 
 std::vector<ProfileRows> read_profiles(const DataRows& data, std::string_view setting) {
   const std::vector<double> settings = data.quantity(setting, Dimension::length);
@@ -77,29 +69,12 @@ std::vector<ProfileRows> read_profiles(const DataRows& data, std::string_view se
 }
 
 std::vector<double> profile_curvature(const ProfileRows& profile) {
-  constexpr int kDegree = 3, kPointsPerKnot = 3, kMostSpans = 12;
-  using Line = Eigen::Spline<double, 2>;
-  const auto count = static_cast<Eigen::Index>(profile.points.size());
-  const int spans = std::clamp(static_cast<int>(count) / kPointsPerKnot, 1, kMostSpans);
-  Eigen::RowVectorXd knots(spans + 2 * kDegree + 1);
-  knots << Eigen::RowVectorXd::Zero(kDegree), Eigen::RowVectorXd::LinSpaced(spans + 1, 0, 1),
-      Eigen::RowVectorXd::Ones(kDegree);
+  constexpr int kPointsPerSpan = 3, kMostSpans = 12;
+  const auto count = static_cast<int>(profile.points.size());
   const std::vector<double> shares = profile.shares();
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(count, spans + kDegree), points(count, 2);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double u = shares[static_cast<size_t>(i)];
-    const Eigen::Index span = Line::Span(u, kDegree, knots);
-    basis.row(i).segment(span - kDegree, kDegree + 1) = Line::BasisFunctions(u, kDegree, knots);
-    points.row(i) = profile.points[static_cast<size_t>(i)].transpose();
-  }
-  const Eigen::MatrixXd controls = basis.colPivHouseholderQr().solve(points);
-  const Line line(knots, Line::ControlPointVectorType(controls.transpose()));
+  const SplineLine line(profile.points, shares, std::clamp(count / kPointsPerSpan, 1, kMostSpans));
   std::vector<double> curvature;
-  for (const double u : shares) {
-    const auto d = line.derivatives(u, 2);
-    const double turn = d(0, 1) * d(1, 2) - d(1, 1) * d(0, 2);
-    curvature.push_back(turn / std::pow(std::hypot(d(0, 1), d(1, 1)), 3));
-  }
+  for (const double share : shares) curvature.push_back(line.curvature(share));
   return curvature;
 }
 

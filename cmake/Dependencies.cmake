@@ -24,6 +24,21 @@ block(SCOPE_FOR VARIABLES)
   find_package(CGAL QUIET)
 endblock()
 
+# By name: Debian's OpenCVConfig.cmake comes with all of OpenCV (libopencv-dev), of which two modules
+# are wanted here.
+find_path(OPENCV_INCLUDE_DIR opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4)
+mark_as_advanced(OPENCV_INCLUDE_DIR)
+foreach(module IN ITEMS core imgproc imgcodecs)
+  find_library(OPENCV_${module}_LIBRARY opencv_${module})
+  mark_as_advanced(OPENCV_${module}_LIBRARY)
+  if(OPENCV_INCLUDE_DIR AND OPENCV_${module}_LIBRARY)
+    add_library(opencv_${module} UNKNOWN IMPORTED)
+    set_target_properties(opencv_${module} PROPERTIES
+      IMPORTED_LOCATION "${OPENCV_${module}_LIBRARY}")
+    target_include_directories(opencv_${module} SYSTEM INTERFACE "${OPENCV_INCLUDE_DIR}")
+  endif()
+endforeach()
+
 # By pkg-config: Debian's libzip-config.cmake refuses to load without the zipcmp, zipmerge and
 # ziptool programs, which are separate packages that a library user has no need for.
 if(PkgConfig_FOUND)

@@ -10,6 +10,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/io/csv.h"
 
+#include "apps/pliant/bending_length_info.h"
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
@@ -155,9 +156,22 @@ std::vector<std::string> usable_types(const std::map<std::string, UnderstoodColu
   if (has("x", Dimension::length) && has("y", Dimension::length)) {
     if (has("overhang", Dimension::length)) types.emplace_back("cantilever");
     if (has("radius", Dimension::length)) types.emplace_back("rolled-strip");
+  } else if (has("overhang", Dimension::length)) {
+    types.emplace_back("bending-length");
   }
   if (force && has("distance", Dimension::length)) types.emplace_back("buckling-bend");
   return types;
+}
+
+/// A table tells neither angle nor density: the standards' angle, and no rigidity.
+void add_bending_lengths(const std::filesystem::path& path, FileInfo& info) {
+  DataSource source;
+  source.files = {path};
+  const OverhangRows rows = read_overhangs(DataRows(source));
+  info.json["bending_length"] = bending_length_json(rows, kOverhangAngle, 0);
+  for (const std::string& text : bending_length_texts(rows, kOverhangAngle, 0)) {
+    info.lines.push_back(labelled("at 41.5 degrees", text));
+  }
 }
 
 }  // namespace
@@ -185,6 +199,9 @@ FileInfo csv_info(const std::filesystem::path& path) {
   info.lines.push_back(labelled("usable as data of",
                                 types.empty() ? "no test without a map of its columns (`columns:`)"
                                               : fmt::format("{}", fmt::join(types, ", "))));
+  if (std::count(types.begin(), types.end(), "bending-length") > 0) {
+    add_bending_lengths(path, info);
+  }
   info.json["warnings"] = info.warnings;
   return info;
 }

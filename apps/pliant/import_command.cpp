@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
@@ -6,21 +9,22 @@
 #include "pliant/io/result_directory.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/import_photos.h"
 
 namespace pliant {
 namespace {
 
 struct ImportArguments {
-  std::string file;
+  std::vector<std::string> files;
   std::string output;
-  std::string width;
+  PhotoArguments photo;  ///< its width is a U3M file's too
 };
 
-ImportOptions import_options(const ImportArguments& arguments) {
+ImportOptions import_options(const std::string& width) {
   ImportOptions options;
-  if (arguments.width.empty()) return options;
+  if (width.empty()) return options;
   try {
-    options.width_m = parse_quantity(arguments.width, Dimension::length);
+    options.width_m = parse_quantity(width, Dimension::length);
   } catch (const QuantityError& error) {
     throw InputError({"--width", 0, ""}, error.problem(), error.expected());
   }
@@ -28,17 +32,66 @@ ImportOptions import_options(const ImportArguments& arguments) {
   return options;
 }
 
+// Photographs are known by their names' endings; anything else is an instrument's file.
+bool is_photo(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto endings = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+void add_photo_options(CLI::App& command, PhotoArguments& photo) {
+  const auto add = [&](const char* name, std::string& text, const char* description) {
+    return command.add_option(name, text, description)->group("Photographs of strips");
+  };
+  add("--scale", photo.scale, "Length of one pixel in the plane of the strip, e.g. \"0.11 mm\"");
+  add("--density", photo.density, "Mass per area of the fabric, e.g. \"180 g/m^2\"");
+  add("--areal-load", photo.areal_load, "Weight per area in its place, e.g. \"13.6 N/m^2\"");
+  add("--direction", photo.direction, "Yarns that are bent, along the strip")
+      ->check(CLI::IsMember({"warp", "weft", "bias"}));
+  add("--clamp-side", photo.clamp_side, "Where the clamp is")
+      ->check(CLI::IsMember({"left", "right"}))
+      ->capture_default_str();
+  add("--clamp", photo.clamp, "Pixel X,Y at which the strip leaves it (default: at the border)");
+  add("--crop", photo.crop, "Look only in the region X,Y,WIDTHxHEIGHT, in pixels");
+  add("--tone", photo.tone, "Strip against its background")
+      ->check(CLI::IsMember({"auto", "brighter", "darker"}))
+      ->capture_default_str();
+  add("--name", photo.name, "Name of the fabric (default: the photograph's)");
+  command.add_option("--points", photo.points, "Points of a profile")
+      ->check(CLI::Range(5, 1000))
+      ->capture_default_str()
+      ->group("Photographs of strips");
+}
+
+ImportedStudy import_files(const ImportArguments& arguments) {
+  const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
+  if (photos == std::ssize(arguments.files))
+    return import_photo_files(arguments.files, arguments.photo);
+  if (arguments.files.size() > 1) {
+    throw InputError({arguments.files[1]}, "is one file too many",
+                     "one instrument's file, or photographs alone");
+  }
+  return import_u3m(arguments.files.front(), import_options(arguments.photo.width));
+}
+
 }  // namespace
 
 void add_import(CommandRegistry& registry) {
-  CLI::App& command =
-      registry.add("import", "Turn an instrument's file (U3M 1.1 physics or .u3m) into a study");
+  CLI::App& command = registry.add(
+      "import", "Turn an instrument's file (U3M) or photographs of hanging strips into a study");
   auto arguments = std::make_shared<ImportArguments>();
-  command.add_option("FILE", arguments->file, "The instrument's file")->required();
+  command
+      .add_option("FILE", arguments->files,
+                  "U3M 1.1 physics or .u3m; or photographs (JPEG, PNG, TIFF, BMP)")
+      ->required();
   command.add_option("-o,--output", arguments->output, "Directory for the study (DIR)")->required();
-  command.add_option("--width", arguments->width, "Strip width, if not the file's, e.g. 5 cm");
+  command.add_option("--width", arguments->photo.width,
+                     "Strip width, if not the file's, e.g. 5 cm");
+  add_photo_options(command, arguments->photo);
   registry.on(command, [arguments](CommandContext& context) {
-    const ImportedStudy study = import_u3m(arguments->file, import_options(*arguments));
+    const ImportedStudy study = import_files(*arguments);
     ResultDirectory results(arguments->output, "import");
     results.write("study.yaml", study.study_yaml);
     for (const auto& [name, content] : study.files) results.write(name, content);

@@ -49,6 +49,11 @@ std::string noise_text(const LabExperiment& experiment) {
                        text(instrument.length_noise, Dimension::length),
                        text(instrument.length_resolution, Dimension::length));
   }
+  if (experiment.type == "bending-length") {
+    return fmt::format("noise: overhang {}; resolution: overhang {}",
+                       text(instrument.length_noise, Dimension::length),
+                       text(instrument.length_resolution, Dimension::length));
+  }
   if (experiment.type == "pure-bending") {
     return fmt::format("noise: moment {}; resolution: moment {}",
                        text(instrument.force_noise, force),
@@ -96,8 +101,19 @@ void add_profile_lines(const LabExperiment& experiment, std::vector<std::string>
   lines.push_back(labelled("instrument", noise_text(experiment), 1));
 }
 
+void add_overhang_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  lines.push_back(labelled(experiment.name, experiment.type + ", " + experiment.direction));
+  lines.push_back(
+      labelled("readings",
+               fmt::format("{} of each face, at {}", experiment.repeats,
+                           format_quantity(experiment.angle, Dimension::angle, kDigits)),
+               1));
+  lines.push_back(labelled("instrument", noise_text(experiment), 1));
+}
+
 void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
   if (measures_profiles(experiment.type)) return add_profile_lines(experiment, lines);
+  if (experiment.type == "bending-length") return add_overhang_lines(experiment, lines);
   const bool shear = experiment.type == "shear-cycles";
   lines.push_back(labelled(
       experiment.name, shear ? experiment.type : experiment.type + ", " + experiment.direction));

@@ -14,6 +14,7 @@
 #include "pliant/experiment/make_experiment.h"
 #include "pliant/experiment/study.h"
 
+#include "apps/pliant/bending_length_info.h"
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
@@ -178,6 +179,10 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
     if (is_supported_type(spec.type)) {
       experiments.push_back(make_experiment(spec, study.density, study.model.membrane));
       add_measurements(spec, *experiments.back(), info, json);
+      if (spec.type == "bending-length") {
+        json["bending_length"] = bending_length_json(read_overhangs(DataRows(spec.data)),
+                                                     spec.angle, study.density * kStandardGravity);
+      }
     } else {
       add_unused(spec, info, json);
     }

@@ -60,6 +60,36 @@ TEST(BendingLength, FrictionMakesAStripReadStiffer) {
   }
 }
 
+// Small angles: a light cantilever, tan(angle) = weight overhang^3 / (8 B).
+TEST(ElasticDip, OfASmallAngleIsTheBeams) {
+  const double angle = 1e-3;
+  const auto dip = elastic_dip(angle);
+  ASSERT_TRUE(dip);
+  // The next term is of order angle^2.
+  EXPECT_NEAR(std::pow(dip->overhang_per_length, 3), 8 * std::tan(angle), 1e-5 * 8 * angle);
+  // Moment weight L^2 / 2 at the edge: curvature times overhang = weight L^3 / (2 B).
+  EXPECT_NEAR(dip->edge_turn, 4 * angle, 1e-5 * 4 * angle);
+}
+
+TEST(BendingLengthSpread, IsThatOfTheReadings) {
+  const double per_length = elastic_dip(kOverhangAngle)->overhang_per_length;
+  const double weight = 1.5;
+  const auto spread = bending_length_spread({0.048, 0.052}, kOverhangAngle, weight);
+  ASSERT_TRUE(spread);
+  EXPECT_EQ(spread->readings, 2);
+  EXPECT_NEAR(spread->length, 0.05 / per_length, 1e-15);
+  EXPECT_NEAR(*spread->length_variation, std::sqrt(2) * 0.002 / 0.05, 1e-12);
+  EXPECT_NEAR(spread->flexural_rigidity, weight * std::pow(0.05 / per_length, 3), 1e-15);
+  const double low = std::pow(0.048, 3), high = std::pow(0.052, 3);
+  EXPECT_NEAR(*spread->rigidity_variation, (high - low) / std::sqrt(2) / ((high + low) / 2), 1e-12);
+}
+
+TEST(BendingLengthSpread, OfOneReadingIsUnknown) {
+  const auto spread = bending_length_spread({0.05}, kOverhangAngle, 1);
+  EXPECT_FALSE(spread->length_variation);
+  EXPECT_FALSE(spread->rigidity_variation);
+}
+
 TEST(BendingLength, IsNoneForASheetThatNeverDips) {
   EXPECT_FALSE(bending_length(elastic(1e6), 0.2));
 }

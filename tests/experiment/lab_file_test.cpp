@@ -42,6 +42,9 @@ experiments:
   - {name: rolls, type: rolled-strip, direction: warp, length: 12 cm, radii: [5 mm, -1 cm], repeats: 2,
      noise: {position: 0.1 mm}, resolution: {position: 10 um}}
   - {name: published, type: rolled-strip, direction: warp}
+  - {name: lengths, type: bending-length, direction: warp, angle: 45 deg, repeats: 3, noise: {overhang: 0.5 mm},
+     resolution: {overhang: 1 mm}}
+  - {name: standard, type: bending-length, direction: warp}
 validate: ["weft*"]
 )";
 
@@ -57,7 +60,7 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_EQ(lab.specimens, 2);
   EXPECT_DOUBLE_EQ(lab.specimen_variation, 0.03);
   EXPECT_THAT(lab.validate, ElementsAre("weft*"));
-  ASSERT_EQ(lab.experiments.size(), 7U);
+  ASSERT_EQ(lab.experiments.size(), 9U);
   const LabExperiment& hung = lab.experiments[0];
   EXPECT_DOUBLE_EQ(hung.length, 0.1);
   EXPECT_DOUBLE_EQ(hung.width, 0.09);
@@ -87,6 +90,13 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_EQ(rolled.repeats, 2);
   EXPECT_DOUBLE_EQ(rolled.instrument.length_noise, 1e-4);
   EXPECT_DOUBLE_EQ(rolled.instrument.length_resolution, 1e-5);
+  const LabExperiment& lengths = lab.experiments[7];
+  EXPECT_DOUBLE_EQ(lengths.angle, std::numbers::pi / 4);
+  EXPECT_EQ(lengths.repeats, 3);
+  EXPECT_DOUBLE_EQ(lengths.instrument.length_noise, 5e-4);
+  EXPECT_DOUBLE_EQ(lengths.instrument.length_resolution, 1e-3);
+  EXPECT_DOUBLE_EQ(lab.experiments[8].angle, 41.5 * std::numbers::pi / 180);
+  EXPECT_EQ(lab.experiments[8].repeats, 2);
 }
 
 // [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
@@ -151,6 +161,12 @@ const Refusal kRefusals[] = {
     {"ABendThatTheMaterialLacks",
      with_experiments("{name: r, type: rolled-strip, direction: weft}"), 4, "experiments[0]",
      "does not have"},
+    {"AnAngleOf90Degrees",
+     with_experiments("{name: l, type: bending-length, direction: warp, angle: 90 deg}"), 4,
+     "experiments[0].angle", "is 90 degrees or more"},
+    {"OverhangsOfABendingLength",
+     with_experiments("{name: l, type: bending-length, direction: warp, overhangs: [5 mm]}"), 4,
+     "experiments[0].overhangs", "unknown key"},
     {"NoPeaks", with_experiments("{name: w, type: shear-cycles, peaks: []}"), 4,
      "experiments[0].peaks", "is empty"},
     {"NegativeNoise",

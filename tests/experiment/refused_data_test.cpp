@@ -37,7 +37,8 @@ TEST_P(RefusedDataTest, NamesFileLineAndColumn) {
   std::string entry = std::string("{name: test, data: data.csv, type: ") + GetParam().type;
   const std::string type = GetParam().type;
   if (type != "shear-cycles") entry += ", direction: warp, width: 50 mm";
-  if (type != "shear-cycles" && type != "cantilever") entry += ", length: 80 mm";
+  if (type != "shear-cycles" && type != "cantilever" && type != "bending-length")
+    entry += ", length: 80 mm";
   entry += "}";
   const InputError error = input_error_of([&] { folder.experiment(entry); });
   EXPECT_EQ(error.where().file, file.string());
@@ -52,6 +53,7 @@ constexpr const char* kShear = "shear-cycles";
 constexpr const char* kBending = "pure-bending";
 constexpr const char* kCantilever = "cantilever";
 constexpr const char* kRolled = "rolled-strip";
+constexpr const char* kLengths = "bending-length";
 
 // A free end on a circle of 4 mm.
 constexpr const char* kCoil =
@@ -146,6 +148,12 @@ const RefusedData kRefused[] = {
      "no such column"},
     {"PointsWithoutUnit", kCantilever, "overhang_mm,x,y_mm\n40,0,0\n40,5,0\n40,9,0\n", 1, "x",
      "has no unit"},
+    {"AnOverhangOfZero", kLengths, "overhang_mm,face\n46,1\n0,2\n", 3, "overhang",
+     "is not positive"},
+    {"ANegativeOverhangAtTheAngle", kLengths, "overhang_mm\n46\n-46\n", 3, "overhang",
+     "is not positive"},
+    {"NoOverhang", kLengths, "face,repeat\n1,1\n", 1, "overhang", "no such column"},
+    {"AThirdFace", kLengths, "overhang_mm,face\n46,1\n46,3\n", 3, "face", "is no face"},
     {"CycleThatIsNoNumber", kTensile, "force_N,length_mm,cycle\n1,80,one\n2,81,1\n3,82,1\n", 2,
      "cycle", "\"one\""},
     {"TimeInMillimetres", kTensile, "force_N,length_mm,time_mm\n1,80,1\n2,81,2\n3,82,3\n", 1,

@@ -132,6 +132,22 @@ const Refusal kRefusals[] = {
      5, "experiments[0].initial_friction", "initial_friction"},
     {"PositionNoiseOfWeights", with_field("length: 1 m, width: 1 m, noise: {position: 0.1 mm}"), 5,
      "experiments[0].noise.position", "unknown key"},
+    {"AnAngleOf90Degrees",
+     with_experiment("{name: l, type: bending-length, direction: warp, data: l.csv,\n"
+                     "     angle: 90 deg}"),
+     5, "experiments[0].angle", "is 90 degrees or more"},
+    {"ANegativeAngle",
+     with_experiment("{name: l, type: bending-length, direction: warp, data: l.csv,\n"
+                     "     angle: -41.5 deg}"),
+     5, "experiments[0].angle", "is not positive"},
+    {"LengthOfABendingLength",
+     with_experiment("{name: l, type: bending-length, direction: warp, data: l.csv,\n"
+                     "     length: 1 m}"),
+     5, "experiments[0].length", "unknown key"},
+    {"PositionNoiseOfAnOverhang",
+     with_experiment("{name: l, type: bending-length, direction: warp, data: l.csv,\n"
+                     "     noise: {position: 1 mm}}"),
+     5, "experiments[0].noise.position", "unknown key"},
     {"BendingWithoutDirection", with_experiment("{name: b, type: pure-bending, data: b.csv}"), 4,
      "experiments[0].direction", "is missing"},
     {"ForceNoiseOfAMoment",

@@ -36,6 +36,7 @@ experiments:
   - {name: e, type: cantilever, direction: weft, data: raw/c.csv, noise: {position: 0.15 mm}}
   - {name: f, type: rolled-strip, direction: bias, data: raw/c.csv, length: 12.345 cm, width: 1 in}
   - {name: g, type: pure-bending, direction: warp, data: raw/c.csv, width: 20 cm, initial_friction: rest, noise: {moment: 0.001 gf cm/cm}}
+  - {name: h, type: bending-length, direction: warp, data: raw/c.csv, width: 1 in, angle: 43.21 deg, noise: {overhang: 0.5 mm}}
   - {name: d, type: buckling-bend, direction: weft, side: down, data: raw/c.csv, length: 8 cm, width: 5 cm}
 model:
   membrane: soft-constraint
@@ -69,6 +70,7 @@ void expect_same(const ExperimentSpec& a, const ExperimentSpec& b) {
   expect_near(a.pretension, b.pretension);
   expect_near(a.apparatus_friction, b.apparatus_friction);
   expect_near(a.transverse_tension, b.transverse_tension);
+  expect_near(a.angle, b.angle);
   EXPECT_EQ(a.precondition_cycles, b.precondition_cycles);
   EXPECT_EQ(a.rested, b.rested);
   EXPECT_EQ(a.initial_friction, b.initial_friction);

@@ -132,7 +132,8 @@ TEST(Study, ReadsTheOptionsOfTheFit) {
 }
 
 TEST(Study, SupportsTheLoadUnloadTestsAndReadsTheOthers) {
-  for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending"}) {
+  for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
+                           "cantilever", "rolled-strip", "bending-length"}) {
     EXPECT_TRUE(is_supported_type(type)) << type;
   }
   const ExperimentSpec spec =

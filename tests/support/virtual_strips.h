@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pliant/experiment/bending_length.h"
 #include "pliant/experiment/virtual_lab.h"
 
 #include "support/published_bending.h"
@@ -35,6 +36,16 @@ inline LabExperiment overhanging_strips(std::vector<double> overhangs) {
   LabExperiment experiment = rolled_strips(std::move(overhangs));
   experiment.name = "overhangs";
   experiment.type = "cantilever";
+  return experiment;
+}
+
+/// A strip pushed over an edge until it dips by 41.5 degrees, twice on each face.
+inline LabExperiment pushed_strips() {
+  LabExperiment experiment = rolled_strips({});
+  experiment.name = "lengths";
+  experiment.type = "bending-length";
+  experiment.angle = kOverhangAngle;
+  experiment.repeats = 2;
   return experiment;
 }
 

@@ -14,17 +14,29 @@ constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
 // The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
-// Not cantilevers alone: they only load, and friction that is not told from stiffness makes that
-// fall.
+// Not strips alone that only load: friction that is not told from stiffness makes that fall.
 bool only_published_tests(const std::vector<const Experiment*>& experiments) {
   const auto are = [&](const auto& belongs) {
     return std::all_of(experiments.begin(), experiments.end(),
                        [&](const Experiment* e) { return belongs(e->info().type); });
   };
   return are([](const std::string& type) {
-           return type == "hanging-weights" || measures_profiles(type);
+           return type == "hanging-weights" || bends_by_weight(type);
          }) &&
-         !are([](const std::string& type) { return type == "cantilever"; });
+         !are([](const std::string& type) {
+           return type == "cantilever" || type == "bending-length";
+         });
+}
+
+bool only_bending_lengths(const std::vector<const Experiment*>& experiments) {
+  return std::all_of(experiments.begin(), experiments.end(), [](const Experiment* experiment) {
+    return experiment->info().type == "bending-length";
+  });
+}
+
+CurveKind default_stiffness(const std::vector<const Experiment*>& experiments) {
+  if (only_bending_lengths(experiments)) return CurveKind::constant;
+  return only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite;
 }
 
 ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
@@ -135,8 +147,12 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
 
   ComponentPlan plan;
   plan.fit = study.fit;
-  plan.stiffness = model.stiffness.value_or(study.model.stiffness.value_or(
-      only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite));
+  plan.stiffness =
+      model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
+  if (only_bending_lengths(experiments)) {
+    notes.push_back("stiffness of " + component +
+                    " at other curvatures: a bending length determines one number");
+  }
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
   const bool data_unloads =
       std::any_of(experiments.begin(), experiments.end(),

@@ -31,8 +31,9 @@ struct ComponentFit {
 };
 
 /// The plan that a study and its data imply: affine stiffness where only weights were hung or
-/// strips rolled, else hermite; friction where the data unloads.
-/// @param notes  gets a sentence when friction is left out
+/// strips rolled, constant where there are bending lengths alone, else hermite; friction where the
+/// data unloads.
+/// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
                              std::vector<std::string>& notes);
 

@@ -60,7 +60,8 @@ ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
       if (!used[i]) continue;
       peak_stress_ = std::max(peak_stress_, std::abs(path.force[i] / path.factor[i]));
       largest_strain_ = std::max(largest_strain_, std::abs(path.strain[i]));
-      smallest_strain_ = std::min(smallest_strain_, std::abs(path.strain[i]));
+      const bool from_zero = !path.starts_flat.empty() && path.starts_flat[i];
+      smallest_strain_ = std::min(smallest_strain_, from_zero ? 0.0 : std::abs(path.strain[i]));
     }
     const double sd =
         stated_noise(*experiment).value_or(kFirstNoiseShare * experiment->reference());

@@ -67,7 +67,7 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
 
 std::string unfitted_note(const ExperimentInfo& info) {
   const std::string note = "predicted without any fitting";
-  if (measures_profiles(info.type)) return note;
+  if (bends_by_weight(info.type)) return note;
   if (!info.component.starts_with("stretch")) return note + ": friction at rest, no offset";
   return note +
          ": rest length as stated, friction at rest, force offset from the rows in which the strip "

@@ -97,6 +97,17 @@ LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape
   return system;
 }
 
+// The solution of least length in units of the columns where there are many: each unknown takes its
+// share.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  if (qr.rank() == matrix.cols()) return qr.solve(right);
+  Eigen::VectorXd unit = matrix.colwise().norm().transpose();
+  for (double& length : unit) length = length > 0 ? 1 / length : 1;
+  return unit.cwiseProduct(
+      (matrix * unit.asDiagonal()).completeOrthogonalDecomposition().solve(right));
+}
+
 // Least squares in which the first `not_negative` unknowns are dropped, the most negative first,
 // until none is negative.
 Eigen::VectorXd solve_not_negative(const LinearSystem& system, int not_negative) {
@@ -104,8 +115,7 @@ Eigen::VectorXd solve_not_negative(const LinearSystem& system, int not_negative)
   std::vector<Eigen::Index> active(static_cast<size_t>(columns));
   for (Eigen::Index i = 0; i < columns; ++i) active[static_cast<size_t>(i)] = i;
   for (;;) {
-    const Eigen::VectorXd part =
-        system.matrix(Eigen::all, active).colPivHouseholderQr().solve(system.right);
+    const Eigen::VectorXd part = least_squares(system.matrix(Eigen::all, active), system.right);
     size_t worst = active.size();
     for (size_t i = 0; i < active.size(); ++i) {
       const auto value = part(static_cast<Eigen::Index>(i));

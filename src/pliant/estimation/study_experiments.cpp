@@ -61,6 +61,10 @@ std::vector<std::string> assumptions_of(const Study& study, const Experiments& e
           experiment->info().name +
           ": the strip bends in a plane, is clamped level, does not stretch or touch itself, and "
           "comes to rest quietly; the noise is in the positions, alike in all directions");
+    } else if (experiment->info().type == "bending-length") {
+      assumptions.push_back(experiment->info().name +
+                            ": the strip bends in a plane, lies level up to the edge, does not "
+                            "stretch and is pushed out once; the noise is in the overhangs");
     } else if (!experiment->info().length_noise) {
       assumptions.push_back(
           experiment->info().name +

@@ -75,6 +75,13 @@ void require_change(const std::vector<double>& values, const DataRows& data,
                    "values that change: a constant one determines nothing");
 }
 
+void require_density(const ExperimentSpec& spec, double density) {
+  if (density > 0) return;
+  throw InputError({spec.where.file, spec.where.line, spec.where.field},
+                   "the study states no density, and its own weight bends the strip",
+                   "`density:` of the study, e.g. 150 g/m^2");
+}
+
 std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name) {
   if (info.specimens.size() == 1) return fmt::format("{}.{}", info.name, name);
   return fmt::format("{}.{}.{}", info.name, info.specimens[specimen], name);

@@ -28,6 +28,10 @@ void require_positive(const std::vector<double>& values, const DataRows& data,
 void require_change(const std::vector<double>& values, const DataRows& data,
                     std::string_view column);
 
+/// For tests in which its own weight bends the strip.
+/// @throws InputError when the study states no density
+void require_density(const ExperimentSpec& spec, double density);
+
 /// Name of a specimen's nuisance parameter: EXPERIMENT.NAME, or EXPERIMENT.SPECIMEN.NAME where
 /// there are several.
 std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name);

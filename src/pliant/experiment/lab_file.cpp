@@ -1,5 +1,6 @@
 #include <set>
 
+#include "pliant/experiment/bending_length.h"
 #include "pliant/experiment/experiment_name.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
@@ -45,14 +46,15 @@ const std::vector<double>& published_radii() {
   return radii;
 }
 
-double read_position(Fields& fields, std::string_view key) {
+// A length among the instrument's numbers, e.g. `noise: {position: 0.1 mm}`.
+double read_channel(Fields& fields, std::string_view key, std::string_view channel) {
   const auto node = fields.optional(key);
   if (!node) return 0;
   Fields inner = node->fields();
-  double position = 0;
-  if (auto v = inner.optional("position")) position = v->quantity_from_zero(Dimension::length);
+  double length = 0;
+  if (auto v = inner.optional(channel)) length = v->quantity_from_zero(Dimension::length);
   inner.finish();
-  return position;
+  return length;
 }
 
 void read_overhangs(Fields& fields, LabExperiment& experiment) {
@@ -88,8 +90,17 @@ void read_profiles(Fields& fields, LabExperiment& experiment) {
   }
   if (auto v = fields.optional("points")) experiment.points = v->integer(5, 1000);
   if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
-  experiment.instrument.length_noise = read_position(fields, "noise");
-  experiment.instrument.length_resolution = read_position(fields, "resolution");
+  experiment.instrument.length_noise = read_channel(fields, "noise", "position");
+  experiment.instrument.length_resolution = read_channel(fields, "resolution", "position");
+}
+
+void read_bending_length(Fields& fields, LabExperiment& experiment) {
+  if (auto v = fields.optional("width")) experiment.width = v->positive_quantity(Dimension::length);
+  experiment.angle = read_overhang_angle(fields);
+  experiment.repeats = 2;
+  if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
+  experiment.instrument.length_noise = read_channel(fields, "noise", "overhang");
+  experiment.instrument.length_resolution = read_channel(fields, "resolution", "overhang");
 }
 
 LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
@@ -97,12 +108,16 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   LabExperiment experiment;
   experiment.where = node.location();
   experiment.name = read_experiment_name(fields.require("name"), names);
-  experiment.type =
-      fields.require("type").choice({"hanging-weights", "tensile-cycles", "shear-cycles",
-                                     "pure-bending", "cantilever", "rolled-strip"});
-  if (measures_profiles(experiment.type)) {
+  experiment.type = fields.require("type").choice({"hanging-weights", "tensile-cycles",
+                                                   "shear-cycles", "pure-bending", "cantilever",
+                                                   "rolled-strip", "bending-length"});
+  if (bends_by_weight(experiment.type)) {
     experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-    read_profiles(fields, experiment);
+    if (measures_profiles(experiment.type)) {
+      read_profiles(fields, experiment);
+    } else {
+      read_bending_length(fields, experiment);
+    }
     fields.finish();
     return experiment;
   }
@@ -168,7 +183,7 @@ VirtualLab read_lab(const std::filesystem::path& path) {
                     " does not have",
                 "a direction that was measured or assumed");
     }
-    if (measures_profiles(experiment.type) && !(lab.material.density > 0)) {
+    if (bends_by_weight(experiment.type) && !(lab.material.density > 0)) {
       node.fail("needs the density of the material " + quoted_value(lab.material.name) +
                     ", which does not say it",
                 "a material with `density`: its own weight bends the strip");

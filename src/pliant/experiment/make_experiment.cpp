@@ -3,6 +3,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/experiment/cantilever.h"
 #include "pliant/experiment/hanging_weights.h"
+#include "pliant/experiment/overhangs.h"
 #include "pliant/experiment/pure_bending.h"
 #include "pliant/experiment/rolled_strip.h"
 #include "pliant/experiment/shear_cycles.h"
@@ -17,6 +18,7 @@ std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, double d
   if (spec.type == "tensile-cycles") return std::make_unique<TensileCycles>(spec, measure);
   if (spec.type == "cantilever") return std::make_unique<Cantilever>(spec, density);
   if (spec.type == "rolled-strip") return std::make_unique<RolledStrip>(spec, density);
+  if (spec.type == "bending-length") return std::make_unique<Overhangs>(spec, density);
   if (spec.type == "pure-bending") return std::make_unique<PureBending>(spec);
   PLIANT_ASSERT(spec.type == "shear-cycles", "the caller asks is_supported_type first");
   return std::make_unique<ShearCycles>(spec);

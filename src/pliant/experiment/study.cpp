@@ -7,6 +7,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/bending_length.h"
 #include "pliant/experiment/data_source.h"
 #include "pliant/experiment/experiment_name.h"
 #include "pliant/io/document.h"
@@ -77,6 +78,13 @@ StatedNoise read_noise(const Value& node, const std::string& type) {
     fields.finish();
     return noise;
   }
+  if (type == "bending-length") {
+    if (auto v = fields.optional("overhang")) {
+      noise.length = v->positive_quantity(Dimension::length);
+    }
+    fields.finish();
+    return noise;
+  }
   if (type == "pure-bending") {
     if (auto v = fields.optional("moment")) noise.force = v->positive_quantity(Dimension::force);
     fields.finish();
@@ -114,13 +122,14 @@ void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) 
   spec.width = read_length(fields, "width", defaults.width);
 }
 
-// Of a cantilever the data tell the length; the width of a strip that only its weight bends says
-// nothing, and is kept for the record.
+// Of a cantilever and an overhang the data tell the length; the width of a strip that only its
+// weight bends says nothing, and is kept for the record.
 void read_bent_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
   if (spec.type == "rolled-strip") spec.length = read_length(fields, "length", defaults.length);
   spec.width = defaults.width;
   if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
+  if (spec.type == "bending-length") spec.angle = read_overhang_angle(fields);
 }
 
 InitialFriction read_initial_friction(Fields& fields) {
@@ -184,7 +193,7 @@ void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& 
     read_shear_cycles(fields, spec);
   } else if (spec.type == "pure-bending") {
     read_pure_bending(fields, spec);
-  } else if (measures_profiles(spec.type)) {
+  } else if (bends_by_weight(spec.type)) {
     read_bent_strip(fields, defaults, spec);
   } else {
     for (auto& [key, value] : fields.all()) {
@@ -333,16 +342,20 @@ void apply_validate(const Value& list, Study& study) {
 
 bool is_supported_type(std::string_view type) {
   return type == "hanging-weights" || type == "tensile-cycles" || type == "shear-cycles" ||
-         type == "pure-bending" || measures_profiles(type);
+         type == "pure-bending" || bends_by_weight(type);
 }
 
 bool measures_profiles(std::string_view type) {
   return type == "cantilever" || type == "rolled-strip";
 }
 
+bool bends_by_weight(std::string_view type) {
+  return type == "bending-length" || measures_profiles(type);
+}
+
 std::string component_of_test(std::string_view type, const std::string& direction) {
   if (type == "shear-cycles") return "shear";
-  const bool bends = type == "pure-bending" || type == "buckling-bend" || measures_profiles(type);
+  const bool bends = type == "pure-bending" || type == "buckling-bend" || bends_by_weight(type);
   if (!bends) return "stretch." + direction;
   return "bend." + (direction == "bias" ? "diagonal" : direction);
 }

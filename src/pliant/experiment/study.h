@@ -32,7 +32,8 @@ struct ExcludedRows {
 /// Stated standard deviations of the instrument's noise; absent: estimated from the residuals.
 struct StatedNoise {
   std::optional<double> force;  ///< N; N/m in shear-cycles; in pure-bending of the moment per width
-  std::optional<double> length;  ///< m; of positions in cantilever and rolled-strip
+  std::optional<double> length;  ///< m; of positions in cantilever and rolled-strip, of overhangs
+                                 ///< in bending-length
 };
 
 enum class InitialFriction {
@@ -59,6 +60,7 @@ struct ExperimentSpec {
   double pretension = 0;          ///< N, at which the gauge length was set
   double apparatus_friction = 0;  ///< N, stated friction of the instrument
   double transverse_tension = 0;  ///< N/m, shear-cycles
+  double angle = 0;               ///< rad, bending-length: of the plane that the tip touches
   int precondition_cycles = 0;
   bool rested = false;
   InitialFriction initial_friction = InitialFriction::rest;
@@ -121,6 +123,9 @@ bool is_supported_type(std::string_view type);
 
 /// Types whose rows are points of strips' profiles: cantilever, rolled-strip.
 bool measures_profiles(std::string_view type);
+
+/// Types in which its own weight alone bends a strip, from flat: those and bending-length.
+bool bends_by_weight(std::string_view type);
 
 /// Strain component that a test of a type and direction determines, e.g. stretch.warp. What bends
 /// along the bias is bend.diagonal.

@@ -56,6 +56,10 @@ YAML::Node noise_node(const StatedNoise& noise, const std::string& type) {
     node["position"] = text_of(*noise.length, Dimension::length);
     return node;
   }
+  if (type == "bending-length") {
+    node["overhang"] = text_of(*noise.length, Dimension::length);
+    return node;
+  }
   if (type == "pure-bending") {
     node["moment"] = text_of(*noise.force, Dimension::force);
     return node;
@@ -103,8 +107,9 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   } else if (spec.type == "pure-bending") {
     add_bent_strip(spec, node);
     add_initial_friction(spec, node);
-  } else if (measures_profiles(spec.type)) {
+  } else if (bends_by_weight(spec.type)) {
     add_bent_strip(spec, node);
+    if (spec.angle > 0) node["angle"] = text_of(spec.angle, Dimension::angle);
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }

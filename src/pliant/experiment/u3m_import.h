@@ -2,24 +2,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "pliant/experiment/imported_study.h"
 #include "pliant/experiment/u3m_file.h"
 
 namespace pliant {
 
 struct ImportOptions {
   std::optional<double> width_m = {};  ///< of every strip, in place of the file's
-};
-
-/// A study that was made from an instrument's file, not yet written.
-struct ImportedStudy {
-  std::string study_yaml;                                  ///< content of study.yaml
-  std::vector<std::pair<std::string, std::string>> files;  ///< name and content of its CSV files
-  std::vector<std::string> notes;                          ///< what was understood
-  std::vector<std::string> warnings;
 };
 
 /// The study in a U3M file (see `read_u3m_file` for what is accepted): stretch tests along warp,

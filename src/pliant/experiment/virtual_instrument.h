@@ -10,7 +10,8 @@ namespace pliant {
 struct Instrument {
   double force_noise = 0;   ///< standard deviation; N, or N/m in shear-cycles; of moments per width
                             ///< (N) in pure-bending
-  double length_noise = 0;  ///< of each coordinate in cantilever and rolled-strip
+  double length_noise = 0;  ///< of each coordinate in cantilever and rolled-strip, of
+                            ///< overhangs in bending-length
   double force_resolution = 0;
   double length_resolution = 0;
 };

@@ -14,6 +14,7 @@
 #include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/strip_pull.h"
 #include "pliant/experiment/study.h"
+#include "pliant/experiment/virtual_overhangs.h"
 #include "pliant/experiment/virtual_profiles.h"
 #include "pliant/experiment/weight_path.h"
 #include "pliant/io/csv_writer.h"
@@ -223,6 +224,9 @@ std::string measure(const LabExperiment& experiment, const ComponentLaw& law, co
   if (measures_profiles(experiment.type)) {
     return measure_profiles(experiment, law, lab.material.density, random);
   }
+  if (experiment.type == "bending-length") {
+    return measure_overhangs(experiment, law, lab.material.density, random);
+  }
   if (experiment.type == "pure-bending") return to_and_fro(experiment, bending_test(), law, random);
   return to_and_fro(experiment, shear_test(experiment.transverse_tension), law, random);
 }
@@ -246,6 +250,7 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
   }
   text += fmt::format("    direction: {}\n    width: {} m\n", e.direction, e.width);
   if (e.type == "cantilever") return text;
+  if (e.type == "bending-length") return text + fmt::format("    angle: {} rad\n", e.angle);
   text += fmt::format("    length: {} m\n", e.length);
   if (e.type == "rolled-strip") return text;
   if (e.type == "tensile-cycles") return text + "    initial_friction: rest\n";

@@ -28,6 +28,7 @@ struct LabExperiment {
   int points = 25;               ///< of a profile
   double slack = 0;  ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
   double transverse_tension = 0;
+  double angle = 0;  ///< rad, bending-length
   Location where;
 };
 

@@ -30,7 +30,9 @@ std::string force_unit(const ResultExperiment& e) {
 
 /// `RMS error 1.2 % of peak (0.024 of 1.97 N)`
 std::string error_in_words(const ResultExperiment& e) {
-  const std::string_view reference = e.measures_lengths() ? "largest extension" : "peak";
+  const std::string_view reference = e.measures_overhangs() ? "mean overhang"
+                                     : e.measures_lengths() ? "largest extension"
+                                                            : "peak";
   std::string detail;
   if (e.rms_position_mm) detail = format_significant(e.rms_position_mm, 2) + " mm";
   if (e.rms_percent_of_length) {
@@ -78,6 +80,8 @@ std::string residuals(const ResultExperiment& e, const Prediction& prediction, s
                       FigureSheet& figures) {
   std::string html;
   for (const ResidualAbscissa abscissa : {ResidualAbscissa::strain, ResidualAbscissa::time}) {
+    // Overhangs at one angle all belong to the same strain.
+    if (abscissa == ResidualAbscissa::strain && e.measures_overhangs()) continue;
     Figure figure = residual_figure(e, prediction, abscissa, budget);
     figure.print_size = kResidualSize;
     const std::string_view caption =
@@ -94,14 +98,15 @@ std::string handled(const ResultExperiment& e) {
   return "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
 }
 
-/// Loops beside their residuals.
+/// Loops beside their residuals; of overhangs, the readings.
 std::string loop_part(const ResultExperiment& e, const Prediction& prediction, std::size_t budget,
                       FigureSheet& figures) {
   LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .compact = false});
   loop.figure.print_size = kLoopSize;
-  const std::string drawn =
-      loop.drawn < loop.total ? fmt::format("Loops ({} of {} points drawn)", loop.drawn, loop.total)
-                              : std::string("Loops");
+  std::string drawn = e.measures_overhangs() ? "Readings" : "Loops";
+  if (loop.drawn < loop.total) {
+    drawn += fmt::format(" ({} of {} points drawn)", loop.drawn, loop.total);
+  }
   const std::string legend = figures.can_draw() ? legend_html(loop.legend) : std::string();
   return legend + "<div class=\"experiment\">\n" +
          captioned(drawn, figures.add(loop.figure, "figure-tall")) + "<div>\n" +

@@ -46,7 +46,23 @@ LoopCoordinates quantity_against_strain(const ResultExperiment& e, const Predict
           false};
 }
 
+/// Overhangs at one angle all belong to the same strain.
+LoopCoordinates overhang_against_reading(const ResultExperiment& e, const Prediction& p) {
+  std::vector<double> x;
+  for (std::size_t row = 1; row <= p.rows(); ++row) x.push_back(static_cast<double>(row));
+  return {{"Reading", ""},
+          quantity_label(e.quantity),
+          x,
+          x,
+          x,
+          p.measured,
+          p.predicted,
+          p.elastic,
+          false};
+}
+
 LoopCoordinates coordinates(const ResultExperiment& e, const Prediction& p) {
+  if (e.measures_overhangs()) return overhang_against_reading(e, p);
   const bool lengths = e.quantity.starts_with("length") && !p.driver.empty();
   return lengths ? length_against_load(e, p) : quantity_against_strain(e, p);
 }

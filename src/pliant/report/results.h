@@ -41,9 +41,11 @@ struct ResultExperiment {
   bool validation = false;
 
   bool measures_lengths() const { return quantity.starts_with("length"); }
+  bool measures_overhangs() const { return quantity.starts_with("overhang"); }
 
   std::optional<double> rms_force, peak_force;  ///< N, or N/m for shear
-  /// Of the peak force, or of the largest extension where lengths are measured.
+  /// Of the peak force, of the largest extension where lengths are measured, or of the mean
+  /// overhang.
   std::optional<double> rms_percent_of_peak, rms_elastic_percent_of_peak;
   std::optional<double> rms_position_mm, rms_elastic_position_mm;
   std::optional<double> rms_percent_of_length;  ///< of distances from a predicted profile

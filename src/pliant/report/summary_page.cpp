@@ -226,9 +226,10 @@ std::string experiment_table(const Results& results) {
   std::string html = "<section><h2>Agreement</h2>\n" + table.html();
   if (shown < results.experiments.size()) html += hidden_experiments(results, shown);
   return html +
-         "<p class=\"small\">RMS error: of the peak force, or of the largest extension where "
+         "<p class=\"small\">RMS error: of the peak force, of the largest extension where "
          "lengths are "
-         "measured; where profiles are, the distance from the predicted one. The rest: of the "
+         "measured, or of the mean overhang; where profiles are, the distance from the predicted "
+         "one. The rest: of the "
          "largest load-unload cycle. Secant modulus: force per width at "
          "the peak "
          "over engineering strain; of bending, moment per width over curvature (µN m). Hysteresis "

@@ -81,6 +81,10 @@ double largest_percent(const Experiments& experiments) {
 
 /// What the percentages are of.
 std::string_view reference(const Experiments& experiments) {
+  const auto overhangs = std::count_if(experiments.begin(), experiments.end(),
+                                       [](const auto* e) { return e->measures_overhangs(); });
+  if (overhangs == std::ssize(experiments)) return "the mean overhang";
+  if (overhangs > 0) return "peak force, extension or overhang";
   const auto lengths = std::count_if(experiments.begin(), experiments.end(),
                                      [](const auto* e) { return e->measures_lengths(); });
   if (lengths == 0) return "peak force";

@@ -69,6 +69,30 @@ TEST(LineFactor, SolvesWithTheWholeMatrix) {
   EXPECT_FALSE(LineFactor(line, bending, -20 * bending).is_positive());
 }
 
+TEST(Elastica, KnowsHowItsTipMovesWithItsLength) {
+  const double weight = 2, length = 0.08, step = 1e-5;
+  for (const PublishedBending& fabric : test::published_bending()) {
+    for (const double clamp : {0.0, 2.5}) {
+      StripEnds ends;
+      ends.clamp_angle = clamp;
+      const auto tip = [&](double at) -> Eigen::Vector2d {
+        const Elastica strip(at);
+        const auto shape = strip.equilibrium(fabric.law(), weight, ends, strip.rested(fabric.law()),
+                                             straight(strip));
+        return strip.profile(ends, *shape).at(at).position;
+      };
+      const Elastica strip(length);
+      const StripHistory flat = strip.rested(fabric.law());
+      const auto shape = strip.equilibrium(fabric.law(), weight, ends, flat, straight(strip));
+      const Eigen::Vector2d difference = (tip(length + step) - tip(length - step)) / (2 * step);
+      // Of second order in the step, whose square is 1e-8 of the length's.
+      EXPECT_LT((strip.tip_by_length(fabric.law(), weight, ends, flat, *shape) - difference).norm(),
+                1e-5)
+          << fabric.name << clamp;
+    }
+  }
+}
+
 TEST(Elastica, OfSmallSlopeSagsAsABeamDoes) {
   const Elastica strip(kLength);
   const double k = 1e-3, weight = 1e-3;

@@ -309,6 +309,26 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
   if (ends.far_position) shape.far_load_by_parameter.topRows<2>() = change.middleRows<2>(next);
 }
 
+// The points keep their shares of the length, so that the weights of the line, its integration and
+// what hangs on a point all grow like the length.
+Eigen::Vector2d Elastica::tip_by_length(const ComponentLaw& law, double weight,
+                                        const StripEnds& ends, const StripHistory& history,
+                                        const StripShape& shape) const {
+  PLIANT_ASSERT(constraint_count(ends) == 0, "the far end is free");
+  const Balance b = balance(law, weight, ends, history, {}, shape);
+  const Eigen::VectorXd& w = line_.weights();
+  const Eigen::VectorXd turned = line_.integrals(shape.curvature) / line_.length();
+  const Eigen::VectorXd moment_change =
+      b.force.cwiseProduct(2 / line_.length() * b.cosine - b.sine.cwiseProduct(turned));
+  const Eigen::VectorXd bend =
+      matrix(stiffness(b, false))
+          .partialPivLu()
+          .solve(-line_.transposed_integrals(w.cwiseProduct(moment_change)));
+  const Eigen::VectorXd turn = turned + line_.integrals(bend);
+  return {w.dot(b.cosine / line_.length() - b.sine.cwiseProduct(turn)),
+          w.dot(b.sine / line_.length() + b.cosine.cwiseProduct(turn))};
+}
+
 StripHistory Elastica::accepted(const ComponentLaw& law, const StripHistory& history,
                                 const StripShape& shape) const {
   StripHistory next;

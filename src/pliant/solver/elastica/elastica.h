@@ -75,6 +75,11 @@ class Elastica {
   void differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
                      const StripHistory& history, StripShape& shape) const;
 
+  /// d position of the free end / d length, of a strip that came to its equilibrium in one stretch
+  /// from a history that is the same at all points.
+  Eigen::Vector2d tip_by_length(const ComponentLaw& law, double weight, const StripEnds& ends,
+                                const StripHistory& history, const StripShape& shape) const;
+
   /// What the material remembers after a step that ended at `shape`, with derivatives where the
   /// shape has them.
   StripHistory accepted(const ComponentLaw& law, const StripHistory& history,

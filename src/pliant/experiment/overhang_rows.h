@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/experiment/bending_length.h"
+#include "pliant/experiment/data_source.h"
+#include "pliant/experiment/dipping_strip.h"
+
+namespace pliant {
+
+/// The readings of an overhang test, row by row.
+struct OverhangRows {
+  std::vector<double> overhang;  ///< m
+  std::vector<StripFace> face;   ///< up where the table does not say
+};
+
+/// @throws InputError for an overhang that is not positive, or an unknown face
+OverhangRows read_overhangs(const DataRows& data);
+
+/// The readings with one face up.
+std::vector<double> overhangs_of(const OverhangRows& rows, StripFace face);
+
+/// The spread of the readings in a sentence for each face that was measured, and for both.
+/// @param weight  per area (N/m^2); 0: not known, and no rigidity told
+std::vector<std::string> bending_length_texts(const OverhangRows& rows, double angle,
+                                              double weight);
+
+}  // namespace pliant

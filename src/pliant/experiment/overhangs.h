@@ -1,0 +1,38 @@
+#pragma once
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/overhang_rows.h"
+
+namespace pliant {
+
+/// Strips pushed out over an edge, flat, until the line to their tip dips by an angle: bending
+/// length (ASTM D1388 option A, ISO 9073-7, [Peirce1930]). The overhang is measured.
+///
+/// With the face up a strip bends to the right of its way out (negative curvature), turned over to
+/// the left; a law that is the same on both sides predicts one overhang.
+class Overhangs : public Experiment {
+ public:
+  /// @param density  kg/m^2, > 0
+  /// @throws InputError without a density, and for unusable data
+  Overhangs(const ExperimentSpec& spec, double density);
+
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  Eigen::VectorXd unfitted_nuisance() const override { return {}; }
+  /// Overhang over the number of the reading.
+  LoopSeries loop(const Eigen::VectorXd& overhang) const override;
+  double loop_width() const override { return 1; }
+  double loop_length() const override { return 1; }
+  /// The mean overhang.
+  double reference() const override { return measured_.mean(); }
+
+ private:
+  Overhangs(const ExperimentSpec& spec, double density, const DataRows& data);
+  void read_path(const DataRows& data, const ExperimentSpec& spec);
+
+  OverhangRows readings_;
+  double weight_ = 0;  // N/m^2
+  double angle_ = 0;   // rad
+};
+
+}  // namespace pliant

@@ -1,0 +1,64 @@
+#include "pliant/imaging/photo.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kLevels = 255;
+
+cv::Mat read_picture(const std::filesystem::path& file, int mode) {
+  const auto refuse = [&] {
+    throw InputError({file.string()}, "is no picture that can be read",
+                     "a photograph: JPEG, PNG, TIFF or BMP");
+  };
+  cv::Mat picture;
+  try {
+    picture = cv::imread(file.string(), mode);
+  } catch (const cv::Exception&) {  // e.g. more pixels than the library takes
+    refuse();
+  }
+  if (picture.empty()) refuse();
+  return picture;
+}
+
+// In 1/16 of a pixel.
+cv::Point in_sixteenths(const Eigen::Vector2d& point) {
+  return {static_cast<int>(std::lround(16 * point.x())),
+          static_cast<int>(std::lround(16 * point.y()))};
+}
+
+}  // namespace
+
+Photo read_photo(const std::filesystem::path& file) {
+  const cv::Mat levels = read_picture(file, cv::IMREAD_GRAYSCALE);
+  Photo photo(levels.rows, levels.cols);
+  cv::Mat brightness(levels.rows, levels.cols, CV_32F, photo.data());
+  levels.convertTo(brightness, CV_32F, 1 / kLevels);
+  return photo;
+}
+
+std::string photo_with_line(const std::filesystem::path& file,
+                            const std::vector<Eigen::Vector2d>& line) {
+  constexpr int kSixteenths = 4;  // bits of a fraction
+  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
+  const int stroke = std::max(1, std::max(picture.cols, picture.rows) / 1000);
+  const cv::Scalar line_colour(60, 110, 255), point_colour(60, 220, 255);  // blue, green, red
+  std::vector<cv::Point> points;
+  for (const Eigen::Vector2d& point : line) points.push_back(in_sixteenths(point));
+  cv::polylines(picture, points, /*isClosed=*/false, line_colour, stroke, cv::LINE_AA, kSixteenths);
+  for (const cv::Point& point : points) {
+    cv::circle(picture, point, 16 * 3 * stroke, point_colour, stroke, cv::LINE_AA, kSixteenths);
+  }
+  std::vector<unsigned char> png;
+  cv::imencode(".png", picture, png);
+  return {png.begin(), png.end()};
+}
+
+}  // namespace pliant

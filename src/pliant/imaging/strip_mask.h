@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "pliant/base/errors.h"
+#include "pliant/imaging/photo.h"
+
+namespace pliant {
+
+/// Whether a strip is brighter or darker than what is behind it.
+enum class StripTone { automatic, brighter, darker };
+
+/// How a strip is to be looked for in a picture whose left border is the edge of its clamp.
+struct StripSearch {
+  StripTone tone = StripTone::automatic;
+  std::optional<double> clamp_row;    ///< at which it leaves the clamp, to tell it from others
+  std::string clamp_border = "left";  ///< names for messages: of the border at the clamp,
+  std::string far_border = "right";   ///< and of the one opposite
+};
+
+/// The pixels of a strip.
+struct StripMask {
+  Photo contrast;  ///< by how much each pixel differs from what is behind, towards the strip's tone
+  Eigen::Array<unsigned char, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inside;  ///< 1 or 0
+  float threshold = 0;   ///< contrast from which on a pixel counts
+  double thickness = 0;  ///< of the strip, a mean over its length (pixels)
+  StripTone tone = StripTone::brighter;
+};
+
+/// Finds the one long, thin thing that begins at the left border.
+/// @param where  of the picture, for messages
+/// @throws InputError where nothing stands out, nothing reaches the clamp, several things of the
+///         kind are seen, or the strip leaves the picture
+StripMask find_strip(const Photo& photo, const StripSearch& search, const Location& where);
+
+}  // namespace pliant

@@ -1,0 +1,199 @@
+// Strips are drawn into pictures and found there again.
+
+#include "pliant/imaging/strip_photo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "imaging/drawn_strip.h"
+#include "io/input_error_of.h"
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::draw_strips;
+using test::DrawnStrip;
+using test::elastic_profile;
+using test::input_error_of;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+constexpr double kScale = 1.0 / 8000;  // m a pixel
+constexpr double kWeight = 2;          // N/m^2
+constexpr double kLength = 0.09;       // m
+
+std::vector<Eigen::Vector2d> strip() { return elastic_profile(1e-4, kWeight, kLength); }
+
+// Distance of a point from a line.
+double distance(const Eigen::Vector2d& point, const std::vector<Eigen::Vector2d>& line) {
+  double nearest = 1;
+  for (size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d piece = line[i] - line[i - 1];
+    const double share = std::clamp(piece.dot(point - line[i - 1]) / piece.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (line[i - 1] + share * piece - point).norm());
+  }
+  return nearest;
+}
+
+class PhotoFolder : public TemporaryFolder {
+ public:
+  std::filesystem::path photo() const { return path() / "photo.png"; }
+
+  StripTrace trace(StripPhotoOptions options = {}) const {
+    options.scale = kScale;
+    return trace_strip(photo(), options);
+  }
+  InputError refusal(const StripPhotoOptions& options = {}) const {
+    return input_error_of([&] { trace(options); });
+  }
+};
+
+struct Look {
+  const char* what;
+  DrawnStrip drawn;
+  double rigidity = 1e-4;     // N m
+  double clamp_angle = 0.03;  ///< rad, by which that at the clamp may be missed
+};
+
+class TracedStrip : public ::testing::TestWithParam<Look> {};
+
+TEST_P(TracedStrip, LiesOnTheLineThatWasDrawn) {
+  const PhotoFolder folder;
+  const auto truth = elastic_profile(GetParam().rigidity, kWeight, kLength);
+  draw_strips(folder.photo(), {truth}, GetParam().drawn);
+  StripPhotoOptions options;
+  if (GetParam().drawn.mirrored) options.clamp_side = ClampSide::right;
+  const StripTrace trace = folder.trace(options);
+  ASSERT_EQ(trace.profile.size(), 31u);
+  EXPECT_EQ(trace.profile.front(), Eigen::Vector2d::Zero());
+  for (const Eigen::Vector2d& point : trace.profile) {
+    // Within a pixel; the free end may lie a little more beyond the line's.
+    EXPECT_LT(distance(point, truth), 1.2 * kScale) << point.transpose() / kScale;
+  }
+  // The clamp's pixel and the free end are known to one pixel each.
+  EXPECT_NEAR(trace.length, kLength, 2 * kScale);
+  EXPECT_NEAR(trace.thickness, GetParam().drawn.thickness * kScale, 2 * kScale);
+  EXPECT_NEAR(trace.clamp_angle, 0, GetParam().clamp_angle);
+}
+
+const Look kLooks[] = {
+    {"Bright", {}},
+    {"Dark", {.strip = 0.1, .background = 0.6}},
+    {"ClampOnTheRight", {.mirrored = true}},
+    {"WithoutNoise", {.gradient = 0, .noise = 0}},
+    {"FaintAndNoisy", {.strip = 0.35, .background = 0.15, .noise = 0.04}},
+    {"Thin", {.thickness = 4}},
+    {"Thick", {.thickness = 20}},
+    {"BentTightly", {}, 2e-6, 0.25},
+    {"AlmostStraight", {}, 5e-4},
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, TracedStrip, ::testing::ValuesIn(kLooks),
+                         [](const auto& look) { return std::string(look.param.what); });
+
+TEST(StripPhoto, KeepsPointsInPixelsOfThePhotograph) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip()}, {.mirrored = true});
+  StripPhotoOptions options;
+  options.clamp_side = ClampSide::right;
+  options.region = PixelRegion{100, 50, 800, 780};
+  const StripTrace trace = folder.trace(options);
+  EXPECT_NEAR(trace.pixels.front().x(), 899, 1.5);
+  EXPECT_NEAR(trace.pixels.front().y(), 120, 1);
+  EXPECT_NEAR(trace.pixels.back().x(), 899 - (strip().back().x() / kScale - 1), 1.5);
+}
+
+TEST(StripPhoto, BeginsAtTheClampsPixel) {
+  const PhotoFolder folder;
+  // A table in front of it: what lies left of the clamp's pixel is left out.
+  std::vector<Eigen::Vector2d> table;
+  for (int i = 0; i < 20; ++i) table.emplace_back(-0.001 * (19 - i), 0.0);
+  std::vector<Eigen::Vector2d> whole = table;
+  const auto hanging = strip();
+  whole.insert(whole.end(), hanging.begin() + 1, hanging.end());
+  draw_strips(folder.photo(), {whole}, {.clamp = {150, 120}});
+  StripPhotoOptions options;
+  options.clamp = Eigen::Vector2d(150, 120);
+  const StripTrace trace = folder.trace(options);
+  EXPECT_NEAR(trace.length, kLength, 2 * kScale);
+  EXPECT_NEAR(trace.pixels.front().x(), 150, 1.5);
+}
+
+// Fibres that stick out of the strip, a tenth of its thickness, turn no point away from its middle.
+TEST(StripPhoto, IsNotLedAstrayByLooseFibres) {
+  const PhotoFolder folder;
+  const auto truth = strip();
+  std::vector<std::vector<Eigen::Vector2d>> drawn{truth};
+  draw_strips(folder.photo(), drawn);
+  const StripTrace clean = folder.trace();
+  test::draw_fibres(folder.photo(), clean.pixels);
+  const StripTrace hairy = folder.trace();
+  for (const Eigen::Vector2d& point : hairy.profile) {
+    EXPECT_LT(distance(point, truth), kScale) << point.transpose() / kScale;
+  }
+  EXPECT_NEAR(hairy.length, clean.length, 3 * kScale);
+}
+
+TEST(StripPhoto, OfNothingIsRefused) {
+  const PhotoFolder folder;
+  for (const double noise : {0.0, 0.05}) {
+    draw_strips(folder.photo(), {}, {.noise = noise});
+    const InputError error = folder.refusal();
+    EXPECT_EQ(error.where().file, folder.photo().string());
+    EXPECT_THAT(error.problem(), HasSubstr("nothing long and thin"));
+  }
+}
+
+TEST(StripPhoto, OfTwoStripsIsRefusedUnlessOneIsNamed) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip(), strip()}, {.clamp = {-1, 80}}, 200);
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("2 things that could be the strip"));
+  StripPhotoOptions options;
+  options.clamp = Eigen::Vector2d(0, 280);
+  EXPECT_NEAR(folder.trace(options).pixels.front().y(), 280, 1);
+  options.clamp = Eigen::Vector2d(0, 500);
+  EXPECT_THAT(folder.refusal(options).problem(), HasSubstr("no strip at the clamp's pixel"));
+}
+
+TEST(StripPhoto, OfAStripThatLeavesThePictureIsRefused) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip()}, {.width = 300});
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("leaves the picture at its right border"));
+  draw_strips(folder.photo(), {strip()}, {.height = 250});
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("leaves the picture at its lower border"));
+  draw_strips(folder.photo(), {strip()}, {.width = 300, .mirrored = true});
+  StripPhotoOptions options;
+  options.clamp_side = ClampSide::right;
+  EXPECT_THAT(folder.refusal(options).problem(), HasSubstr("at its left border"));
+}
+
+TEST(StripPhoto, WithItsClampOnTheOtherSideIsRefused) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip()}, {.mirrored = true});
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("does not begin at the left border"));
+}
+
+TEST(StripPhoto, RegionsAndPixelsLieWithinThePicture) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip()});
+  StripPhotoOptions options;
+  options.region = PixelRegion{0, 0, 901, 850};
+  EXPECT_THAT(folder.refusal(options).problem(), HasSubstr("not within the picture"));
+  options.region.reset();
+  options.clamp = Eigen::Vector2d(0, 850);
+  EXPECT_THAT(folder.refusal(options).problem(), HasSubstr("clamp's pixel is not within"));
+}
+
+TEST(StripPhoto, ReadsPicturesAlone) {
+  const PhotoFolder folder;
+  folder.write("photo.png", "no picture");
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("is no picture"));
+}
+
+}  // namespace
+}  // namespace pliant

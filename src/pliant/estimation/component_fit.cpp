@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
 #include "pliant/estimation/control_points.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -25,6 +26,19 @@ bool only_published_tests(const std::vector<const Experiment*>& experiments) {
            return type == "hanging-weights" || measures_profiles(type);
          }) &&
          !are([](const std::string& type) { return type == "cantilever"; });
+}
+
+// The force at which a strip buckles is the same at all distances, so that an offset of the force
+// hides most of a curve.
+bool only_buckled_strips(const std::vector<const Experiment*>& experiments) {
+  return std::all_of(experiments.begin(), experiments.end(), [](const Experiment* experiment) {
+    return experiment->info().type == "buckling-bend";
+  });
+}
+
+CurveKind default_stiffness(const std::vector<const Experiment*>& experiments) {
+  if (only_buckled_strips(experiments)) return CurveKind::constant;
+  return only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite;
 }
 
 ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
@@ -124,6 +138,19 @@ LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
   return grown.fit;
 }
 
+// Its moments are not known without a fit: they come from a force whose zero is not known.
+void refuse_anchors_of_buckled_strips(const Study& study,
+                                      const std::vector<const Experiment*>& experiments) {
+  if (study.fit.estimator != EstimatorKind::anchor) return;
+  for (const Experiment* experiment : experiments) {
+    if (experiment->info().type != "buckling-bend") continue;
+    throw InputError({study.file, 0, "fit.estimator"},
+                     "the published estimator knows no moments of the buckled strip " +
+                         quoted_value(experiment->info().name),
+                     "path");
+  }
+}
+
 }  // namespace
 
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
@@ -135,8 +162,9 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
 
   ComponentPlan plan;
   plan.fit = study.fit;
-  plan.stiffness = model.stiffness.value_or(study.model.stiffness.value_or(
-      only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite));
+  refuse_anchors_of_buckled_strips(study, experiments);
+  plan.stiffness =
+      model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
   const bool data_unloads =
       std::any_of(experiments.begin(), experiments.end(),
@@ -171,7 +199,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;
     elastic.friction_law = FrictionLaw::none;
-    result.elastic = fit_law(problem, elastic, plan.fit, stop);
+    result.elastic = fit_law(problem, elastic, plan.fit, stop, {elastic});
   }
   return result;
 }

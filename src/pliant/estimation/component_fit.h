@@ -31,8 +31,10 @@ struct ComponentFit {
 };
 
 /// The plan that a study and its data imply: affine stiffness where only weights were hung or
-/// strips rolled, else hermite; friction where the data unloads.
+/// strips rolled, constant where strips only buckled, else hermite; friction where the data
+/// unloads.
 /// @param notes  gets a sentence when friction is left out
+/// @throws InputError where the study asks for the published estimator of a buckled strip
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
                              std::vector<std::string>& notes);
 

@@ -17,6 +17,9 @@ namespace pliant {
 ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& data,
                                    MeasuredQuantity quantity);
 
+/// @throws InputError when the study states no density, which the experiment needs
+void require_density(const ExperimentSpec& spec, double density);
+
 /// @throws InputError when a specimen has fewer than `least` rows
 void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least);
 

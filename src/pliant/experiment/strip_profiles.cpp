@@ -43,13 +43,6 @@ std::vector<double> hanging_moments(const ProfileRows& profile, double length, d
   return moments;
 }
 
-void require_density(const ExperimentSpec& spec, double density) {
-  if (density > 0) return;
-  throw InputError({spec.where.file, spec.where.line, spec.where.field},
-                   "the study states no density, and its own weight bends the strip",
-                   "`density:` of the study, e.g. 150 g/m^2");
-}
-
 }  // namespace
 
 StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, double density,
@@ -187,10 +180,6 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law) const 
     }
   }
   return shapes;
-}
-
-LoopSeries StripProfiles::loop(const Eigen::VectorXd& distance) const {
-  return {Eigen::VectorXd::LinSpaced(rows(), 1, rows()), distance};
 }
 
 }  // namespace pliant

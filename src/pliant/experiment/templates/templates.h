@@ -10,5 +10,6 @@ TestTemplate shear_cycles_template();
 TestTemplate pure_bending_template();
 TestTemplate cantilever_template();
 TestTemplate rolled_strip_template();
+TestTemplate buckling_bend_template();
 
 }  // namespace pliant

@@ -18,7 +18,8 @@ constexpr int kDigits = 4;
 Dimension peak_dimension(const std::string& type) {
   if (type == "hanging-weights") return Dimension::force;
   if (type == "pure-bending") return Dimension::curvature;
-  return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
+  const bool share = type == "tensile-cycles" || type == "buckling-bend";
+  return share ? Dimension::fraction : Dimension::angle;
 }
 
 std::string peaks_text(const LabExperiment& experiment) {
@@ -111,6 +112,13 @@ void add_overhang_lines(const LabExperiment& experiment, std::vector<std::string
   lines.push_back(labelled("instrument", noise_text(experiment), 1));
 }
 
+std::string buckling_text(const LabExperiment& experiment) {
+  return fmt::format("{}; {} long in truth, force offset {}, drift {}", name_of(experiment.side),
+                     format_quantity(experiment.strip_length, Dimension::length, kDigits),
+                     format_quantity(experiment.force_offset, Dimension::force, kDigits),
+                     format_quantity(experiment.force_drift, Dimension::force, kDigits));
+}
+
 void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
   if (measures_profiles(experiment.type)) return add_profile_lines(experiment, lines);
   if (experiment.type == "bending-length") return add_overhang_lines(experiment, lines);
@@ -125,6 +133,8 @@ void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines)
                              format_quantity(experiment.width, Dimension::length, kDigits)),
                  1));
   }
+  if (experiment.type == "buckling-bend")
+    lines.push_back(labelled("buckles", buckling_text(experiment), 1));
   lines.push_back(labelled("peaks",
                            fmt::format("{}; {} repeat{}", peaks_text(experiment),
                                        experiment.repeats, experiment.repeats == 1 ? "" : "s"),

@@ -44,12 +44,6 @@ void refuse_missing_data(const Study& study) {
       "existing files, named relative to the study");
 }
 
-double peak_force(const MeasuredPath& path) {
-  double peak = 0;
-  for (const double force : path.force) peak = std::max(peak, std::abs(force));
-  return peak;
-}
-
 int count_reversals(const MeasuredPath& path) {
   int reversals = 0;
   for (std::size_t i = 1; i < path.direction.size(); ++i) {
@@ -117,6 +111,11 @@ void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
                   spec.name, spec.type));
 }
 
+std::string peak_label(const ExperimentInfo& about) {
+  if (about.type == "buckling-bend") return "span of force";
+  return is_bending(about.component) ? "peak moment" : "peak force";
+}
+
 void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, FileInfo& info,
                       Json& json) {
   const ExperimentInfo& about = experiment.info();
@@ -132,7 +131,7 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
   json["rows"] = experiment.rows();
   json["used_rows"] = used;
   json["specimens"] = about.specimens;
-  json["peak_force"] = peak_force(path);
+  json["peak_force"] = experiment.peak_force();
   json["peak_force_unit"] = per_width ? "N/m" : "N";
   json["strain_range"] = {*low, *high};
   json["unloads"] = loop;
@@ -151,10 +150,9 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
                            fmt::format("{}: {} rows, {} used, {}", spec.data.written,
                                        experiment.rows(), used, specimens_text(about.specimens)),
                            1));
-  const bool moment = is_bending(about.component);
   lines.push_back(
-      labelled(moment ? "peak moment" : "peak force",
-               format_quantity(peak_force(path),
+      labelled(peak_label(about),
+               format_quantity(experiment.peak_force(),
                                per_width ? Dimension::force_per_length : Dimension::force, kDigits),
                1));
   lines.push_back(labelled(

@@ -30,6 +30,10 @@ std::string data_text(const ExperimentResult& e) {
     return fmt::format("curvature to {:.3g} 1/m",
                        std::max(std::abs(low), std::abs(high)) / kStrainPerCurvature);
   }
+  if (e.type == "buckling-bend") {
+    return fmt::format("span {:.3g} mN, curvature to {:.3g} 1/m", e.peak_force * 1e3,
+                       e.strain_range.second / kStrainPerCurvature);
+  }
   return fmt::format("peak {:.3g} {}, strain to {:.3g}", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N", e.strain_range.second);
 }
@@ -37,6 +41,10 @@ std::string data_text(const ExperimentResult& e) {
 std::string error_text(const ExperimentResult& e) {
   if (e.quantity.kind == "distance") return distance_text(e);
   std::string text = fmt::format("{:.2f} % of peak", e.rms_percent);
+  if (e.type == "buckling-bend") {
+    text = fmt::format("{:.2g} mN, {:.2f} % of span", e.rms * 1e3, e.rms_percent);
+    if (e.noise_floor) text += fmt::format(", rows scatter by {:.2g} mN", *e.noise_floor * 1e3);
+  }
   if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
   if (e.elastic_percent && e.quantity.kind != "length") {
     text += fmt::format(" (best elastic curve: {:.2f} %)", *e.elastic_percent);

@@ -185,7 +185,7 @@ TEST(Evaluate, GivesTheErrorsOfTheFit) {
 
 TEST(Init, MakesTestsThatFitReads) {
   for (const char* test : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
-                           "cantilever", "rolled-strip", "bending-length"}) {
+                           "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
     const TemporaryFolder folder;
     const std::string made = (folder.path() / "mine").string();
     const ProgramRun init = run_program({"init", test, "-o", made});

@@ -216,14 +216,13 @@ TEST(Info, OfDataThatOnlyLoadsTellsWhyThereIsNoFriction) {
 
 TEST(Info, NamesTheExperimentsThatThisVersionDoesNotUse) {
   const TemporaryFolder folder;
-  folder.write("bend.csv", "force_N,distance_mm\n0,80\n1,70\n");
+  folder.write("press.csv", "force_N,depth_mm\n0,0\n1,2\n");
   const fs::path file = folder.write(
-      "study.yaml",
-      study_of("  - {name: bend, type: buckling-bend, direction: warp, data: bend.csv}\n"));
+      "study.yaml", study_of("  - {name: press, type: press, finger: index, data: press.csv}\n"));
   const FileInfo info = describe_file(file);
   EXPECT_EQ(info.json["experiments"][0]["rows"], 2);
-  EXPECT_EQ(info.json["experiments"][0]["fields"]["direction"], "warp");
-  EXPECT_THAT(info.warnings, Contains(HasSubstr("bend (buckling-bend) is left out")));
+  EXPECT_EQ(info.json["experiments"][0]["fields"]["finger"], "index");
+  EXPECT_THAT(info.warnings, Contains(HasSubstr("press (press) is left out")));
   EXPECT_THAT(info.warnings, Contains("no experiment that this version can fit"));
   EXPECT_EQ(info.json["warnings"].size(), info.warnings.size());
 }

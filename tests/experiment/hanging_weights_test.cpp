@@ -40,7 +40,7 @@ std::string entry(const std::string& more = "") {
 }
 
 std::vector<double> forces_of(const Experiment& experiment) {
-  const LoopSeries loop = experiment.loop(experiment.measured());
+  const LoopSeries loop = *experiment.loop(experiment.measured());
   return {loop.ordinate.begin(), loop.ordinate.end()};
 }
 
@@ -62,8 +62,9 @@ TEST(HangingWeights, ReadsTheDocumentedColumns) {
   EXPECT_THAT(experiment->info().used, Each(1));
   EXPECT_THAT(experiment->info().warnings, IsEmpty());
   EXPECT_TRUE(experiment->nuisance().empty());
-  EXPECT_DOUBLE_EQ(experiment->loop_width(), 0.08);
-  EXPECT_DOUBLE_EQ(experiment->loop_length(), 0.1);
+  const auto loop = experiment->loop(experiment->measured());
+  EXPECT_DOUBLE_EQ(loop->width, 0.08);
+  EXPECT_DOUBLE_EQ(loop->length, 0.1);
 }
 
 TEST(HangingWeights, ClipAndHalfOfTheClothHangToo) {

@@ -99,6 +99,27 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_EQ(lab.experiments[8].repeats, 2);
 }
 
+TEST(LabFile, ReadsABuckledStripAndTheErrorsOfItsTester) {
+  const VirtualLab lab = read_lab_text(
+      "pliant: lab/1\nmaterial: jersey.json\nexperiments:\n"
+      "  - {name: b, type: buckling-bend, direction: warp, length: 21 mm, width: 4 cm, side: up,\n"
+      "     slack: 1 mm, strip_length: 20.8 mm, force_offset: -10 mN, force_drift: 1 mN,\n"
+      "     peaks: [15 %, 40 %], noise: {force: 0.1 mN}}\n"
+      "  - {name: d, type: buckling-bend, direction: warp, length: 20 mm, side: down, peaks: [30 "
+      "%]}\n");
+  const LabExperiment& up = lab.experiments[0];
+  EXPECT_EQ(up.side, BucklingSide::up);
+  EXPECT_DOUBLE_EQ(up.slack, 1e-3);
+  EXPECT_DOUBLE_EQ(up.strip_length, 0.0208);
+  EXPECT_DOUBLE_EQ(up.force_offset, -0.01);
+  EXPECT_DOUBLE_EQ(up.force_drift, 1e-3);
+  EXPECT_THAT(up.peaks, ElementsAre(0.15, 0.4));
+  EXPECT_DOUBLE_EQ(up.instrument.force_noise, 1e-4);
+  const LabExperiment& down = lab.experiments[1];
+  EXPECT_DOUBLE_EQ(down.strip_length, 0.02);
+  EXPECT_DOUBLE_EQ(down.slack, 4e-4);
+}
+
 // [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
 TEST(LabFile, RollsAroundThePublishedCylindersByDefault) {
   const VirtualLab lab = read_lab_text(kLab);
@@ -153,6 +174,18 @@ const Refusal kRefusals[] = {
     {"ZeroRadius",
      with_experiments("{name: r, type: rolled-strip, direction: warp, radii: [5 mm, 0 mm]}"), 4,
      "experiments[0].radii[1]", "is zero"},
+    {"BucklingToNoSide",
+     with_experiments(
+         "{name: b, type: buckling-bend, direction: warp, length: 2 cm, peaks: [20 %]}"),
+     4, "experiments[0].side", "is missing"},
+    {"BucklingLessThanItsSlack",
+     with_experiments("{name: b, type: buckling-bend, direction: warp, side: up, length: 10 cm,\n"
+                      "     slack: 5 mm, peaks: [20 %, 4 %]}"),
+     5, "experiments[0].peaks[1]", "is no approach"},
+    {"BucklingOfAStripThatIsTaut",
+     with_experiments("{name: b, type: buckling-bend, direction: warp, side: up, length: 10 cm,\n"
+                      "     slack: 1 mm, strip_length: 98 mm, peaks: [20 %]}"),
+     5, "experiments[0].strip_length", "is not above the distance"},
     {"FourPoints", with_experiments("{name: r, type: rolled-strip, direction: warp, points: 4}"), 4,
      "experiments[0].points", "5"},
     {"PeaksOfARolledStrip",

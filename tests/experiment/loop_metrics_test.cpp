@@ -49,7 +49,10 @@ class LoopRows {
 TEST(LoopMetrics, OfAParallelogramAreInClosedForm) {
   const double high = 0.1, width = 0.05, length = 0.08;
   const LoopRows loop = LoopRows().branch(kLow, high).branch(high, kLow);
-  const auto metrics = loop_metrics(loop.series(), loop.path(), width, length);
+  LoopSeries series = loop.series();
+  series.width = width;
+  series.length = length;
+  const auto metrics = loop_metrics(series, loop.path());
   ASSERT_TRUE(metrics);
   const double reach = high - kLow, middle = (high + kLow) / 2;
   // Straight branches: trapezoids and interpolation are exact but for rounding.
@@ -62,8 +65,8 @@ TEST(LoopMetrics, OfAParallelogramAreInClosedForm) {
 TEST(LoopMetrics, LeaveOutTheWayToTheOtherSide) {
   const LoopRows back = LoopRows().branch(0, 0.1).branch(0.1, 0);
   const LoopRows through = LoopRows().branch(0, 0.1).branch(0.1, -0.1, kFriction, 201);
-  const auto half = loop_metrics(back.series(), back.path(), 1, 1);
-  const auto whole = loop_metrics(through.series(), through.path(), 1, 1);
+  const auto half = loop_metrics(back.series(), back.path());
+  const auto whole = loop_metrics(through.series(), through.path());
   ASSERT_TRUE(half && whole);
   EXPECT_NEAR(whole->loop_loss, half->loop_loss, 1e-12);
   EXPECT_NEAR(whole->hysteresis_ratio, half->hysteresis_ratio, 1e-12);
@@ -78,15 +81,15 @@ TEST(LoopMetrics, AreThoseOfTheCycleOfLargestExtension) {
                             .branch(kLow, 0.07, 0.1)
                             .branch(0.07, kLow, 0.1);
   const LoopRows largest = LoopRows().branch(kLow, 0.1).branch(0.1, kLow);
-  const auto metrics = loop_metrics(loop.series(), loop.path(), 1, 1);
-  const auto expected = loop_metrics(largest.series(), largest.path(), 1, 1);
+  const auto metrics = loop_metrics(loop.series(), loop.path());
+  const auto expected = loop_metrics(largest.series(), largest.path());
   ASSERT_TRUE(metrics && expected);
   EXPECT_NEAR(metrics->hysteresis_ratio, expected->hysteresis_ratio, 1e-12);  // rounding
 }
 
 TEST(LoopMetrics, ALoopWithoutFrictionLosesNothing) {
   const LoopRows loop = LoopRows().branch(kLow, 0.1, 0).branch(0.1, kLow, 0);
-  const auto metrics = loop_metrics(loop.series(), loop.path(), 1, 1);
+  const auto metrics = loop_metrics(loop.series(), loop.path());
   ASSERT_TRUE(metrics);
   EXPECT_NEAR(metrics->hysteresis_ratio, 0, 1e-12);  // rounding
   EXPECT_NEAR(metrics->loop_loss, 0, 1e-12);
@@ -94,17 +97,17 @@ TEST(LoopMetrics, ALoopWithoutFrictionLosesNothing) {
 
 TEST(LoopMetrics, ThereAreNoneWithoutUnloading) {
   const LoopRows loading = LoopRows().branch(kLow, 0.1);
-  EXPECT_FALSE(loop_metrics(loading.series(), loading.path(), 1, 1));
+  EXPECT_FALSE(loop_metrics(loading.series(), loading.path()));
   EXPECT_FALSE(unloads(loading.path()));
   // 5 % of the extension is none either.
   const LoopRows little = LoopRows().branch(0, 0.1).branch(0.1, 0.095);
-  EXPECT_FALSE(loop_metrics(little.series(), little.path(), 1, 1));
+  EXPECT_FALSE(loop_metrics(little.series(), little.path()));
   EXPECT_FALSE(unloads(little.path()));
 }
 
 TEST(LoopMetrics, APairOfBranchesBelongsToOneSpecimen) {
   const LoopRows two = LoopRows().branch(kLow, 0.1).next_specimen().branch(0.1, kLow);
-  EXPECT_FALSE(loop_metrics(two.series(), two.path(), 1, 1));
+  EXPECT_FALSE(loop_metrics(two.series(), two.path()));
 }
 
 TEST(LoopMetrics, UnloadingByATenthShowsFriction) {

@@ -128,7 +128,7 @@ TEST(PureBending, ItsLoopIsOverCurvature) {
   const StudyFolder folder;
   folder.write("b.csv", csv());
   const auto experiment = folder.experiment(entry());
-  const LoopSeries loop = experiment->loop(experiment->measured());
+  const LoopSeries loop = *experiment->loop(experiment->measured());
   EXPECT_DOUBLE_EQ(loop.abscissa(5), 250);
   EXPECT_EQ(loop.ordinate, experiment->measured());
 }

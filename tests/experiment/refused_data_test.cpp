@@ -55,10 +55,11 @@ constexpr const char* kCantilever = "cantilever";
 constexpr const char* kRolled = "rolled-strip";
 constexpr const char* kLengths = "bending-length";
 
-// A free end on a circle of 4 mm.
+// A strip of 80 mm on a circle of 25 mm.
 constexpr const char* kCoil =
     "radius_mm,point,x_mm,y_mm\n"
-    "8,0,0,0\n8,1,1.9,0.5\n8,2,3.4,1.8\n8,3,4,3.7\n8,4,3.6,5.7\n8,5,2.4,7.2\n8,6,0.6,8\n";
+    "50,0,0,0\n50,1,12.7,3.5\n50,2,21.8,13.1\n50,3,24.6,25.9\n50,4,20.4,38.4\n50,5,10.3,47\n"
+    "50,6,-2.6,49.1\n";
 
 const RefusedData kRefused[] = {
     {"OneRowOfWeights", kWeights, "weight_N,length_mm\n1,80\n", 2, "", "has 1 row;"},
@@ -138,6 +139,9 @@ const RefusedData kRefused[] = {
     {"ZeroRadius", kRolled, "radius_mm,x_mm,y_mm\n0,0,0\n0,5,0\n0,10,0\n0,15,0\n0,20,0\n", 2,
      "radius", "is zero"},
     {"ACoilTighterThanItsCylinder", kRolled, kCoil, 2, "radius", "the free end kept a radius of"},
+    {"PointsOfAShorterStrip", kRolled,
+     "radius_mm,x_mm,y_mm\n60,0,0\n60,5,0\n60,10,0\n60,15,0\n60,20,0\n", 2, "x",
+     "begins a profile that is 20 mm long, but the strip is 80 mm"},
     {"ZeroOverhang", kCantilever, "overhang_mm,x_mm,y_mm\n0,0,0\n0,5,0\n0,10,0\n0,15,0\n0,20,0\n",
      2, "overhang", "is not positive"},
     {"NegativeOverhang", kCantilever,

@@ -158,6 +158,21 @@ const Refusal kRefusals[] = {
      with_experiment("{name: b, type: pure-bending, direction: warp, data: b.csv,\n"
                      "     clip_mass: 2 g}"),
      5, "experiments[0].clip_mass", "clip_mass"},
+    {"BucklingWithoutASide",
+     with_experiment("{name: b, type: buckling-bend, direction: warp, data: b.csv, length: 2 cm,\n"
+                     "     width: 4 cm}"),
+     4, "experiments[0].side", "is missing"},
+    {"BucklingToAnUnknownSide",
+     with_experiment("{name: b, type: buckling-bend, direction: warp, data: b.csv, length: 2 cm,\n"
+                     "     width: 4 cm, side: left}"),
+     5, "experiments[0].side", "expected \"down\" or \"up\""},
+    {"BucklingWithoutLength",
+     with_experiment("{name: b, type: buckling-bend, direction: warp, data: b.csv, side: up}"), 4,
+     "experiments[0].length", "is missing"},
+    {"InitialFrictionOfABuckledStrip",
+     with_experiment("{name: b, type: buckling-bend, direction: warp, data: b.csv, length: 2 cm,\n"
+                     "     width: 4 cm, side: up, initial_friction: unknown}"),
+     5, "experiments[0].initial_friction", "initial_friction"},
     {"UnknownInitialFrictionOfWeights",
      with_field("length: 1 m, width: 1 m, initial_friction: unknown"), 5,
      "experiments[0].initial_friction", "initial_friction"},

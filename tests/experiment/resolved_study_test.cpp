@@ -37,7 +37,8 @@ experiments:
   - {name: f, type: rolled-strip, direction: bias, data: raw/c.csv, length: 12.345 cm, width: 1 in}
   - {name: g, type: pure-bending, direction: warp, data: raw/c.csv, width: 20 cm, initial_friction: rest, noise: {moment: 0.001 gf cm/cm}}
   - {name: h, type: bending-length, direction: warp, data: raw/c.csv, width: 1 in, angle: 43.21 deg, noise: {overhang: 0.5 mm}}
-  - {name: d, type: buckling-bend, direction: weft, side: down, data: raw/c.csv, length: 8 cm, width: 5 cm}
+  - {name: d, type: buckling-bend, direction: weft, side: up, rest_length: unknown, data: raw/c.csv, length: 8 cm, width: 5 cm}
+  - {name: i, type: press, data: raw/c.csv, finger: index}
 model:
   membrane: soft-constraint
   stiffness: hermite
@@ -75,6 +76,7 @@ void expect_same(const ExperimentSpec& a, const ExperimentSpec& b) {
   EXPECT_EQ(a.rested, b.rested);
   EXPECT_EQ(a.initial_friction, b.initial_friction);
   EXPECT_EQ(a.rest_length, b.rest_length);
+  EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.noise.force.has_value(), b.noise.force.has_value());
   expect_near(a.noise.force.value_or(0), b.noise.force.value_or(0));
   expect_near(a.noise.length.value_or(0), b.noise.length.value_or(0));

@@ -133,13 +133,28 @@ TEST(Study, ReadsTheOptionsOfTheFit) {
 
 TEST(Study, SupportsTheLoadUnloadTestsAndReadsTheOthers) {
   for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
-                           "cantilever", "rolled-strip", "bending-length"}) {
+                           "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
     EXPECT_TRUE(is_supported_type(type)) << type;
   }
-  const ExperimentSpec spec =
-      read_experiment("{name: b, type: buckling-bend, direction: warp, side: up, data: b.csv}");
+  const ExperimentSpec spec = read_experiment("{name: p, type: press, finger: index, data: p.csv}");
   EXPECT_FALSE(is_supported_type(spec.type));
-  EXPECT_EQ(spec.other_fields.at("side"), "up");
+  EXPECT_EQ(spec.other_fields.at("finger"), "index");
+}
+
+TEST(Study, ReadsWhichWayAStripBuckles) {
+  for (const auto& [text, side] :
+       {std::pair("up", BucklingSide::up), std::pair("down", BucklingSide::down)}) {
+    const ExperimentSpec spec = read_experiment(
+        std::string("{name: b, type: buckling-bend, direction: weft, length: 21 mm, width: 4 cm, "
+                    "data: b.csv, noise: {force: 0.2 mN, length: 5 um}, side: ") +
+        text + "}");
+    EXPECT_EQ(spec.side, side) << text;
+    EXPECT_EQ(spec.rest_length, RestLength::known);
+    EXPECT_DOUBLE_EQ(spec.length, 0.021);
+    EXPECT_DOUBLE_EQ(spec.noise.force.value(), 2e-4);
+    EXPECT_DOUBLE_EQ(spec.noise.length.value(), 5e-6);
+    EXPECT_EQ(component_of_test(spec.type, spec.direction), "bend.weft");
+  }
 }
 
 TEST(Study, PatternsMatchAnyTextAtTheirStars) {

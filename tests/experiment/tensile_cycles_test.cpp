@@ -64,7 +64,7 @@ TEST(TensileCycles, ReadsTheDocumentedColumns) {
   EXPECT_EQ(experiment->info().quantity.name, "force_N");
   EXPECT_THAT(experiment->info().used, Each(1));
   EXPECT_THAT(experiment->info().warnings, IsEmpty());
-  EXPECT_DOUBLE_EQ(experiment->loop(experiment->measured()).abscissa(6), 0.092);
+  EXPECT_DOUBLE_EQ(experiment->loop(experiment->measured())->abscissa(6), 0.092);
   EXPECT_THAT(experiment->path().direction, ElementsAre(1, 1, 1, -1, -1, 1, 1, -1, -1));
   EXPECT_THAT(experiment->path().anchor, ElementsAre(0, 0, 0, 2, 2, 4, 4, 6, 6));
 }
@@ -75,7 +75,7 @@ TEST(TensileCycles, ExtensionIsLengthLessTheGaugeLength) {
   const auto experiment = folder.experiment(
       "{name: warp, type: tensile-cycles, direction: warp, length: 80 mm, width: 50 mm, "
       "data: {file: t.csv, columns: {force: \"Load [cN]\"}}}");
-  const LoopSeries loop = experiment->loop(experiment->measured());
+  const LoopSeries loop = *experiment->loop(experiment->measured());
   EXPECT_NEAR(loop.abscissa(0), 0.0785, 1e-16);
   EXPECT_NEAR(loop.abscissa(2), 0.08825, 1e-16);
   EXPECT_NEAR(loop.ordinate(2), 2, 1e-15);
@@ -156,11 +156,11 @@ TEST(TensileCycles, ReadsTheForceOffsetOffTheSlackRows) {
   const StudyFolder folder;
   folder.write("t.csv", slack_csv());
   const auto experiment = folder.experiment(entry());
-  EXPECT_NEAR(experiment->unfitted_nuisance()(0), 0.25, 1e-15);
-  EXPECT_EQ(experiment->unfitted_nuisance()(1), 0);
+  EXPECT_NEAR(experiment->unfitted_nuisance(kLaw)(0), 0.25, 1e-15);
+  EXPECT_EQ(experiment->unfitted_nuisance(kLaw)(1), 0);
   EXPECT_NEAR(experiment->nuisance()[0].start, 0.25, 1e-15);
   EXPECT_THAT(experiment->info().handled, Contains(HasSubstr("slack")));
-  const auto prediction = experiment->predict(kLaw, experiment->unfitted_nuisance(), false);
+  const auto prediction = experiment->predict(kLaw, experiment->unfitted_nuisance(kLaw), false);
   EXPECT_NEAR(prediction->value(0), 0.25, 1e-15);
 }
 
@@ -168,7 +168,7 @@ TEST(TensileCycles, WithoutSlackTheOffsetIsNotReadOff) {
   const StudyFolder folder;
   folder.write("t.csv", kCycles);
   const auto experiment = folder.experiment(entry());
-  EXPECT_EQ(experiment->unfitted_nuisance(), no_nuisance(*experiment));
+  EXPECT_EQ(experiment->unfitted_nuisance(kLaw), no_nuisance(*experiment));
 }
 
 TEST(TensileCycles, PreconditioningCyclesAreCarriedAndNotFitted) {

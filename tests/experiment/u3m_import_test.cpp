@@ -78,18 +78,28 @@ TEST(U3mImport, EveryTestBecomesAnExperimentThatTheStudyReaderAccepts) {
   EXPECT_EQ(names_of(study), all_names());
   EXPECT_THAT(imported.warnings, IsEmpty());
   EXPECT_DOUBLE_EQ(study.density, 0.150);
-  EXPECT_THAT(study.validate, ElementsAre("*-stretch-2cm"));
+  EXPECT_THAT(study.validate, ElementsAre("*-stretch-2cm", "*-bend-down-8cm"));
   for (const ExperimentSpec& spec : study.experiments) {
-    if (!is_supported_type(spec.type)) {
-      EXPECT_EQ(spec.type, "buckling-bend");
-      EXPECT_EQ(spec.other_fields.at("side"), spec.name.ends_with("up-2cm") ? "up" : "down");
-      EXPECT_EQ(spec.other_fields.at("length"), "80 mm");
-      continue;
-    }
     EXPECT_DOUBLE_EQ(spec.width, 0.05);
     EXPECT_DOUBLE_EQ(spec.length, 0.08);
+    if (spec.name.find("bend") != std::string::npos) {
+      EXPECT_EQ(spec.type, "buckling-bend");
+      const bool up = spec.name.ends_with("up-2cm");
+      EXPECT_EQ(spec.side, up ? BucklingSide::up : BucklingSide::down);
+      continue;
+    }
     EXPECT_EQ(make_experiment(spec, study.density, study.model.membrane)->rows(), 6);
   }
+}
+
+TEST(U3mImport, BendsOfAClothOfUnknownWeightAreLeftOut) {
+  const std::string bends = fmt::format(R"("D1": {0}, "U1": {0})", test_json());
+  const ImportedStudy imported =
+      import_text(record(fmt::format(R"({{"L": {{"S2": {}, {}}}}})", test_json(), bends)));
+  EXPECT_EQ(imported.files.size(), 1U);
+  EXPECT_THAT(imported.warnings, Contains(HasSubstr("warp-bend-up-2cm is left out")));
+  EXPECT_THAT(refusal_of(record(fmt::format(R"({{"L": {{{}}}}})", bends))).problem(),
+              HasSubstr("bends alone"));
 }
 
 TEST(U3mImport, CentimetresAndGramForceBecomeMillimetresAndNewtons) {

@@ -225,7 +225,7 @@ TEST(VirtualLab, LengthNoiseOfCyclesIsInTheirLengths) {
   const MeasuredStudy noisy(measurements_of(lab));
   const Eigen::VectorXd& force = noisy[0].measured();
   EXPECT_EQ(force, ideal[0].measured());
-  expect_standard_deviation(noisy[0].loop(force).abscissa - ideal[0].loop(force).abscissa, 1e-4);
+  expect_standard_deviation(noisy[0].loop(force)->abscissa - ideal[0].loop(force)->abscissa, 1e-4);
 }
 
 void expect_multiples(const Eigen::VectorXd& values, double resolution) {
@@ -242,7 +242,7 @@ TEST(VirtualLab, ResolutionRounds) {
   const MeasuredStudy measured(measurements_of(lab));
   expect_multiples(measured[0].measured(), 5e-4);
   expect_multiples(measured[1].measured(), 0.02);
-  expect_multiples(measured[1].loop(measured[1].measured()).abscissa, 1e-4);
+  expect_multiples(measured[1].loop(measured[1].measured())->abscissa, 1e-4);
   // Rounding is by half a step at most.
   EXPECT_LE(residuals(measured[0], lab.material).cwiseAbs().maxCoeff(), 2.5e-4 + 1e-12);
 }

@@ -122,6 +122,8 @@ DocumentFolder::DocumentFolder() {
   spandex["components"]["bend.weft"] = {
       {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}},
       {"friction", {{"law", "dahl"}, {"a", 5e-4}, {"b", 0}, {"tau", 20}}}};
+  spandex["components"]["bend.diagonal"] = {
+      {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
   write("spandex.json", spandex.dump());
 }
 

@@ -22,7 +22,7 @@ struct ForceErrors {
     Eigen::Index row = 0;
     for (size_t e = 0; e < problem.experiments().size(); ++e) {
       const Experiment& experiment = *problem.experiments()[e];
-      const Eigen::VectorXd nuisance = experiment.unfitted_nuisance();
+      const Eigen::VectorXd nuisance = experiment.unfitted_nuisance(law);
       const double offset = nuisance.size() > 0 ? nuisance(0) : 0;
       const MeasuredPath& path = experiment.path();
       for (size_t i = 0; i < path.strain.size(); ++i) {
@@ -110,7 +110,7 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
   fit.law = shape.with_parameters(values);
   fit.nuisance.resize(problem.nuisance_count());
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    const Eigen::VectorXd nuisance = problem.experiments()[e]->unfitted_nuisance();
+    const Eigen::VectorXd nuisance = problem.experiments()[e]->unfitted_nuisance(fit.law);
     fit.nuisance.segment(problem.first_nuisance(e), nuisance.size()) = nuisance;
   }
   fit.rms = result.stages.back().rms_force;

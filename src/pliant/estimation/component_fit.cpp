@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
 #include "pliant/estimation/control_points.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -28,14 +29,17 @@ bool only_published_tests(const std::vector<const Experiment*>& experiments) {
          });
 }
 
-bool only_bending_lengths(const std::vector<const Experiment*>& experiments) {
-  return std::all_of(experiments.begin(), experiments.end(), [](const Experiment* experiment) {
-    return experiment->info().type == "bending-length";
-  });
+bool only_of(const char* type, const std::vector<const Experiment*>& experiments) {
+  return std::all_of(experiments.begin(), experiments.end(),
+                     [&](const Experiment* experiment) { return experiment->info().type == type; });
 }
 
+// The force at which a strip buckles is the same at all distances, so that an offset of the force
+// hides most of a curve; a bending length is one number.
 CurveKind default_stiffness(const std::vector<const Experiment*>& experiments) {
-  if (only_bending_lengths(experiments)) return CurveKind::constant;
+  if (only_of("buckling-bend", experiments) || only_of("bending-length", experiments)) {
+    return CurveKind::constant;
+  }
   return only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite;
 }
 
@@ -136,6 +140,19 @@ LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
   return grown.fit;
 }
 
+// Its moments are not known without a fit: they come from a force whose zero is not known.
+void refuse_anchors_of_buckled_strips(const Study& study,
+                                      const std::vector<const Experiment*>& experiments) {
+  if (study.fit.estimator != EstimatorKind::anchor) return;
+  for (const Experiment* experiment : experiments) {
+    if (experiment->info().type != "buckling-bend") continue;
+    throw InputError({study.file, 0, "fit.estimator"},
+                     "the published estimator knows no moments of the buckled strip " +
+                         quoted_value(experiment->info().name),
+                     "path");
+  }
+}
+
 }  // namespace
 
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
@@ -147,9 +164,10 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
 
   ComponentPlan plan;
   plan.fit = study.fit;
+  refuse_anchors_of_buckled_strips(study, experiments);
   plan.stiffness =
       model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
-  if (only_bending_lengths(experiments)) {
+  if (only_of("bending-length", experiments)) {
     notes.push_back("stiffness of " + component +
                     " at other curvatures: a bending length determines one number");
   }
@@ -187,7 +205,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;
     elastic.friction_law = FrictionLaw::none;
-    result.elastic = fit_law_roughly(problem, elastic, plan.fit, stop);
+    result.elastic = fit_law_roughly(problem, elastic, plan.fit, stop, {elastic});
   }
   return result;
 }

@@ -31,9 +31,10 @@ struct ComponentFit {
 };
 
 /// The plan that a study and its data imply: affine stiffness where only weights were hung or
-/// strips rolled, constant where there are bending lengths alone, else hermite; friction where the
-/// data unloads.
+/// strips rolled, constant where there are bending lengths or buckled strips alone, else hermite;
+/// friction where the data unloads.
 /// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
+/// @throws InputError where the study asks for the published estimator of a buckled strip
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
                              std::vector<std::string>& notes);
 

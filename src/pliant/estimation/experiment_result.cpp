@@ -31,6 +31,32 @@ std::pair<double, double> used_strains(const Eigen::VectorXd& strain,
   return range;
 }
 
+// Standard deviation of a row by the second differences of the residuals along each stretch, which
+// no smooth misfit reaches: 1.4826 medians, so that single bad rows do not count.
+std::optional<double> noise_floor_of(const Eigen::VectorXd& residual, const MeasuredPath& path,
+                                     const std::vector<char>& used) {
+  constexpr size_t kFewest = 10;
+  std::vector<double> differences;
+  for (size_t i = 2; i < path.anchor.size(); ++i) {
+    const bool one_run = path.anchor[i] == path.anchor[i - 2] &&
+                         path.specimen[i] == path.specimen[i - 2] && used[i] && used[i - 1] &&
+                         used[i - 2];
+    if (!one_run) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    differences.push_back(std::abs(residual(row) - 2 * residual(row - 1) + residual(row - 2)));
+  }
+  if (differences.size() < kFewest) return std::nullopt;
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return 1.4826 * *middle / std::sqrt(6.0);
+}
+
+std::optional<LoopMetrics> metrics_of(const Experiment& experiment,
+                                      const Eigen::VectorXd& quantity) {
+  const auto loop = experiment.loop(quantity);
+  return loop ? loop_metrics(*loop, experiment.path()) : std::nullopt;
+}
+
 // 1 where a row loads, -1 where it unloads. A strip that was bent or hangs loads where it bends
 // further than at its beginning, to whichever side.
 std::vector<int> loading_of_rows(const MeasuredPath& path) {
@@ -66,14 +92,15 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.predicted = prediction->value;
   result.rms = rms_of_used(result.predicted - result.measured, info.used);
   result.rms_percent = 100 * result.rms / experiment.reference();
-  for (const double force : path.force) {
-    result.peak_force = std::max(result.peak_force, std::abs(force));
-  }
+  result.peak_force = experiment.peak_force();
   result.points = static_cast<int>(std::count(info.used.begin(), info.used.end(), 1));
   result.excluded = experiment.rows() - result.points;
   result.specimens = info.specimens;
   result.noise = result.rms;
   result.noise_source = "not used: predicted, not fitted";
+  if (path.starts_flat.empty()) {
+    result.noise_floor = noise_floor_of(result.predicted - result.measured, path, info.used);
+  }
   result.strain_range = used_strains(prediction->strain, info.used);
   result.handled = info.handled;
   result.columns = info.columns;
@@ -84,10 +111,8 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.used = info.used;
   result.unloads = unloads(path);
   result.shapes = experiment.shapes(law);
-  result.measured_loop = loop_metrics(experiment.loop(result.measured), path,
-                                      experiment.loop_width(), experiment.loop_length());
-  result.predicted_loop = loop_metrics(experiment.loop(result.predicted), path,
-                                       experiment.loop_width(), experiment.loop_length());
+  result.measured_loop = metrics_of(experiment, result.measured);
+  result.predicted_loop = metrics_of(experiment, result.predicted);
   return result;
 }
 

@@ -5,7 +5,7 @@
 namespace pliant {
 
 /// Compares an experiment's measurement with a law's prediction.
-/// @param nuisance  fitted values, or `unfitted_nuisance()` for a prediction without a fit
+/// @param nuisance  fitted values, or `unfitted_nuisance` for a prediction without a fit
 /// @throws SolverError when the law cannot carry the experiment's loads
 ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
                          const Eigen::VectorXd& nuisance);

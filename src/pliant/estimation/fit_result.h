@@ -46,6 +46,8 @@ struct ExperimentResult {
   std::vector<std::string> specimens;
   double noise = 0;  ///< standard deviation used as weight, SI
   std::string noise_source;
+  std::optional<double> noise_floor;  ///< what neighbouring rows scatter by, whatever the law, SI;
+                                      ///< absent for too few rows in a run, and for profiles
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
   std::optional<StripShapes> shapes;  ///< of strips whose profiles are measured

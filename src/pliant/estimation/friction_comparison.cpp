@@ -27,9 +27,9 @@ const std::vector<Candidate>& candidates() {
 // The shape of a strip is where its energy is least; none is known of friction with constant alpha.
 bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
   const auto& experiments = problem.experiments();
-  const bool strips = std::any_of(experiments.begin(), experiments.end(),
-                                  [](const auto* e) { return bends_by_weight(e->info().type); });
-  return law != FrictionLaw::constant_slope || !strips;
+  const bool shaped = std::any_of(experiments.begin(), experiments.end(),
+                                  [](const auto* e) { return needs_density(e->info().type); });
+  return law != FrictionLaw::constant_slope || !shaped;
 }
 
 int free_parameters(const ParameterLimits& limits) {

@@ -116,8 +116,9 @@ LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
 }
 
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const StopToken& stop) {
-  return best_trial(problem, shape, options, stop, {});
+                       const FitOptions& options, const StopToken& stop,
+                       const std::vector<ComponentLaw>& extra) {
+  return best_trial(problem, shape, options, stop, extra);
 }
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {

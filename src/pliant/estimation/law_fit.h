@@ -33,7 +33,8 @@ LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
 
 /// The same to the few digits that a comparison needs.
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const StopToken& stop);
+                       const FitOptions& options, const StopToken& stop,
+                       const std::vector<ComponentLaw>& extra = {});
 
 /// Fits again from the solution itself, after the problem's noise has changed.
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop);

@@ -82,6 +82,8 @@ Json experiment_json(const ExperimentResult& e) {
               {"unit", e.quantity.unit},
               {"source", e.noise_source}}},
             {"strain_range", {e.strain_range.first, e.strain_range.second}}};
+  json["noise"]["floor"] = nullptr;
+  if (e.noise_floor) json["noise"]["floor"] = number(*e.noise_floor * e.quantity.per_si);
   json["unloads"] = e.unloads;
   json["loop"] = nullptr;
   if (e.measured_loop && e.predicted_loop) {

@@ -33,7 +33,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
                                    quoted_value(material.name), info.component),
                        "a material in which that component was measured or assumed");
     }
-    ExperimentResult row = compare(*experiment, *law, experiment->unfitted_nuisance());
+    ExperimentResult row = compare(*experiment, *law, experiment->unfitted_nuisance(*law));
     row.role = ExperimentRole::validate;
     result.experiments.push_back(std::move(row));
     const bool drawn =

@@ -65,6 +65,12 @@ std::vector<std::string> assumptions_of(const Study& study, const Experiments& e
       assumptions.push_back(experiment->info().name +
                             ": the strip bends in a plane, lies level up to the edge, does not "
                             "stretch and is pushed out once; the noise is in the overhangs");
+    } else if (experiment->info().type == "buckling-bend") {
+      assumptions.push_back(
+          experiment->info().name +
+          ": the strip bends in a plane, is clamped level and flat and does not stretch or touch "
+          "itself; it starts straight and free of friction; the zero of the force drifts evenly "
+          "from row to row");
     } else if (!experiment->info().length_noise) {
       assumptions.push_back(
           experiment->info().name +

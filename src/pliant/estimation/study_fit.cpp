@@ -80,7 +80,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     throw InputError(
         {study.file, 0, "experiments"}, "no experiment that this version can fit",
         "at least one of hanging-weights, tensile-cycles, shear-cycles, pure-bending, cantilever, "
-        "rolled-strip, bending-length that is not under `validate`");
+        "rolled-strip, bending-length, buckling-bend that is not under `validate`");
   }
   result.assumptions = assumptions_of(study, experiments);
   share_threads(experiments, works.size(), context.threads);

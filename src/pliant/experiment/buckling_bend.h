@@ -2,51 +2,52 @@
 
 #include "pliant/experiment/data_source.h"
 #include "pliant/experiment/experiment.h"
+#include "pliant/experiment/study.h"
 #include "pliant/experiment/turning_points.h"
-#include "pliant/solver/elastica/elastica.h"
 
 namespace pliant {
 
-/// A strip clamped flat at both ends, whose clamps come nearer and go back: it buckles against or
-/// with its weight, and the force on a clamp is measured (tension is positive).
+/// A strip clamped flat at both ends, whose clamps come nearer and go back: it buckles along
+/// gravity or against it, and the force on a clamp is measured (tension is positive).
 ///
-/// Forces are a few millinewtons and the strip's length between the clamps is not known to the
-/// tenths of a millimetre that decide its sag: offset and drift of the force and that length are
-/// estimated along.
+/// Forces are a few millinewtons: their offset and an even drift of it are estimated along, and the
+/// strip's length where the study does not know it.
 class BucklingBend : public Experiment {
  public:
-  /// Which way the strip buckles: along gravity or against it.
-  enum class Side { down, up };
-
-  /// @param density  kg/m^2, > 0
-  BucklingBend(const ExperimentSpec& spec, double density, Side side);
+  /// @param density  kg/m^2
+  /// @throws InputError where there is no density, or the data are not those of a buckled strip
+  BucklingBend(const ExperimentSpec& spec, double density);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance() const override;
-  LoopSeries loop(const Eigen::VectorXd& force) const override;
-  double loop_width() const override { return width_; }
-  double loop_length() const override { return 1; }
+  /// The strip is as long as stated; offset and drift of the force are those that fit best.
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const override;
+  /// The span of the force: its zero is not known.
+  double reference() const override;
+  double peak_force() const override { return reference(); }
 
  private:
   struct Specimen {
     SpecimenRows rows;
-    std::vector<Stretch> stretches;
+    std::vector<Stretch> stretches;  ///< of the distance
     int first_nuisance = 0;
+    bool length_is_known = true;
   };
+  struct Followed;
 
-  void add_specimen(const SpecimenRows& rows);
+  void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec);
+  void add_nuisance(size_t number, const SpecimenRows& rows, RestLength rest_length);
   void read_path(const Specimen& specimen, int number);
+  std::optional<Followed> follow(const Specimen& specimen, const ComponentLaw& law, double length,
+                                 bool with_derivatives) const;
   bool predict_specimen(const Specimen& specimen, const ComponentLaw& law,
                         const Eigen::VectorXd& nuisance, bool with_jacobian,
                         Prediction& prediction) const;
-  /// Force per width along the way (N/m), and its derivatives by the law where asked for.
-  bool follow(const Specimen& specimen, const ComponentLaw& law, double length, bool with_jacobian,
-              Eigen::VectorXd& force, Eigen::VectorXd& strain, Eigen::MatrixXd& by_law) const;
 
   double weight_ = 0;  // N/m^2
+  double length_ = 0;
   double width_ = 0;
-  double sign_ = -1;              // of the strip's rise
+  BucklingSide side_ = BucklingSide::down;
   std::vector<double> distance_;  // m
   std::vector<Specimen> specimens_;
 };

@@ -14,7 +14,7 @@ Cantilever::Cantilever(const ExperimentSpec& spec, double density, const DataRow
       throw InputError(data.location(profile.first, "overhang"), "is not positive",
                        "the length that sticks out of the clamp");
     }
-    add_strip(profile, profile.setting, 0);
+    add_strip(profile, profile.setting, 0, data);
   }
   info_.handled.push_back(fmt::format(
       "{} profiles: each strip starts flat and bends under its weight once", profiles().size()));

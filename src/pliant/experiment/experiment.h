@@ -60,6 +60,9 @@ struct MeasuredPath {
 struct LoopSeries {
   Eigen::VectorXd abscissa;
   Eigen::VectorXd ordinate;
+  double width = 1;   ///< across the force (m), for moduli per width; 1 for forces per width
+  double length = 1;  ///< gauge length (m) that makes the abscissa an engineering strain; 1 where
+                      ///< it is a strain already
 };
 
 /// A column of the experiment's own data file, as it was written there.
@@ -110,13 +113,21 @@ class Experiment {
 
   /// Nuisance values for a prediction without a fit: what the data itself shows, else the ideal
   /// apparatus.
-  virtual Eigen::VectorXd unfitted_nuisance() const = 0;
+  /// @param law  that will be predicted with: what no apparatus knows is read off beside it
+  virtual Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const = 0;
 
   /// What an error is compared with (SI): the largest force, or the largest change of length.
   virtual double reference() const;
 
-  /// The loop of a series of the measured quantity (SI), measured or predicted.
-  virtual LoopSeries loop(const Eigen::VectorXd& quantity) const = 0;
+  /// Largest force that the material carries (N, or N/m for forces per width).
+  virtual double peak_force() const;
+
+  /// The loop of a series of the measured quantity (SI), measured or predicted; nothing where a
+  /// laboratory reads no figures off one.
+  virtual std::optional<LoopSeries> loop(const Eigen::VectorXd& quantity) const {
+    static_cast<void>(quantity);
+    return std::nullopt;
+  }
 
   /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
   /// measures none.
@@ -124,12 +135,6 @@ class Experiment {
     static_cast<void>(law);
     return std::nullopt;
   }
-
-  /// Width across the force (m), for moduli per width; 1 where forces are per width already.
-  virtual double loop_width() const = 0;
-  /// Gauge length (m) that turns the loop's abscissa into engineering strain; 1 where it is a
-  /// strain already.
-  virtual double loop_length() const = 0;
 
  protected:
   ExperimentInfo info_;

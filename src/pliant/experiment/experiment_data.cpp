@@ -48,6 +48,13 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   return info;
 }
 
+void require_density(const ExperimentSpec& spec, double density) {
+  if (density > 0) return;
+  throw InputError({spec.where.file, spec.where.line, spec.where.field},
+                   "the study states no density, and its own weight bends the strip",
+                   "`density:` of the study, e.g. 150 g/m^2");
+}
+
 void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least) {
   for (const SpecimenRows& specimen : specimens) {
     if (specimen.count >= least) continue;
@@ -73,13 +80,6 @@ void require_change(const std::vector<double>& values, const DataRows& data,
   if (*high > *low) return;
   throw InputError(data.location(0, column), "is the same in every row",
                    "values that change: a constant one determines nothing");
-}
-
-void require_density(const ExperimentSpec& spec, double density) {
-  if (density > 0) return;
-  throw InputError({spec.where.file, spec.where.line, spec.where.field},
-                   "the study states no density, and its own weight bends the strip",
-                   "`density:` of the study, e.g. 150 g/m^2");
 }
 
 std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name) {

@@ -17,6 +17,9 @@ namespace pliant {
 ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& data,
                                    MeasuredQuantity quantity);
 
+/// @throws InputError when the study states no density, which the experiment needs
+void require_density(const ExperimentSpec& spec, double density);
+
 /// @throws InputError when a specimen has fewer than `least` rows
 void require_rows(const std::vector<SpecimenRows>& specimens, const DataRows& data, int least);
 
@@ -27,10 +30,6 @@ void require_positive(const std::vector<double>& values, const DataRows& data,
 /// @throws InputError when all values are equal: such a column determines nothing
 void require_change(const std::vector<double>& values, const DataRows& data,
                     std::string_view column);
-
-/// For tests in which its own weight bends the strip.
-/// @throws InputError when the study states no density
-void require_density(const ExperimentSpec& spec, double density);
 
 /// Name of a specimen's nuisance parameter: EXPERIMENT.NAME, or EXPERIMENT.SPECIMEN.NAME where
 /// there are several.

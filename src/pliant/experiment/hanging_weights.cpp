@@ -113,8 +113,9 @@ std::optional<Prediction> HangingWeights::predict(const ComponentLaw& law, const
       std::move(hung->length), std::move(hung->jacobian), std::move(hung->strain), {}};
 }
 
-LoopSeries HangingWeights::loop(const Eigen::VectorXd& length) const {
-  return {length, Eigen::Map<const Eigen::VectorXd>(force_.data(), rows())};
+std::optional<LoopSeries> HangingWeights::loop(const Eigen::VectorXd& length) const {
+  return LoopSeries{length, Eigen::Map<const Eigen::VectorXd>(force_.data(), rows()),
+                    geometry_.width, geometry_.gauge_length};
 }
 
 }  // namespace pliant

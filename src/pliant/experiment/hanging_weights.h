@@ -18,10 +18,8 @@ class HangingWeights : public Experiment {
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance() const override { return {}; }
-  LoopSeries loop(const Eigen::VectorXd& length) const override;
-  double loop_width() const override { return geometry_.width; }
-  double loop_length() const override { return geometry_.gauge_length; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& length) const override;
 
  private:
   void read_path();

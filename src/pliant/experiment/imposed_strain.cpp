@@ -111,12 +111,12 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
   }
 }
 
-Eigen::VectorXd ImposedStrain::unfitted_nuisance() const {
+Eigen::VectorXd ImposedStrain::unfitted_nuisance(const ComponentLaw&) const {
   return Eigen::VectorXd::Zero(static_cast<int>(nuisance_.size()));
 }
 
-LoopSeries ImposedStrain::loop(const Eigen::VectorXd& stress) const {
-  return {Eigen::Map<const Eigen::VectorXd>(strain_.data(), rows()), stress};
+std::optional<LoopSeries> ImposedStrain::loop(const Eigen::VectorXd& stress) const {
+  return LoopSeries{Eigen::Map<const Eigen::VectorXd>(strain_.data(), rows()), stress};
 }
 
 }  // namespace pliant

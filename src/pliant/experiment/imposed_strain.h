@@ -28,10 +28,8 @@ class ImposedStrain : public Experiment {
  public:
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance() const override;
-  LoopSeries loop(const Eigen::VectorXd& stress) const override;
-  double loop_width() const override { return 1; }
-  double loop_length() const override { return 1; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& stress) const override;
 
  protected:
   /// @throws InputError for a specimen of fewer than three rows

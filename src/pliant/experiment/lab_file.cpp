@@ -11,6 +11,10 @@
 namespace pliant {
 namespace {
 
+// buckling-bend, shares of the length: where the clamps start, and how far they may come.
+constexpr double kBucklingSlack = 0.02;
+constexpr double kNearest = 0.9;
+
 struct InstrumentPart {
   double force = 0;
   double length = 0;
@@ -36,7 +40,8 @@ InstrumentPart read_part(Fields& fields, std::string_view key, const std::string
 Dimension peak_dimension(const std::string& type) {
   if (type == "hanging-weights") return Dimension::force;
   if (type == "pure-bending") return Dimension::curvature;
-  return type == "tensile-cycles" ? Dimension::fraction : Dimension::angle;
+  const bool share = type == "tensile-cycles" || type == "buckling-bend";
+  return share ? Dimension::fraction : Dimension::angle;
 }
 
 // [P] 4.3.
@@ -103,24 +108,28 @@ void read_bending_length(Fields& fields, LabExperiment& experiment) {
   experiment.instrument.length_resolution = read_channel(fields, "resolution", "overhang");
 }
 
-LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
-  Fields fields = node.fields();
-  LabExperiment experiment;
-  experiment.where = node.location();
-  experiment.name = read_experiment_name(fields.require("name"), names);
-  experiment.type = fields.require("type").choice({"hanging-weights", "tensile-cycles",
-                                                   "shear-cycles", "pure-bending", "cantilever",
-                                                   "rolled-strip", "bending-length"});
-  if (bends_by_weight(experiment.type)) {
-    experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-    if (measures_profiles(experiment.type)) {
-      read_profiles(fields, experiment);
-    } else {
-      read_bending_length(fields, experiment);
+void read_buckling(Fields& fields, LabExperiment& experiment) {
+  const bool up = fields.require("side").choice({"down", "up"}) == "up";
+  experiment.side = up ? BucklingSide::up : BucklingSide::down;
+  experiment.slack = kBucklingSlack * experiment.length;
+  if (auto v = fields.optional("slack")) experiment.slack = v->positive_quantity(Dimension::length);
+  experiment.strip_length = experiment.length;
+  if (const auto v = fields.optional("strip_length")) {
+    experiment.strip_length = v->positive_quantity(Dimension::length);
+    if (experiment.strip_length <= experiment.length - experiment.slack) {
+      v->fail("is not above the distance at which the clamps start", "a strip that buckles there");
     }
-    fields.finish();
-    return experiment;
   }
+  if (auto v = fields.optional("force_offset")) {
+    experiment.force_offset = v->quantity(Dimension::force);
+  }
+  if (auto v = fields.optional("force_drift")) {
+    experiment.force_drift = v->quantity(Dimension::force);
+  }
+}
+
+// What the type has beside peaks, repeats and the instrument.
+void read_type_fields(Fields& fields, LabExperiment& experiment) {
   const bool shear = experiment.type == "shear-cycles";
   if (!shear) experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
   if (!shear && experiment.type != "pure-bending") {
@@ -129,6 +138,7 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
     if (auto v = fields.optional("width"))
       experiment.width = v->positive_quantity(Dimension::length);
   }
+  if (experiment.type == "buckling-bend") fields.require("length");
   if (experiment.type == "hanging-weights") {
     if (auto v = fields.optional("clip_mass")) {
       experiment.clip_mass = v->quantity_from_zero(Dimension::mass);
@@ -146,11 +156,43 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
       experiment.transverse_tension = v->quantity_from_zero(Dimension::force_per_length);
     }
   }
+  if (experiment.type == "buckling-bend") read_buckling(fields, experiment);
+}
+
+void read_peaks(Fields& fields, LabExperiment& experiment) {
   const Value peaks = fields.require("peaks");
   for (const Value& peak : peaks.items()) {
     experiment.peaks.push_back(peak.positive_quantity(peak_dimension(experiment.type)));
+    if (experiment.type != "buckling-bend") continue;
+    const double value = experiment.peaks.back();
+    if (value >= kNearest || value * experiment.length <= experiment.slack) {
+      peak.fail("is no approach of the clamps from where they start",
+                "a share of the length above `slack` and below 90 %");
+    }
   }
   if (experiment.peaks.empty()) peaks.fail("is empty", "at least one peak");
+}
+
+LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
+  Fields fields = node.fields();
+  LabExperiment experiment;
+  experiment.where = node.location();
+  experiment.name = read_experiment_name(fields.require("name"), names);
+  experiment.type = fields.require("type").choice(
+      {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending", "cantilever",
+       "rolled-strip", "bending-length", "buckling-bend"});
+  if (bends_by_weight(experiment.type)) {
+    experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+    if (measures_profiles(experiment.type)) {
+      read_profiles(fields, experiment);
+    } else {
+      read_bending_length(fields, experiment);
+    }
+    fields.finish();
+    return experiment;
+  }
+  read_type_fields(fields, experiment);
+  read_peaks(fields, experiment);
   if (auto v = fields.optional("repeats")) experiment.repeats = v->integer(1, 1000);
   const InstrumentPart noise = read_part(fields, "noise", experiment.type);
   const InstrumentPart resolution = read_part(fields, "resolution", experiment.type);
@@ -183,7 +225,7 @@ VirtualLab read_lab(const std::filesystem::path& path) {
                     " does not have",
                 "a direction that was measured or assumed");
     }
-    if (bends_by_weight(experiment.type) && !(lab.material.density > 0)) {
+    if (needs_density(experiment.type) && !(lab.material.density > 0)) {
       node.fail("needs the density of the material " + quoted_value(lab.material.name) +
                     ", which does not say it",
                 "a material with `density`: its own weight bends the strip");

@@ -76,8 +76,7 @@ bool unloads(const MeasuredPath& path) {
   return false;
 }
 
-std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path,
-                                        double width, double length) {
+std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path) {
   const std::vector<Branch> branches = branches_of(series, path);
   const double range = series.abscissa.maxCoeff() - series.abscissa.minCoeff();
   const Branch* load = nullptr;
@@ -98,8 +97,8 @@ std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const Measured
   const double middle = (low + high) / 2;
   const double loading = ordinate_at(*load, middle);
   const double unloading = ordinate_at(*unload, middle);
-  metrics.secant_modulus =
-      (load->y.back() - load->y.front()) / width / ((high - load->x.front()) / length);
+  metrics.secant_modulus = (load->y.back() - load->y.front()) / series.width /
+                           ((high - load->x.front()) / series.length);
   metrics.hysteresis_ratio = (loading - unloading) / ((loading + unloading) / 2);
   const double loaded = work_above(*load, load->x.front());
   metrics.loop_loss = (loaded + work_above(*unload, load->x.front())) / loaded;

@@ -18,8 +18,7 @@ struct LoopMetrics {
 /// @param series    the loop of one quantity, measured or predicted
 /// @param path      directions and specimens of its rows
 /// @return nothing when the path never unloads by at least a tenth of its extension
-std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path,
-                                        double width, double length);
+std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path);
 
 /// Whether the experiment unloads by enough to show friction: some unloading branch of at least a
 /// tenth of the path's range.

@@ -73,8 +73,4 @@ std::optional<Prediction> Overhangs::predict(const ComponentLaw& law, const Eige
   return prediction;
 }
 
-LoopSeries Overhangs::loop(const Eigen::VectorXd& overhang) const {
-  return {Eigen::VectorXd::LinSpaced(rows(), 1, rows()), overhang};
-}
-
 }  // namespace pliant

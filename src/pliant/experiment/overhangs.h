@@ -18,11 +18,7 @@ class Overhangs : public Experiment {
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance() const override { return {}; }
-  /// Overhang over the number of the reading.
-  LoopSeries loop(const Eigen::VectorXd& overhang) const override;
-  double loop_width() const override { return 1; }
-  double loop_length() const override { return 1; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
   /// The mean overhang.
   double reference() const override { return measured_.mean(); }
 

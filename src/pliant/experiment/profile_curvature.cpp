@@ -30,16 +30,14 @@ std::vector<double> turns_of(const ProfileRows& profile) {
   return turns;
 }
 
-// Distances of the points along the strip: arcs that turn by what the lines at their ends do.
-std::vector<double> places_of(const ProfileRows& profile, const std::vector<double>& turns,
-                              double length) {
+// Distances of the points along the line.
+std::vector<double> places_of(const ProfileRows& profile, const std::vector<double>& turns) {
   std::vector<double> places{0};
   for (size_t i = 1; i < turns.size(); ++i) {
     const double half = (turns[i] + turns[i - 1]) / 4;
     const double chord = (profile.points[i] - profile.points[i - 1]).norm();
     places.push_back(places.back() + chord * (half == 0 ? 1 : half / std::sin(half)));
   }
-  for (double& place : places) place *= length / places.back();
   return places;
 }
 
@@ -91,6 +89,10 @@ double largest_turn(const GaussLine& line, const Eigen::VectorXd& curvature) {
 
 }  // namespace
 
+double arc_length(const ProfileRows& profile) {
+  return places_of(profile, turns_of(profile)).back();
+}
+
 // Gauss and Newton's method, its steps halved until the points come nearer.
 std::vector<double> profile_curvature(const ProfileRows& profile, double length) {
   const auto count = static_cast<int>(profile.points.size());
@@ -100,7 +102,8 @@ std::vector<double> profile_curvature(const ProfileRows& profile, double length)
   for (int i = 0; i < line.size(); ++i) shapes.row(i) = pieces.value_weights(line.places()(i));
 
   const std::vector<double> turns = turns_of(profile);
-  const std::vector<double> places = places_of(profile, turns, length);
+  std::vector<double> places = places_of(profile, turns);
+  for (double& place : places) place *= length / places.back();
   Eigen::VectorXd curvature = by_angles(pieces, profile, turns, places);
   const auto bent = [&](const Eigen::VectorXd& by) {
     return StripProfile(line, 0, shapes * by, shapes);

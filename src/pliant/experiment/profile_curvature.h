@@ -6,6 +6,10 @@
 
 namespace pliant {
 
+/// Length (m) of a profile's line: of arcs through its points, which turn by what the lines between
+/// the points do.
+double arc_length(const ProfileRows& profile);
+
 /// A profile's curvature: of the line of the strip's length, with a curvature that is a polynomial
 /// of degree five piece by piece, that comes nearest to the points in the sense of least squares.
 ///

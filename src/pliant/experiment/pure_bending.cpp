@@ -29,9 +29,9 @@ PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data)
       "the curvature drives the path, one curvature from clamp to clamp; strain is 3 x curvature");
 }
 
-LoopSeries PureBending::loop(const Eigen::VectorXd& moment) const {
-  LoopSeries series = ImposedStrain::loop(moment);
-  series.abscissa /= kStrainPerCurvature;
+std::optional<LoopSeries> PureBending::loop(const Eigen::VectorXd& moment) const {
+  std::optional<LoopSeries> series = ImposedStrain::loop(moment);
+  series->abscissa /= kStrainPerCurvature;
   return series;
 }
 

@@ -15,7 +15,7 @@ class PureBending : public ImposedStrain {
   explicit PureBending(const ExperimentSpec& spec);
 
   /// Moment per width over curvature.
-  LoopSeries loop(const Eigen::VectorXd& moment) const override;
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& moment) const override;
 
  private:
   PureBending(const ExperimentSpec& spec, const DataRows& data);

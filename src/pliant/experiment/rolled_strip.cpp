@@ -42,7 +42,7 @@ RolledStrip::RolledStrip(const ExperimentSpec& spec, double density, const DataR
                        "the radius of the cylinder; negative where it turns the strip right");
     }
     require_less_curved(profile, spec.length, data);
-    add_strip(profile, spec.length, 1 / profile.setting);
+    add_strip(profile, spec.length, 1 / profile.setting, data);
   }
   info_.handled.push_back(
       fmt::format("{} profiles: each strip starts flat, is bent to its cylinder and released",

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "pliant/base/parallel.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/profile_curvature.h"
@@ -37,6 +39,17 @@ std::vector<double> hanging_moments(const ProfileRows& profile, double length, d
   return moments;
 }
 
+// The points must be those of the whole strip.
+void require_whole(const ProfileRows& profile, double length, const DataRows& data) {
+  constexpr double kTolerance = 0.15;  // few points, read with noise
+  const double measured = arc_length(profile);
+  if (std::abs(measured - length) < kTolerance * length) return;
+  throw InputError(data.location(profile.first, "x"),
+                   fmt::format("begins a profile that is {} long, but the strip is {}",
+                               millimetres(measured), millimetres(length)),
+                   "points from the clamp to the free end, close enough to follow the strip");
+}
+
 }  // namespace
 
 StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, double density,
@@ -55,7 +68,9 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   path_.starts_flat.assign(path_.strain.size(), 0);
 }
 
-void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled) {
+void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled,
+                              const DataRows& data) {
+  require_whole(rows, length, data);
   const auto same = std::find_if(strips_.begin(), strips_.end(), [&](const Strip& strip) {
     return strip.rolled == rolled && strip.elastica.line().length() == length;
   });
@@ -180,10 +195,6 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law) const 
     }
   }
   return shapes;
-}
-
-LoopSeries StripProfiles::loop(const Eigen::VectorXd& distance) const {
-  return {Eigen::VectorXd::LinSpaced(rows(), 1, rows()), distance};
 }
 
 }  // namespace pliant

@@ -15,10 +15,7 @@ class StripProfiles : public Experiment {
  public:
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance() const override { return {}; }
-  LoopSeries loop(const Eigen::VectorXd& distance) const override;
-  double loop_width() const override { return 1; }
-  double loop_length() const override { return 1; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
   double reference() const override;
   std::optional<StripShapes> shapes(const ComponentLaw& law) const override;
 
@@ -36,7 +33,8 @@ class StripProfiles : public Experiment {
                 std::string_view setting);
 
   /// Adds a profile of a strip of some length.
-  void add_strip(const ProfileRows& rows, double length, double rolled);
+  /// @throws InputError where the profile has another length
+  void add_strip(const ProfileRows& rows, double length, double rolled, const DataRows& data);
 
   const std::vector<ProfileRows>& profiles() const { return profiles_; }
 

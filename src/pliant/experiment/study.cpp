@@ -181,6 +181,12 @@ void read_pure_bending(Fields& fields, ExperimentSpec& spec) {
   spec.initial_friction = read_initial_friction(fields);
 }
 
+void read_buckling_bend(Fields& fields, ExperimentSpec& spec) {
+  const bool up = fields.require("side").choice({"down", "up"}) == "up";
+  spec.side = up ? BucklingSide::up : BucklingSide::down;
+  spec.rest_length = read_rest_length(fields, 0);
+}
+
 // The fields that belong to the type; those of types for later are kept as they are.
 void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   if (spec.type == "hanging-weights") {
@@ -193,6 +199,9 @@ void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& 
     read_shear_cycles(fields, spec);
   } else if (spec.type == "pure-bending") {
     read_pure_bending(fields, spec);
+  } else if (spec.type == "buckling-bend") {
+    read_strip(fields, defaults, spec);
+    read_buckling_bend(fields, spec);
   } else if (bends_by_weight(spec.type)) {
     read_bent_strip(fields, defaults, spec);
   } else {
@@ -342,8 +351,10 @@ void apply_validate(const Value& list, Study& study) {
 
 bool is_supported_type(std::string_view type) {
   return type == "hanging-weights" || type == "tensile-cycles" || type == "shear-cycles" ||
-         type == "pure-bending" || bends_by_weight(type);
+         type == "pure-bending" || type == "buckling-bend" || bends_by_weight(type);
 }
+
+std::string_view name_of(BucklingSide side) { return side == BucklingSide::up ? "up" : "down"; }
 
 bool measures_profiles(std::string_view type) {
   return type == "cantilever" || type == "rolled-strip";
@@ -351,6 +362,10 @@ bool measures_profiles(std::string_view type) {
 
 bool bends_by_weight(std::string_view type) {
   return type == "bending-length" || measures_profiles(type);
+}
+
+bool needs_density(std::string_view type) {
+  return type == "buckling-bend" || bends_by_weight(type);
 }
 
 std::string component_of_test(std::string_view type, const std::string& direction) {

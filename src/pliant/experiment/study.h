@@ -47,6 +47,9 @@ enum class RestLength {
   unknown,  ///< estimated as a nuisance parameter (default where a pretension is stated)
 };
 
+/// Which way a strip buckles between clamps that come nearer: as gravity pulls, or against it.
+enum class BucklingSide { down, up };
+
 /// One experiment as a study describes it (docs/formats.md), SI units.
 struct ExperimentSpec {
   std::string name;
@@ -54,7 +57,7 @@ struct ExperimentSpec {
   std::string direction;  ///< warp, weft, bias; empty where the type has none
   std::string standard;
   DataSource data;
-  double length = 0;  ///< gauge length; rolled-strip: of the strip
+  double length = 0;  ///< gauge length; rolled-strip, buckling-bend: of the strip
   double width = 0;
   double clip_mass = 0;
   double pretension = 0;          ///< N, at which the gauge length was set
@@ -65,6 +68,7 @@ struct ExperimentSpec {
   bool rested = false;
   InitialFriction initial_friction = InitialFriction::rest;
   RestLength rest_length = RestLength::known;
+  BucklingSide side = BucklingSide::down;  ///< buckling-bend
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   ExperimentRole role = ExperimentRole::fit;
@@ -121,11 +125,17 @@ struct Study {
 /// Experiment types that this version fits and predicts.
 bool is_supported_type(std::string_view type);
 
+/// `down` or `up`.
+std::string_view name_of(BucklingSide side);
+
 /// Types whose rows are points of strips' profiles: cantilever, rolled-strip.
 bool measures_profiles(std::string_view type);
 
 /// Types in which its own weight alone bends a strip, from flat: those and bending-length.
 bool bends_by_weight(std::string_view type);
+
+/// Types in which the cloth's own weight bends it along, so that they need its mass per area.
+bool needs_density(std::string_view type);
 
 /// Strain component that a test of a type and direction determines, e.g. stretch.warp. What bends
 /// along the bias is bend.diagonal.

@@ -89,6 +89,10 @@ void add_initial_friction(const ExperimentSpec& spec, YAML::Node& node) {
   node["initial_friction"] = rest ? "rest" : "unknown";
 }
 
+void add_rest_length(const ExperimentSpec& spec, YAML::Node& node) {
+  node["rest_length"] = spec.rest_length == RestLength::known ? "known" : "unknown";
+}
+
 void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   if (spec.type == "hanging-weights") {
     add_strip(spec, node);
@@ -99,7 +103,7 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
     node["pretension"] = text_of(spec.pretension, Dimension::force);
     node["apparatus_friction"] = text_of(spec.apparatus_friction, Dimension::force);
     node["precondition_cycles"] = spec.precondition_cycles;
-    node["rest_length"] = spec.rest_length == RestLength::known ? "known" : "unknown";
+    add_rest_length(spec, node);
     add_initial_friction(spec, node);
   } else if (spec.type == "shear-cycles") {
     node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
@@ -107,6 +111,10 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   } else if (spec.type == "pure-bending") {
     add_bent_strip(spec, node);
     add_initial_friction(spec, node);
+  } else if (spec.type == "buckling-bend") {
+    add_strip(spec, node);
+    node["side"] = std::string(name_of(spec.side));
+    add_rest_length(spec, node);
   } else if (bends_by_weight(spec.type)) {
     add_bent_strip(spec, node);
     if (spec.angle > 0) node["angle"] = text_of(spec.angle, Dimension::angle);

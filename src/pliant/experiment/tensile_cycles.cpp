@@ -192,7 +192,7 @@ std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
   return prediction;
 }
 
-Eigen::VectorXd TensileCycles::unfitted_nuisance() const {
+Eigen::VectorXd TensileCycles::unfitted_nuisance(const ComponentLaw&) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<int>(nuisance_.size()));
   for (const Specimen& specimen : specimens_) {
     values(specimen.nuisance.force_offset) = specimen.slack_force;
@@ -200,8 +200,9 @@ Eigen::VectorXd TensileCycles::unfitted_nuisance() const {
   return values;
 }
 
-LoopSeries TensileCycles::loop(const Eigen::VectorXd& force) const {
-  return {Eigen::Map<const Eigen::VectorXd>(length_.data(), rows()), force};
+std::optional<LoopSeries> TensileCycles::loop(const Eigen::VectorXd& force) const {
+  return LoopSeries{Eigen::Map<const Eigen::VectorXd>(length_.data(), rows()), force,
+                    geometry_.width, geometry_.gauge_length};
 }
 
 }  // namespace pliant

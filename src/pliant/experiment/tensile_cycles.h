@@ -21,10 +21,8 @@ class TensileCycles : public Experiment {
                                     bool with_jacobian) const override;
   /// The force offset read off the rows in which the strip is slack; no slack of its own, no
   /// friction at the start.
-  Eigen::VectorXd unfitted_nuisance() const override;
-  LoopSeries loop(const Eigen::VectorXd& force) const override;
-  double loop_width() const override { return geometry_.width; }
-  double loop_length() const override { return geometry_.gauge_length; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& force) const override;
 
  private:
   struct Specimen {

@@ -16,7 +16,7 @@ constexpr Entry kTemplates[] = {
     {"hanging-weights", hanging_weights_template}, {"tensile-cycles", tensile_cycles_template},
     {"shear-cycles", shear_cycles_template},       {"pure-bending", pure_bending_template},
     {"cantilever", cantilever_template},           {"rolled-strip", rolled_strip_template},
-    {"bending-length", bending_length_template}};
+    {"bending-length", bending_length_template},   {"buckling-bend", buckling_bend_template}};
 
 }  // namespace
 

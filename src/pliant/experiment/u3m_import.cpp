@@ -41,6 +41,20 @@ std::vector<ImportedTest> imported_tests(const U3mPhysics& physics, const std::s
   return tests;
 }
 
+/// Without mass per area a bend cannot be used: the strip's own weight bends it along.
+void leave_out_bends(const std::string& file, std::vector<ImportedTest>& tests,
+                     std::vector<std::string>& warnings) {
+  for (const ImportedTest& test : tests) {
+    if (is_stretch(test.test)) continue;
+    warnings.push_back(test.name +
+                       " is left out: the file tells no mass per area, and the weight of the strip "
+                       "bends it along");
+  }
+  std::erase_if(tests, [](const ImportedTest& test) { return !is_stretch(test.test); });
+  if (!tests.empty()) return;
+  throw InputError({file}, "holds bends alone and tells no mass per area", "M, in g/m^2");
+}
+
 std::string csv_text(const U3mTest& test) {
   const std::string header[] = {"force_N", is_stretch(test) ? "length_mm" : "distance_mm", "cycle"};
   CsvWriter csv(header);
@@ -55,24 +69,28 @@ std::string csv_text(const U3mTest& test) {
   return csv.text();
 }
 
-/// The stretches at 2 cm to predict: those whose direction can be fitted to a stretch at 8 cm.
-/// One pattern where it says just that.
-std::vector<std::string> validation_patterns(const std::vector<ImportedTest>& tests) {
-  const auto has = [&](const std::string& name) {
-    return std::any_of(tests.begin(), tests.end(),
-                       [&](const ImportedTest& test) { return test.name == name; });
+/// The tests called `name` whose direction can be fitted to another, of which `fitted` are the
+/// names. One pattern where it says just that.
+std::vector<std::string> predicted_tests(const std::vector<ImportedTest>& tests,
+                                         const std::string& name,
+                                         const std::vector<std::string>& fitted) {
+  const auto has_fitted = [&](const std::string& direction) {
+    return std::any_of(tests.begin(), tests.end(), [&](const ImportedTest& test) {
+      return test.direction == direction &&
+             std::find(fitted.begin(), fitted.end(), test.test.name) != fitted.end();
+    });
   };
   std::vector<std::string> names;
   bool all = true;
   for (const ImportedTest& imported : tests) {
-    if (imported.test.name != "stretch-2cm") continue;
-    if (has(imported.direction + "-stretch-8cm")) {
+    if (imported.test.name != name) continue;
+    if (has_fitted(imported.direction)) {
       names.push_back(imported.name);
     } else {
       all = false;
     }
   }
-  if (all && !names.empty()) return {"*-stretch-2cm"};
+  if (all && !names.empty()) return {"*-" + name};
   return names;
 }
 
@@ -93,12 +111,22 @@ void emit_experiment(YAML::Emitter& yaml, const ImportedTest& imported) {
   yaml << YAML::EndMap;
 }
 
-void emit_validation(YAML::Emitter& yaml, const std::vector<std::string>& patterns) {
-  if (patterns.empty()) return;
-  yaml << YAML::Newline
-       << YAML::Comment("Predicted, not fitted: the strip may be that of 8 cm, stretched before.");
+void emit_validation(YAML::Emitter& yaml, const std::vector<ImportedTest>& tests) {
+  const auto stretches = predicted_tests(tests, "stretch-2cm", {"stretch-8cm"});
+  const auto bends = predicted_tests(tests, "bend-down-8cm", {"bend-down-2cm", "bend-up-2cm"});
+  if (stretches.empty() && bends.empty()) return;
+  yaml << YAML::Newline << YAML::Comment("Predicted, not fitted.");
+  if (!stretches.empty()) {
+    yaml << YAML::Newline
+         << YAML::Comment("Stretch: the strip may be that of 8 cm, stretched before.");
+  }
+  if (!bends.empty()) {
+    yaml << YAML::Newline << YAML::Comment("Bend: weight hides the stiffness of the longer strip.");
+  }
   yaml << YAML::Key << "validate" << YAML::Value << YAML::Flow << YAML::BeginSeq;
-  for (const std::string& pattern : patterns) yaml << YAML::DoubleQuoted << pattern;
+  for (const auto* patterns : {&stretches, &bends}) {
+    for (const std::string& pattern : *patterns) yaml << YAML::DoubleQuoted << pattern;
+  }
   yaml << YAML::EndSeq;
 }
 
@@ -121,7 +149,7 @@ std::string study_text(const std::string& name, const U3mPhysics& physics,
   yaml << YAML::Key << "experiments" << YAML::Value << YAML::BeginSeq;
   for (const ImportedTest& test : tests) emit_experiment(yaml, test);
   yaml << YAML::EndSeq;
-  emit_validation(yaml, validation_patterns(tests));
+  emit_validation(yaml, tests);
   yaml << YAML::EndMap;
   return std::string(yaml.c_str()) + "\n";
 }
@@ -139,7 +167,9 @@ ImportedStudy import_u3m(const std::filesystem::path& file, const ImportOptions&
 
 ImportedStudy import_u3m(const U3mFile& file, const ImportOptions& options) {
   const U3mPhysics physics = read_u3m_physics(file);
-  const std::vector<ImportedTest> tests = imported_tests(physics, file.physics.file, options);
+  std::vector<ImportedTest> tests = imported_tests(physics, file.physics.file, options);
+  std::vector<std::string> warnings = physics.warnings;
+  if (physics.density == 0) leave_out_bends(file.physics.file, tests, warnings);
   U3mInfo about = read_u3m_info(file);
   if (about.name.empty()) about.name = named_file(file).stem().string();
 
@@ -155,7 +185,7 @@ ImportedStudy import_u3m(const U3mFile& file, const ImportOptions& options) {
     study.files.emplace_back(test.name + ".csv", csv_text(test.test));
   }
   study.notes = import_notes(tests, physics, options);
-  study.warnings = physics.warnings;
+  study.warnings = std::move(warnings);
   for (std::string& text : segment_warnings(tests)) study.warnings.push_back(std::move(text));
   return study;
 }

@@ -12,8 +12,10 @@
 #include "pliant/base/quantity.h"
 #include "pliant/base/random.h"
 #include "pliant/experiment/friction_path.h"
+#include "pliant/experiment/sampled_path.h"
 #include "pliant/experiment/strip_pull.h"
 #include "pliant/experiment/study.h"
+#include "pliant/experiment/virtual_buckling.h"
 #include "pliant/experiment/virtual_overhangs.h"
 #include "pliant/experiment/virtual_profiles.h"
 #include "pliant/experiment/weight_path.h"
@@ -75,47 +77,6 @@ std::string hang(const LabExperiment& experiment, const ComponentLaw& law, const
     csv.end_row();
   }
   return csv.text();
-}
-
-// A path between turning values at even speed, sampled so that turns fall between samples as they
-// do on a machine.
-struct SampledPath {
-  std::vector<double> value;
-  std::vector<int> cycle;
-  std::vector<Stretch> stretches;
-};
-
-SampledPath sample_path(const std::vector<double>& turns, double spacing) {
-  SampledPath path;
-  double next = 0;  // distance along the path of the next sample
-  double travelled = 0;
-  for (size_t leg = 0; leg + 1 < turns.size(); ++leg) {
-    const double from = turns[leg], to = turns[leg + 1];
-    const double distance = std::abs(to - from);
-    Stretch stretch;
-    stretch.first = static_cast<int>(path.value.size());
-    stretch.direction = to > from ? 1 : -1;
-    stretch.turn = to;
-    const bool last_leg = leg + 2 == turns.size();
-    while (next < travelled + distance || (last_leg && next <= travelled + distance)) {
-      path.value.push_back(from + stretch.direction * (next - travelled));
-      path.cycle.push_back(static_cast<int>(leg / 2) + 1);
-      next += spacing;
-    }
-    travelled += distance;
-    stretch.last = static_cast<int>(path.value.size()) - 1;
-    if (stretch.last >= stretch.first) path.stretches.push_back(stretch);
-  }
-  return path;
-}
-
-// Cycles from `start` to each peak and back, the whole sequence repeated.
-std::vector<double> cycle_turns(double start, const std::vector<double>& peaks, int repeats) {
-  std::vector<double> turns{start};
-  for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (const double peak : peaks) turns.insert(turns.end(), {peak, start});
-  }
-  return turns;
 }
 
 std::string pull(const LabExperiment& experiment, const ComponentLaw& law, const VirtualLab& lab,
@@ -202,7 +163,8 @@ constexpr int kFewestRows = 9;  // of a half cycle: with fewer, its reversals ca
 double rows_of_shortest_leg(const LabExperiment& experiment) {
   const auto [least, most] = std::minmax_element(experiment.peaks.begin(), experiment.peaks.end());
   const bool both_ways = goes_both_ways(experiment);
-  const double slack = both_ways ? 0 : experiment.slack / experiment.length;
+  double slack = both_ways ? 0 : experiment.slack / experiment.length;
+  if (experiment.type == "buckling-bend") slack = -slack;  // its clamps go on from there
   const double reach = both_ways ? 2 * *most : *most + slack;
   return (*least + slack) / reach * (experiment.samples - 1);
 }
@@ -221,6 +183,9 @@ std::string measure(const LabExperiment& experiment, const ComponentLaw& law, co
                     RandomStream& random) {
   if (experiment.type == "hanging-weights") return hang(experiment, law, lab, random);
   if (experiment.type == "tensile-cycles") return pull(experiment, law, lab, random);
+  if (experiment.type == "buckling-bend") {
+    return measure_buckling(experiment, law, lab.material.density, random);
+  }
   if (measures_profiles(experiment.type)) {
     return measure_profiles(experiment, law, lab.material.density, random);
   }
@@ -253,6 +218,10 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
   if (e.type == "bending-length") return text + fmt::format("    angle: {} rad\n", e.angle);
   text += fmt::format("    length: {} m\n", e.length);
   if (e.type == "rolled-strip") return text;
+  if (e.type == "buckling-bend") {
+    text += fmt::format("    side: {}\n", name_of(e.side));
+    return e.strip_length == e.length ? text : text + "    rest_length: unknown\n";
+  }
   if (e.type == "tensile-cycles") return text + "    initial_friction: rest\n";
   if (e.clip_mass > 0) text += fmt::format("    clip_mass: {} kg\n", e.clip_mass);
   return text;

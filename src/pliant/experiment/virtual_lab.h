@@ -7,6 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/run_context.h"
+#include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_instrument.h"
 #include "pliant/material/material.h"
 
@@ -19,16 +20,23 @@ struct LabExperiment {
   double clip_mass = 0;
   Instrument instrument;
   std::vector<double> peaks;     ///< hanging-weights: N; tensile-cycles: engineering strain;
-                                 ///< shear-cycles: rad; pure-bending: 1/m
+                                 ///< shear-cycles: rad; pure-bending: 1/m; buckling-bend:
+                                 ///< approach of the clamps as a share of the length
   double step = 1;               ///< hanging-weights: N between weights
   int repeats = 1;               ///< of the whole sequence
   int samples = 100;             ///< rows of a half cycle of the largest amplitude
   std::vector<double> settings;  ///< m; cantilever: overhangs; rolled-strip: radii of the
                                  ///< cylinders, negative where they turn the strip right
   int points = 25;               ///< of a profile
-  double slack = 0;  ///< m, tensile-cycles: clamps start nearer than the gauge length by this much
+  double slack = 0;  ///< m, tensile-cycles, buckling-bend: clamps start nearer than the gauge
+                     ///< length by this much
   double transverse_tension = 0;
   double angle = 0;  ///< rad, bending-length
+  // buckling-bend
+  BucklingSide side = BucklingSide::down;
+  double strip_length = 0;  ///< m, what the strip has in truth between its clamps
+  double force_offset = 0;  ///< N
+  double force_drift = 0;   ///< N, of the force's zero from the first row to the last
   Location where;
 };
 

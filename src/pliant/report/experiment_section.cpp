@@ -28,23 +28,31 @@ std::string force_unit(const ResultExperiment& e) {
   return unit == "N/m" ? unit : "N";
 }
 
+std::string_view reference_of(const ResultExperiment& e) {
+  if (e.measures_overhangs()) return "mean overhang";
+  if (e.measures_lengths()) return "largest extension";
+  return e.type == "buckling-bend" ? "the span of the force" : "peak";
+}
+
+/// `0.024 of 1.97 N`; buckled strips push a thousandth of that.
+std::string force_in_words(const ResultExperiment& e) {
+  const bool milli = e.quantity == "force_mN";
+  const double scale = milli ? 1e3 : 1;
+  return fmt::format("{} of {} {}", format_significant(scale * *e.rms_force, 2),
+                     format_significant(scale * *e.peak_force, 3), milli ? "mN" : force_unit(e));
+}
+
 /// `RMS error 1.2 % of peak (0.024 of 1.97 N)`
 std::string error_in_words(const ResultExperiment& e) {
-  const std::string_view reference = e.measures_overhangs() ? "mean overhang"
-                                     : e.measures_lengths() ? "largest extension"
-                                                            : "peak";
   std::string detail;
   if (e.rms_position_mm) detail = format_significant(e.rms_position_mm, 2) + " mm";
   if (e.rms_percent_of_length) {
     return fmt::format("RMS distance {} ({} of the strip's length)", detail,
                        format_percent(e.rms_percent_of_length));
   }
-  if (e.rms_force && e.peak_force) {
-    detail = fmt::format("{} of {} {}", format_significant(e.rms_force, 2),
-                         format_significant(e.peak_force, 3), force_unit(e));
-  }
+  if (e.rms_force && e.peak_force) detail = force_in_words(e);
   if (!e.rms_percent_of_peak) return detail.empty() ? detail : "RMS error " + detail;
-  return fmt::format("RMS error {} of {}{}", format_percent(e.rms_percent_of_peak), reference,
+  return fmt::format("RMS error {} of {}{}", format_percent(e.rms_percent_of_peak), reference_of(e),
                      detail.empty() ? detail : " (" + detail + ")");
 }
 

@@ -21,7 +21,10 @@ std::string driver_column(const CsvTable& table, std::string_view quantity) {
       if (table.has(name)) return name;
     }
   }
-  return table.has("angle_deg") ? "angle_deg" : "";
+  for (const char* name : {"angle_deg", "distance_mm"}) {
+    if (table.has(name)) return name;
+  }
+  return "";
 }
 
 }  // namespace

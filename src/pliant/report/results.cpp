@@ -51,8 +51,13 @@ std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
 std::string noise_in_words(const std::optional<JsonReader>& json) {
   if (!json || !json->has("value")) return {};
   const std::string source = json->text_or("source", "");
-  return fmt::format("{}: {:.2g} {}{}", json->text_or("quantity", "noise"), *json->number("value"),
-                     json->text_or("unit", ""), source.empty() ? "" : ", " + source);
+  const std::string unit = json->text_or("unit", "");
+  std::string text = fmt::format("{}: {:.2g} {}{}", json->text_or("quantity", "noise"),
+                                 *json->number("value"), unit, source.empty() ? "" : ", " + source);
+  if (const auto floor = json->number("floor")) {
+    text += fmt::format("; neighbouring rows scatter by {:.2g} {}", *floor, unit);
+  }
+  return text;
 }
 
 std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::string_view key) {

@@ -87,7 +87,10 @@ std::string_view reference(const Experiments& experiments) {
   if (overhangs > 0) return "peak force, extension or overhang";
   const auto lengths = std::count_if(experiments.begin(), experiments.end(),
                                      [](const auto* e) { return e->measures_lengths(); });
-  if (lengths == 0) return "peak force";
+  const auto spans = std::count_if(experiments.begin(), experiments.end(),
+                                   [](const auto* e) { return e->type == "buckling-bend"; });
+  if (spans == std::ssize(experiments)) return "the span of the force";
+  if (lengths == 0) return spans == 0 ? "peak force" : "the peak or span of force";
   return lengths == std::ssize(experiments) ? "the largest extension" : "peak force or extension";
 }
 

@@ -110,7 +110,7 @@ TEST(Elastica, TurnedByAMomentAloneIsAnArc) {
   const Elastica strip(kLength);
   const ComponentLaw law = elastic(2e-5);
   const double angle = 1.5;
-  const StripEnds ends{0, angle, {}};
+  const StripEnds ends{0, angle, {}, {}};
   const auto shape = strip.equilibrium(law, 0, ends, strip.rested(law), straight(strip));
   ASSERT_TRUE(shape);
   EXPECT_NEAR(shape->far_load.z(), 3 * 2e-5 * angle / kLength, 1e-15);
@@ -124,7 +124,7 @@ TEST(Elastica, ClampedAtBothEndsBucklesAtEulersLoad) {
   const double k = 2e-5;
   const ComponentLaw law = elastic(k);
   const double nearer = 1e-5;  // of the length
-  const StripEnds ends{.far_angle = 0, .far_position = Eigen::Vector2d(kLength * (1 - nearer), 0)};
+  const StripEnds ends{.far_angle = 0, .far_x = kLength * (1 - nearer), .far_y = 0};
   StripShape guess = straight(strip);
   const double rise = 2 * kLength * std::sqrt(nearer) / std::numbers::pi;
   const Eigen::ArrayXd phase = 2 * std::numbers::pi / kLength * strip.line().places().array();
@@ -135,6 +135,26 @@ TEST(Elastica, ClampedAtBothEndsBucklesAtEulersLoad) {
   const double euler = 3 * k * std::pow(2 * std::numbers::pi / kLength, 2);
   EXPECT_NEAR(shape->far_load.x(), -euler, 1e-4 * euler);
   EXPECT_NEAR(shape->far_load.y(), 0, 1e-9 * euler);
+}
+
+// The middle of a strip between two clamps is level and free to rise, so that half of it is enough.
+TEST(Elastica, HalfAStripWhoseMiddleIsFreeToRisePushesLikeTheWhole) {
+  const ComponentLaw law = elastic(2e-5);
+  const double weight = 3, distance = 0.8 * kLength;
+  const auto force = [&](double length, const StripEnds& ends) {
+    const Elastica strip(length);
+    StripShape guess = straight(strip);
+    guess.curvature = 60 * (2 * std::numbers::pi / kLength * strip.line().places().array()).cos();
+    const auto shape = strip.equilibrium(law, weight, ends, strip.rested(law), guess);
+    return shape ? shape->far_load.x() : 0.0;
+  };
+  const double whole = force(kLength, {.far_angle = 0, .far_x = distance, .far_y = 0});
+  StripEnds half;
+  half.far_angle = 0;
+  half.far_x = distance / 2;
+  EXPECT_LT(whole, 0);
+  // Both to the tolerance of an equilibrium.
+  EXPECT_NEAR(force(kLength / 2, half), whole, 1e-7 * std::abs(whole));
 }
 
 /// The moment about each point of what hangs beyond it, by other means than the solver's.
@@ -199,7 +219,7 @@ TEST(Elastica, ConvergesUnderRefinement) {
 TEST(Equilibria, OfAStripThatLeavesItsClampUpwardsAreMirrored) {
   const Elastica strip(kLength);
   const ComponentLaw law = elastic(2e-6);
-  const StripEnds ends{std::numbers::pi / 2, {}, {}};
+  const StripEnds ends{std::numbers::pi / 2, {}, {}, {}};
   const auto all = equilibria_near(strip, law, 2, ends, strip.rested(law), straight(strip), 1.5);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_LT((all[0].curvature + all[1].curvature).cwiseAbs().maxCoeff(), 1e-6);
@@ -253,7 +273,7 @@ Outcome clamp_load(const ComponentLaw& law, double weight) {
   StripShape shape = straight(strip);
   shape.curvature = -(2 * std::numbers::pi / kLength * strip.line().places().array()).cos() * 20;
   for (const double distance : {0.095, 0.09, 0.08, 0.085, 0.09}) {
-    const StripEnds ends{.far_angle = 0, .far_position = Eigen::Vector2d(distance, 0)};
+    const StripEnds ends{.far_angle = 0, .far_x = distance, .far_y = 0};
     auto next = strip.equilibrium(law, weight, ends, history, shape);
     EXPECT_TRUE(next) << distance;
     strip.differentiate(law, weight, ends, history, *next);
@@ -277,7 +297,7 @@ TEST(Elastica, FollowsItsClampsThereAndBack) {
         side * 30 * (2 * std::numbers::pi / length * strip.line().places().array()).cos();
     std::vector<double> forces;
     for (const double share : {0.998, 0.99, 0.94, 0.85, 0.7, 0.6, 0.7, 0.85, 0.94, 0.98}) {
-      const StripEnds ends{0, 0, Eigen::Vector2d(share * length, 0)};
+      const StripEnds ends{.far_angle = 0, .far_x = share * length, .far_y = 0};
       auto next = strip.equilibrium(law, 3, ends, history, shape);
       if (!next) return forces;
       history = strip.accepted(law, history, *next);

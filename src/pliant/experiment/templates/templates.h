@@ -11,5 +11,6 @@ TestTemplate pure_bending_template();
 TestTemplate cantilever_template();
 TestTemplate rolled_strip_template();
 TestTemplate bending_length_template();
+TestTemplate buckling_bend_template();
 
 }  // namespace pliant

@@ -14,7 +14,7 @@ namespace pliant {
 namespace {
 
 int constraint_count(const StripEnds& ends) {
-  return (ends.far_angle ? 1 : 0) + (ends.far_position ? 2 : 0);
+  return (ends.far_angle ? 1 : 0) + (ends.far_x ? 1 : 0) + (ends.far_y ? 1 : 0);
 }
 
 // The loads of the far end in the order of its gaps.
@@ -22,14 +22,16 @@ Eigen::VectorXd loads_of(const StripEnds& ends, const StripShape& shape) {
   Eigen::VectorXd loads(constraint_count(ends));
   Eigen::Index next = 0;
   if (ends.far_angle) loads(next++) = shape.far_load.z();
-  if (ends.far_position) loads.segment<2>(next) = shape.far_load.head<2>();
+  if (ends.far_x) loads(next++) = shape.far_load.x();
+  if (ends.far_y) loads(next++) = shape.far_load.y();
   return loads;
 }
 
 void add_loads(const StripEnds& ends, const Eigen::VectorXd& change, StripShape& shape) {
   Eigen::Index next = 0;
   if (ends.far_angle) shape.far_load.z() += change(next++);
-  if (ends.far_position) shape.far_load.head<2>() += change.segment<2>(next);
+  if (ends.far_x) shape.far_load.x() += change(next++);
+  if (ends.far_y) shape.far_load.y() += change(next++);
 }
 
 // Work per width and length since the history at `strain`: of the moment on the curvature.
@@ -135,10 +137,8 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
     b.gradient -= w.cwiseProduct(held);
   }
   b.force = hanging;
-  if (ends.far_position) {
-    b.force.array() -= shape.far_load.y();
-    b.force_x = shape.far_load.x();
-  }
+  if (ends.far_y) b.force.array() -= shape.far_load.y();
+  if (ends.far_x) b.force_x = shape.far_load.x();
   b.gradient += line_.transposed_integrals(
       w.cwiseProduct(b.force.cwiseProduct(b.cosine) + b.force_x * b.sine));
 
@@ -150,10 +150,12 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
     b.border.col(next++) = w;
     b.gradient -= shape.far_load.z() * w;
   }
-  if (ends.far_position) {
-    b.gap(next) = w.dot(b.cosine) - ends.far_position->x();
+  if (ends.far_x) {
+    b.gap(next) = w.dot(b.cosine) - *ends.far_x;
     b.border.col(next++) = -line_.transposed_integrals(w.cwiseProduct(b.sine));
-    b.gap(next) = w.dot(b.sine) - ends.far_position->y();
+  }
+  if (ends.far_y) {
+    b.gap(next) = w.dot(b.sine) - *ends.far_y;
     b.border.col(next++) = line_.transposed_integrals(w.cwiseProduct(b.cosine));
   }
   return b;
@@ -306,7 +308,8 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
   shape.far_load_by_parameter = Eigen::MatrixXd::Zero(3, parameters);
   Eigen::Index next = n;
   if (ends.far_angle) shape.far_load_by_parameter.row(2) = change.row(next++);
-  if (ends.far_position) shape.far_load_by_parameter.topRows<2>() = change.middleRows<2>(next);
+  if (ends.far_x) shape.far_load_by_parameter.row(0) = change.row(next++);
+  if (ends.far_y) shape.far_load_by_parameter.row(1) = change.row(next++);
 }
 
 // The points keep their shares of the length, so that the weights of the line, its integration and

@@ -15,9 +15,10 @@ namespace pliant {
 /// How a strip is held. It leaves its clamp, the origin, in the direction `clamp_angle` against +x;
 /// gravity pulls along -y. What is not given of the far end is free.
 struct StripEnds {
-  double clamp_angle = 0;                       ///< rad
-  std::optional<double> far_angle;              ///< rad, counted on from the clamp's
-  std::optional<Eigen::Vector2d> far_position;  ///< m
+  double clamp_angle = 0;           ///< rad
+  std::optional<double> far_angle;  ///< rad, counted on from the clamp's
+  std::optional<double> far_x;      ///< m
+  std::optional<double> far_y;      ///< m
 };
 
 /// What the material points of a strip remember of their path, one a point of the line, with the

@@ -1,0 +1,39 @@
+#include "pliant/experiment/sampled_path.h"
+
+#include <cmath>
+
+namespace pliant {
+
+SampledPath sample_path(const std::vector<double>& turns, double spacing) {
+  SampledPath path;
+  double next = 0;  // distance along the path of the next sample
+  double travelled = 0;
+  for (size_t leg = 0; leg + 1 < turns.size(); ++leg) {
+    const double from = turns[leg], to = turns[leg + 1];
+    const double distance = std::abs(to - from);
+    Stretch stretch;
+    stretch.first = static_cast<int>(path.value.size());
+    stretch.direction = to > from ? 1 : -1;
+    stretch.turn = to;
+    const bool last_leg = leg + 2 == turns.size();
+    while (next < travelled + distance || (last_leg && next <= travelled + distance)) {
+      path.value.push_back(from + stretch.direction * (next - travelled));
+      path.cycle.push_back(static_cast<int>(leg / 2) + 1);
+      next += spacing;
+    }
+    travelled += distance;
+    stretch.last = static_cast<int>(path.value.size()) - 1;
+    if (stretch.last >= stretch.first) path.stretches.push_back(stretch);
+  }
+  return path;
+}
+
+std::vector<double> cycle_turns(double start, const std::vector<double>& peaks, int repeats) {
+  std::vector<double> turns{start};
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (const double peak : peaks) turns.insert(turns.end(), {peak, start});
+  }
+  return turns;
+}
+
+}  // namespace pliant

@@ -50,6 +50,17 @@ TEST(SessionBalance, IsTheForceThatACordHasTooMuch) {
   EXPECT_NEAR(left.force_bound, 0.4, 1e-15) << "0.1 N for each of four cords";
 }
 
+TEST(SessionBalance, HasAClipsWeightAtTheMiddleOfItsVertices) {
+  Session session = stretch_session();
+  session.clips[1].mass += 0.01;
+  const Eigen::Vector3d more = 0.01 * session.gravity;
+  const Imbalance left = imbalance(session, 1);
+  EXPECT_LT((left.force - more).norm(), kRounding);
+  // In frame 1 the sheet is 110 mm long, and turned.
+  const Eigen::Vector3d arm = session.frames[1].poses[1].rotation * Eigen::Vector3d(0.055, 0, 0);
+  EXPECT_LT((left.moment - arm.cross(more)).norm(), kRounding);
+}
+
 TEST(SessionBalance, OfMomentsSeesAPairOfForces) {
   Session session = stretch_session();
   // A couple about the vertical: 1 N at a distance of 110 mm.

@@ -129,6 +129,13 @@ TEST(StretchingForceDifference, IsThatOfTheTwoDiagonals) {
   EXPECT_NEAR(*stretching_force_difference(corner_session(1, 4), 0), -3, kRounding);
 }
 
+TEST(StretchingForceDifference, TakesTheMeanOfTwoOppositeClips) {
+  Session session = corner_session(3, 1);
+  // 1 N more outwards at one clip: half a newton more tension.
+  session.frames[0].cords[2][0].force += kTurn * Eigen::Vector3d(-1, -1, 0).normalized();
+  EXPECT_NEAR(*stretching_force_difference(session, 0), 2.5, kRounding);
+}
+
 TEST(StretchingForceDifference, DoesNotSeeForcesAcross) {
   Session session = corner_session(3, 1);
   session.frames[0].cords[0][0].force += kTurn * Eigen::Vector3d(1, -1, 5);

@@ -63,7 +63,11 @@ class TableReader {
   void read() {
     read_clips();
     read_cords();
-    if (document_.table) read_table();
+    if (document_.table) {
+      read_table();
+    } else if (fs::exists(directory_ / "table.csv")) {
+      session_.warnings.push_back("table.csv is not used: session.yaml has no `table`");
+    }
     const std::vector<std::optional<double>> times = times_.increasing();
     for (std::size_t f = 0; f < times.size(); ++f) session_.frames[f].time = times[f];
   }

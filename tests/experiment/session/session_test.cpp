@@ -156,6 +156,13 @@ TEST(Session, MayHaveNoClips) {
   EXPECT_THAT(read.warnings, Contains(HasSubstr("out of balance"))) << "nothing holds it";
 }
 
+TEST(Session, WarnsOfATableThatItsDocumentDoesNotKnow) {
+  const SessionFolder folder(stretch_session());
+  folder.write("table.csv", "frame,edge_mm\n0,78\n");
+  EXPECT_THAT(read_session(folder.path()).warnings,
+              ElementsAre(HasSubstr("table.csv is not used")));
+}
+
 TEST(Session, IsWrittenWholeAndOverItsOwnFilesOnly) {
   const TemporaryFolder folder;
   const std::filesystem::path directory = folder.path() / "session";

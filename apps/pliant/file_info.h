@@ -34,6 +34,7 @@ FileInfo describe_file(const std::filesystem::path& path);
 FileInfo study_info(const std::filesystem::path& path);
 FileInfo lab_info(const std::filesystem::path& path);
 FileInfo scene_info(const std::filesystem::path& path);
+FileInfo session_info(const std::filesystem::path& path);
 FileInfo material_info(const std::filesystem::path& path);
 FileInfo csv_info(const std::filesystem::path& path);
 FileInfo u3m_file_info(const std::filesystem::path& path);

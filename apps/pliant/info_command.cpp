@@ -38,8 +38,8 @@ void add_info(CommandRegistry& registry) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::Option* file = command.add_option(
       "FILE", arguments->file,
-      "A study, material, lab, scene, CSV, mesh or instrument file, or the results of another "
-      "command");
+      "A study, material, lab, scene, CSV, mesh or instrument file, the directory of a session, or "
+      "the results of another command");
   command
       .add_option("--schema", arguments->schema,
                   "Print the JSON schema of a type of document instead")

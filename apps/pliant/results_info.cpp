@@ -164,12 +164,15 @@ FileInfo directory_info(const fs::path& path) {
   const bool fitted = manifest && (manifest->command == "fit" || manifest->command == "evaluate");
   if (manifest) refuse_missing_files(path, *manifest);
   const bool simulated = fs::exists(path / "simulation.json");
-  if (!results && !fitted && !simulated && !fs::exists(path / "study.yaml")) {
-    throw InputError({path.string(), 0, ""}, "a directory without study or results",
-                     "one with study.yaml, fit.json, evaluation.json or simulation.json");
+  const bool measured = fs::exists(path / "session.yaml");
+  if (!results && !fitted && !simulated && !measured && !fs::exists(path / "study.yaml")) {
+    throw InputError(
+        {path.string(), 0, ""}, "a directory without study, session or results",
+        "one with study.yaml, session.yaml, fit.json, evaluation.json or simulation.json");
   }
   FileInfo info = results || fitted ? results_directory_info(path)
                   : simulated       ? simulation_info(path)
+                  : measured        ? session_info(path)
                                     : study_info(path / "study.yaml");
   if (manifest) add_manifest(*manifest, info);
   info.json["warnings"] = info.warnings;

@@ -31,6 +31,16 @@ InputError force_error(const std::string& text, const CsvOptions& options = {}) 
   return input_error_of([&] { csv.quantity("force", Dimension::force); });
 }
 
+TEST(Csv, MayBeAHeaderAloneWhereRowsAreOptional) {
+  for (const char* text : {"force_N,clip", "force_N,clip\n", "force,clip\n(N),()\n# none\n"}) {
+    const CsvTable csv = table(text, {.rows_optional = true});
+    EXPECT_EQ(csv.rows(), 0U) << text;
+    EXPECT_TRUE(csv.quantity("force", Dimension::force).empty());
+    EXPECT_TRUE(csv.texts("clip").empty());
+  }
+  EXPECT_EQ(csv_error("", {.rows_optional = true}).problem(), "the file is empty");
+}
+
 TEST(Csv, GivesQuantitiesInSiFromColumnsInAnyOrderAndUnit) {
   const CsvTable csv = table("length_mm,force_gf,repeat\n100,100,1\n110,200,1\n");
   EXPECT_EQ(csv.rows(), 2U);

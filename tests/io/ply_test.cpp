@@ -228,5 +228,12 @@ TEST(Ply, WriterRefusesWhatNoFileCanSay) {
   EXPECT_THROW(write_ply(mesh), AssertionError);
 }
 
+TEST(Ply, KeepsPositionsThatAreNotFiniteWhereAsked) {
+  const std::string text = ascii(kTriangleHeader, "0 0 0\n1 0 nan\n0 -inf 0\n3 0 1 2\n");
+  const PlyMesh mesh = parse_ply(text, "a.ply", PlyPositions::any);
+  EXPECT_TRUE(std::isnan(mesh.positions[1][2]));
+  EXPECT_TRUE(std::isinf(mesh.positions[2][1]));
+}
+
 }  // namespace
 }  // namespace pliant

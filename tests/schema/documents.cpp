@@ -6,6 +6,7 @@
 #include "pliant/estimation/result_files.h"
 #include "pliant/estimation/study_evaluation.h"
 #include "pliant/estimation/study_fit.h"
+#include "pliant/experiment/session/document.h"
 #include "pliant/experiment/simulation_result.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/u3m_import.h"
@@ -13,6 +14,8 @@
 #include "pliant/io/digest.h"
 #include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
+
+#include "support/session_sheets.h"
 
 namespace pliant::test {
 namespace {
@@ -114,8 +117,8 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
-  // Readers of scenes ask whether such files are there, and no more.
-  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt"}) write(name, "");
+  // Readers of scenes and sessions ask whether such files are there, and no more.
+  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply"}) write(name, "");
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
   spandex["components"]["bend.warp"] = {{"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
@@ -133,7 +136,9 @@ std::vector<NamedDocument> full_documents() {
           named("material", read_json(kDocuments / "full_material.json")),
           named("scene", read_yaml(kDocuments / "full_scene.yaml")),
           named("scene of linearized steps", read_yaml(kDocuments / "linearized_scene.yaml")),
-          named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml"))};
+          named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml")),
+          named("session", read_yaml(kDocuments / "full_session.yaml")),
+          named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml"))};
 }
 
 std::vector<NamedDocument> shipped_documents() {
@@ -178,6 +183,7 @@ std::vector<NamedDocument> written_documents() {
   const fs::path record = kSource / "tests" / "corpus" / "u3m" / "two_directions.json";
   documents.push_back(from_yaml("study of a U3M file", import_u3m(record).study_yaml));
   documents.push_back(written_simulation());
+  documents.push_back(from_yaml("session", session_document_text(stretch_session())));
   return documents;
 }
 
@@ -338,11 +344,45 @@ std::vector<NamedDocument> broken_scenes() {
   };
 }
 
+std::vector<NamedDocument> broken_sessions() {
+  const std::vector<NamedDocument> full = full_documents();
+  const SchemaCase &session = full[6].document, &bend = full[7].document;
+  return {
+      changed("solids", session, "/kind", "solid"),
+      changed("a test without name", session, "/test", ""),
+      changed("a width of nothing", session, "/sample/width", "0 mm"),
+      changed("a width without unit", session, "/sample/width", 100),
+      changed("a mass in newtons", session, "/sample/mass", "1 N"),
+      changed("a density per volume", session, "/sample/density", "1 kg/m^3"),
+      changed("gravity of two numbers", session, "/gravity", {0, -9.81}),
+      changed("a rest mesh in another format", session, "/rest", "shirt.obj"),
+      changed("frames without number", session, "/frames", "frames/frame.ply"),
+      changed("frames with two numbers", session, "/frames", "frames/%d-%d.ply"),
+      changed("frames in folders of their own", session, "/frames", "%04d/frame.ply"),
+      changed("frames padded with blanks", session, "/frames", "%4d.ply"),
+      changed("frames in another format", session, "/frames", "%04d.obj"),
+      changed("a clip's name with blanks", session, "/clips/0/name", "left bar"),
+      changed("a clip of negative mass", session, "/clips/0/mass", "-1 g"),
+      changed("a clip that clamps nothing", session, "/clips/0/clamped", Json::array()),
+      changed("a negative vertex", session, "/clips/0/clamped/0", -1),
+      changed("two edges", session, "/table/edge_y", "1 mm"),
+      changed("an edge without unit", session, "/table/edge_x", 78),
+      changed("a table of a stretch test", session, "/test", "stretch-weft"),
+      changed("a bend test along its edge", session, "/test", "bend-warp"),
+      changed("a bend test along its edge", bend, "/test", "bend-weft"),
+      without("no sample", session, "/sample"),
+      without("a table without edge", session, "/table/edge_x"),
+      without("a bend test without table", bend, "/table"),
+      without("a sample without weight", bend, "/sample/density"),
+  };
+}
+
 }  // namespace
 
 std::vector<NamedDocument> broken_documents() {
   std::vector<NamedDocument> documents = broken_inputs_of_fits();
   for (NamedDocument& scene : broken_scenes()) documents.push_back(std::move(scene));
+  for (NamedDocument& session : broken_sessions()) documents.push_back(std::move(session));
   return documents;
 }
 

@@ -30,7 +30,7 @@ std::vector<NamedDocument> full_documents();
 std::vector<NamedDocument> shipped_documents();
 
 /// What the program itself writes: from a virtual lab study, resolved study, material, fit and
-/// evaluation; from a scene a simulation.
+/// evaluation; from a scene a simulation; a session.
 std::vector<NamedDocument> written_documents();
 
 /// Documents that every reader must refuse, with what is wrong with them as a name.

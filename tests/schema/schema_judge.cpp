@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/experiment/scene.h"
+#include "pliant/experiment/session/document.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/schema_text.h"
@@ -37,6 +38,8 @@ void read_as(const std::string& type, const std::filesystem::path& file) {
     read_lab(file);
   } else if (type == "scene") {
     read_scene(file);
+  } else if (type == "session") {
+    read_session_document(file);
   } else {
     read_material(file);
   }

@@ -22,8 +22,8 @@ bool can_judge_schemas();
 /// What is wrong with each document by the schema of its type; nothing where it is valid.
 std::vector<std::optional<std::string>> judge_by_schema(const std::vector<SchemaCase>& cases);
 
-/// What is wrong with a document by the reader of its type (study, lab, scene, material); nothing
-/// where it reads.
+/// What is wrong with a document by the reader of its type (study, lab, scene, session, material);
+/// nothing where it reads.
 /// @param folder  that the document stands in while it is read, with the files that it names
 std::optional<std::string> judge_by_reader(const SchemaCase& document,
                                            const std::filesystem::path& folder);

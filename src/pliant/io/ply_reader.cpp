@@ -59,7 +59,8 @@ ElementData read_element(const PlyElement& element, PlyBody& body) {
 /// Puts the elements together to a mesh.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const std::string& file) : file_(file) {}
+  MeshBuilder(const std::string& file, PlyPositions positions)
+      : file_(file), positions_(positions) {}
 
   void take_vertices(const PlyElement& element, ElementData data) {
     mesh_.positions.resize(element.count);
@@ -104,7 +105,9 @@ class MeshBuilder {
       if (axis_of(element.properties[i]) != axis) continue;
       for (std::size_t row = 0; row < element.count; ++row) {
         const double value = data.scalars[i][row];
-        if (!std::isfinite(value)) fail_row(data, element, row, "the position is not finite");
+        if (positions_ == PlyPositions::finite && !std::isfinite(value)) {
+          fail_row(data, element, row, "the position is not finite");
+        }
         mesh_.positions[row][axis] = value;
       }
       return;
@@ -157,20 +160,21 @@ class MeshBuilder {
   }
 
   const std::string& file_;
+  PlyPositions positions_;
   PlyMesh mesh_;
   int vertex_count_ = 0;
 };
 
 }  // namespace
 
-PlyMesh parse_ply(std::string_view bytes, const std::string& file) {
+PlyMesh parse_ply(std::string_view bytes, const std::string& file, PlyPositions positions) {
   PlyHeader header = parse_ply_header(bytes, file);
   const std::unique_ptr<PlyBody> body = make_ply_body(bytes, header, file);
   std::vector<ElementData> data;
   for (const PlyElement& element : header.elements) data.push_back(read_element(element, *body));
 
   // Faces may stand before the vertices whose numbers they hold.
-  MeshBuilder builder(file);
+  MeshBuilder builder(file, positions);
   bool has_vertices = false;
   for (std::size_t i = 0; i < data.size(); ++i) {
     if (header.elements[i].name != "vertex") continue;
@@ -193,8 +197,8 @@ PlyMesh parse_ply(std::string_view bytes, const std::string& file) {
   return std::move(builder).finish();
 }
 
-PlyMesh read_ply(const std::filesystem::path& path) {
-  return parse_ply(read_text_file(path, kMaxMeshFileSize), path.string());
+PlyMesh read_ply(const std::filesystem::path& path, PlyPositions positions) {
+  return parse_ply(read_text_file(path, kMaxMeshFileSize), path.string(), positions);
 }
 
 }  // namespace pliant

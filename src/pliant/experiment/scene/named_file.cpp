@@ -10,7 +10,7 @@ std::filesystem::path read_named_file(const Value& value, const std::string& exp
   std::error_code ignored;
   if (name.empty() || !std::filesystem::exists(file, ignored)) {
     value.fail("the file " + quoted_value(file.string()) + " does not exist",
-               expected + ", relative to the scene");
+               expected + ", relative to the document");
   }
   return file;
 }

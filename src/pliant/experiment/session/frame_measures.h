@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "pliant/experiment/session.h"
+
+namespace pliant {
+
+// What [T] Fig. 3.6 plots forces of a frame over, and against.
+
+/// Effective shear of a frame (rad): the shear angle of the affine map that fits the motion of all
+/// clamped vertices from the rest plane best. It is the angle by which the images of weft and warp
+/// are nearer to each other than a right angle.
+/// @return nothing where the clamped vertices lie on one line at rest
+std::optional<double> effective_shear(const Session& session, int frame);
+
+/// Aggregated torque of a frame (N m): the torques of the clips about the centre of the cloth,
+/// every other clip counted negatively, along the normal of the plane that fits the sheet best,
+/// towards its front.
+///
+/// Without the signs their sum is that of the equilibrium, zero but for weights. Clips take turns
+/// counter-clockwise around the rest mesh, positive the first at or after the weft axis: right and
+/// left count positively, top and bottom negatively. A clip hands on what its cords and weight
+/// pull.
+double aggregated_torque(const Session& session, int frame);
+
+/// Stretching-force difference of a frame (N): tension between the lower left and upper right clip,
+/// less that between the other two. A tension is the mean pull of two opposite clips away from each
+/// other along the line between them.
+/// @return nothing without one clip at each of the four corners and none elsewhere
+std::optional<double> stretching_force_difference(const Session& session, int frame);
+
+}  // namespace pliant

@@ -1,0 +1,97 @@
+#include "pliant/experiment/session/on_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/geometry/convex_hull.h"
+#include "pliant/geometry/mesh_quality.h"
+#include "pliant/geometry/rest_search.h"
+
+namespace pliant {
+namespace {
+
+/// The middle of a flat mesh's bounding box.
+Eigen::Vector2d middle_of(const TriangleMesh& mesh) {
+  return (mesh.rest_corners.rowwise().minCoeff() + mesh.rest_corners.rowwise().maxCoeff()) / 2;
+}
+
+std::vector<RestPoint> places_of_nodes(const Session& session, const TriangleMesh& mesh) {
+  const double most = kMeshOverhang * std::max(session.sample.width, session.sample.height);
+  const RestSearch search(session.rest);
+  std::vector<RestPoint> places;
+  for (int node = 0; node < mesh.vertex_count(); ++node) {
+    const RestPoint place = search.find(mesh.positions.col(node).head<2>());
+    if (place.outside > most) {
+      throw InputError({},
+                       fmt::format("node {} of the mesh lies {} outside of the session's rest mesh",
+                                   node, format_quantity(place.outside, Dimension::length)),
+                       fmt::format("at most {}", format_quantity(most, Dimension::length)));
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// The clip in whose region a node lies, the nearest where there are several; -1 for none.
+int clip_at(const Eigen::Vector2d& node, const std::vector<Eigen::Matrix2Xd>& regions,
+            double reach) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < regions.size(); ++c) {
+    const double distance = distance_from_convex(regions[c], node);
+    if (distance > reach || distance >= least) continue;
+    nearest = static_cast<int>(c);
+    least = distance;
+  }
+  return nearest;
+}
+
+std::vector<SessionClip> clips_on(const Session& session, const TriangleMesh& mesh) {
+  // Vertices stand for the cloth half-way to their neighbours.
+  const double reach = mesh_quality(session.rest).mean_edge / 2;
+  const Eigen::Matrix2Xd vertices = session.rest.positions.topRows<2>();
+  std::vector<SessionClip> clips = session.clips;
+  std::vector<Eigen::Matrix2Xd> regions;
+  for (SessionClip& clip : clips) {
+    regions.push_back(convex_hull(vertices(Eigen::all, clip.clamped)));
+    clip.clamped.clear();
+  }
+  for (int node = 0; node < mesh.vertex_count(); ++node) {
+    const int clip = clip_at(mesh.positions.col(node).head<2>(), regions, reach);
+    if (clip >= 0) clips[static_cast<std::size_t>(clip)].clamped.push_back(node);
+  }
+  for (const SessionClip& clip : clips) {
+    if (clip.clamped.empty()) {
+      throw InputError({}, fmt::format("no node of the mesh lies in clip {}", clip.name),
+                       "a finer mesh, with nodes where vertices are clamped");
+    }
+  }
+  return clips;
+}
+
+}  // namespace
+
+TriangleMesh centred_on_rest(const Session& session, const TriangleMesh& mesh) {
+  const Eigen::Vector2d shift = middle_of(session.rest) - middle_of(mesh);
+  TriangleMesh moved = mesh;
+  moved.positions.topRows<2>().colwise() += shift;
+  moved.rest_corners.colwise() += shift;
+  return moved;
+}
+
+Session on_mesh(const Session& session, const TriangleMesh& mesh) {
+  const std::vector<RestPoint> places = places_of_nodes(session, mesh);
+  Session result = session;
+  result.rest = mesh;
+  result.clips = clips_on(session, mesh);
+  for (SessionFrame& frame : result.frames) {
+    frame.positions = interpolated(session.rest, places, frame.positions);
+  }
+  return result;
+}
+
+}  // namespace pliant

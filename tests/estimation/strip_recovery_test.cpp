@@ -61,5 +61,35 @@ TEST(Cantilever, GivesAffineStiffnessBack) {
   }
 }
 
+Material elastic_fabric() {
+  Material fabric =
+      test::made_up_material("bend.warp", {ScalarCurve::constant(1e-5), FrictionLaw::none, {}});
+  fabric.density = 0.2;
+  return fabric;
+}
+
+// Of a strip whose stiffness is known the profile tells the weight.
+TEST(Cantilever, WeighsItsCloth) {
+  VirtualStudy study(lab_of(elastic_fabric(), overhanging_strips({0.05, 0.08})));
+  study.set_model("stiffness: constant");
+  study.add_to_experiment("density: unknown");
+  study.add("fit: {fix: {bend.warp.k: 1.1e-5}}");
+  const StudyResult result = study.fit();
+  ASSERT_EQ(result.nuisance.size(), 1u);
+  EXPECT_EQ(result.nuisance[0].name, "overhangs.density");
+  EXPECT_NEAR(result.nuisance[0].value, 0.22, 1e-5);
+}
+
+// A profile sees stiffness over weight alone.
+TEST(Cantilever, SaysThatStiffnessAndWeightAreNotToldApart) {
+  VirtualStudy study(lab_of(elastic_fabric(), overhanging_strips({0.05, 0.08})));
+  study.set_model("stiffness: constant");
+  study.add_to_experiment("density: unknown");
+  const StudyResult result = study.fit();
+  EXPECT_FALSE(result.nuisance[0].identified);
+  ASSERT_FALSE(result.parameters.empty());
+  EXPECT_FALSE(result.parameters[0].identified);
+}
+
 }  // namespace
 }  // namespace pliant

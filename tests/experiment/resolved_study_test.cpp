@@ -33,7 +33,7 @@ experiments:
      pretension: 5.5555555 cN, apparatus_friction: 0.1 N, precondition_cycles: 2, initial_friction: rest,
      rest_length: known, noise: {force: 3 mN, length: 20 um}}
   - {name: c, type: shear-cycles, data: raw/c.csv, transverse_tension: 9.8 N/m, noise: {force: 0.1 N/m}}
-  - {name: e, type: cantilever, direction: weft, data: raw/c.csv, noise: {position: 0.15 mm}}
+  - {name: e, type: cantilever, direction: weft, density: unknown, data: raw/c.csv, noise: {position: 0.15 mm}}
   - {name: f, type: rolled-strip, direction: bias, data: raw/c.csv, length: 12.345 cm, width: 1 in}
   - {name: g, type: pure-bending, direction: warp, data: raw/c.csv, width: 20 cm, initial_friction: rest, noise: {moment: 0.001 gf cm/cm}}
   - {name: h, type: bending-length, direction: warp, data: raw/c.csv, width: 1 in, angle: 43.21 deg, noise: {overhang: 0.5 mm}}
@@ -76,6 +76,7 @@ void expect_same(const ExperimentSpec& a, const ExperimentSpec& b) {
   EXPECT_EQ(a.rested, b.rested);
   EXPECT_EQ(a.initial_friction, b.initial_friction);
   EXPECT_EQ(a.rest_length, b.rest_length);
+  EXPECT_EQ(a.density_is_known, b.density_is_known);
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.noise.force.has_value(), b.noise.force.has_value());
   expect_near(a.noise.force.value_or(0), b.noise.force.value_or(0));

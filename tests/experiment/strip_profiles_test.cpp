@@ -92,7 +92,7 @@ TEST(StripShapes, HoldEveryMeasuredProfileAndOnePredictedForEachRadius) {
   LabExperiment rolled = rolled_strips({0.004, 0.01});
   rolled.repeats = 3;
   const Felt felt({rolled});
-  const auto shapes = felt[0].shapes(felt.law());
+  const auto shapes = felt[0].shapes(felt.law(), {});
   ASSERT_TRUE(shapes);
   EXPECT_EQ(shapes->setting_name, "radius");
   EXPECT_EQ(shapes->measured.size(), 6u);
@@ -105,7 +105,7 @@ TEST(StripShapes, HoldEveryMeasuredProfileAndOnePredictedForEachRadius) {
 // At rest every point carries the weight that hangs beyond it, on the way back from its cylinder.
 TEST(StripShapes, PredictedPointsLieOnTheReturnFromTheCylinder) {
   const Felt felt({rolled_strips({0.004})});
-  const auto shapes = felt[0].shapes(felt.law());
+  const auto shapes = felt[0].shapes(felt.law(), {});
   const BendingPath& bent = shapes->bent[0];
   const ProfileLine& line = shapes->predicted[0];
   const size_t turn = bent.curvature.size() / 2;
@@ -124,7 +124,7 @@ TEST(StripShapes, PredictedPointsLieOnTheReturnFromTheCylinder) {
 
 TEST(StripShapes, OfACantileverHaveNoPathOfRolling) {
   const Felt felt({overhanging_strips({0.1})});
-  const auto shapes = felt[0].shapes(felt.law());
+  const auto shapes = felt[0].shapes(felt.law(), {});
   ASSERT_TRUE(shapes);
   EXPECT_EQ(shapes->setting_name, "overhang");
   EXPECT_TRUE(shapes->bent.empty());

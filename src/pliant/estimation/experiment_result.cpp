@@ -110,7 +110,7 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.specimen_of_row = path.specimen;
   result.used = info.used;
   result.unloads = unloads(path);
-  result.shapes = experiment.shapes(law);
+  result.shapes = experiment.shapes(law, nuisance);
   result.measured_loop = metrics_of(experiment, result.measured);
   result.predicted_loop = metrics_of(experiment, result.predicted);
   return result;

@@ -13,12 +13,14 @@ constexpr int kMostLinearStarts = 3;
 constexpr double kReachedShare = 1e-3;
 constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
 
+constexpr double kTrial = 1e-6, kRough = 1e-4;  // of the cost
+
 // A trial tells where a start leads; only the best is followed to the end.
-LeastSquaresOptions trial(double best_cost) {
+LeastSquaresOptions trial(double best_cost, double tolerance) {
   constexpr double kHopeless = 100;
   LeastSquaresOptions options;
   options.max_iterations = 50;
-  options.function_tolerance = 1e-6;
+  options.function_tolerance = tolerance;
   options.hopeless_cost = kHopeless * best_cost;
   options.patience = 4;
   return options;
@@ -80,7 +82,7 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
 
 LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
                   const FitOptions& options, const StopToken& stop,
-                  const std::vector<ComponentLaw>& extra) {
+                  const std::vector<ComponentLaw>& extra, double tolerance) {
   LawFit fit;
   fit.limits = limits_of(problem, shape, options);
   const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
@@ -91,7 +93,7 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
   for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
     const LeastSquaresSummary solution =
         solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)),
-                            trial(std::max(best.cost, exact)), stop);
+                            trial(std::max(best.cost, exact), tolerance), stop);
     costs.push_back(solution.cost);
     if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
   }
@@ -112,13 +114,13 @@ const std::string& component_of(const ComponentProblem& problem) {
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
                const FitOptions& options, const StopToken& stop,
                const std::vector<ComponentLaw>& extra) {
-  return refit(problem, best_trial(problem, shape, options, stop, extra), stop);
+  return refit(problem, best_trial(problem, shape, options, stop, extra, kTrial), stop);
 }
 
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
                        const FitOptions& options, const StopToken& stop,
                        const std::vector<ComponentLaw>& extra) {
-  return best_trial(problem, shape, options, stop, extra);
+  return best_trial(problem, shape, options, stop, extra, kRough);
 }
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {

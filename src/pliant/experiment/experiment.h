@@ -131,8 +131,10 @@ class Experiment {
 
   /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
   /// measures none.
-  virtual std::optional<StripShapes> shapes(const ComponentLaw& law) const {
+  virtual std::optional<StripShapes> shapes(const ComponentLaw& law,
+                                            const Eigen::VectorXd& nuisance) const {
     static_cast<void>(law);
+    static_cast<void>(nuisance);
     return std::nullopt;
   }
 

@@ -23,6 +23,8 @@ int element_count(double length, double curvature) {
                     kMost);
 }
 
+constexpr double kDensityChange = 0.05;  // that matters
+
 Eigen::Vector2d left_of(const Eigen::Vector2d& tangent) { return {-tangent.y(), tangent.x()}; }
 
 // Moment per width of what hangs beyond each point of a measured profile ([P] Eq. 7), about it.
@@ -50,6 +52,38 @@ void require_whole(const ProfileRows& profile, double length, const DataRows& da
                    "points from the clamp to the free end, close enough to follow the strip");
 }
 
+ProfileLine measured_line(const ProfileRows& rows, double length, double weight) {
+  ProfileLine line;
+  line.setting = rows.setting;
+  line.first_row = rows.first;
+  for (const double share : rows.shares()) line.arc_length.push_back(share * length);
+  for (const Eigen::Vector2d& point : rows.points) {
+    line.x.push_back(point.x());
+    line.y.push_back(point.y());
+  }
+  line.curvature = profile_curvature(rows, length);
+  line.moment = hanging_moments(rows, length, weight);
+  return line;
+}
+
+ProfileLine predicted_line(const StripProfile& profile, double setting, double length,
+                           double weight) {
+  constexpr int kPoints = 150;
+  ProfileRows rows{setting, 0, 0, {}};
+  ProfileLine line;
+  line.setting = setting;
+  for (int i = 0; i <= kPoints; ++i) {
+    line.arc_length.push_back(length * i / kPoints);
+    const StripPoint point = profile.at(line.arc_length.back());
+    line.x.push_back(point.position.x());
+    line.y.push_back(point.position.y());
+    line.curvature.push_back(point.curvature);
+    rows.points.push_back(point.position);
+  }
+  line.moment = hanging_moments(rows, length, weight);
+  return line;
+}
+
 }  // namespace
 
 StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, double density,
@@ -59,6 +93,10 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   measured_ = Eigen::VectorXd::Zero(data.rows());
   profiles_ = read_profiles(data, setting);
   info_ = describe_experiment(spec, data, {"distance_mm", "distance", "mm", 1e3});
+  if (!spec.density_is_known) {
+    nuisance_.push_back({info_.name + ".density", "kg/m^2", density, density / 2, 2 * density,
+                         kDensityChange * density});
+  }
   path_.strain.resize(static_cast<size_t>(data.rows()));
   path_.force = path_.strain;
   path_.factor.assign(path_.strain.size(), 1);
@@ -94,14 +132,23 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
   path_.strain[first] = kStrainPerCurvature * rolled;
 }
 
+double StripProfiles::weight_by(const Eigen::VectorXd& nuisance) const {
+  return nuisance.size() > 0 ? nuisance(0) * kStandardGravity : weight_;
+}
+
+Eigen::VectorXd StripProfiles::unfitted_nuisance(const ComponentLaw&) const {
+  if (nuisance_.empty()) return {};
+  return Eigen::VectorXd::Constant(1, nuisance_.front().start);
+}
+
 std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
-                                                  bool with_derivatives) const {
+                                                  double weight, bool with_derivatives) {
   StripHistory history = strip.elastica.rolled(law, strip.rolled);
-  return released(strip.elastica, law, weight_, {}, with_derivatives, history);
+  return released(strip.elastica, law, weight, {}, with_derivatives, history);
 }
 
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
-                            double length, int parameters, Prediction& prediction) {
+                            double length, Prediction& prediction) {
   const std::vector<double> shares = measured.shares();
   for (size_t i = 0; i < measured.points.size(); ++i) {
     const double place = predicted.nearest(measured.points[i], shares[i] * length);
@@ -110,15 +157,18 @@ void StripProfiles::compare(const ProfileRows& measured, const StripProfile& pre
     const Eigen::Index row = measured.first + static_cast<Eigen::Index>(i);
     prediction.value(row) = across.dot(nearest.position - measured.points[i]);
     prediction.strain(row) = kStrainPerCurvature * nearest.curvature;
+    const Eigen::Index parameters = prediction.jacobian.cols();  // or none
     if (parameters == 0) continue;
     prediction.jacobian.row(row) =
         (across.transpose() * predicted.position_by_parameter(place)).leftCols(parameters);
   }
 }
 
-std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law, const Eigen::VectorXd&,
+std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
+                                                 const Eigen::VectorXd& nuisance,
                                                  bool with_jacobian) const {
-  const int parameters = with_jacobian ? law.parameter_count() : 0;
+  const auto parameters = with_jacobian ? law.parameter_count() + nuisance.size() : 0;
+  const double weight = weight_by(nuisance);
   Prediction prediction;
   prediction.value.resize(rows());
   prediction.strain.resize(rows());
@@ -127,17 +177,18 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law, const 
   parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
     if (!found) return;
     const Strip& strip = strips_[static_cast<size_t>(i)];
-    const std::optional<StripShape> shape = shape_of(strip, law, with_jacobian);
+    const std::optional<StripShape> shape = shape_of(strip, law, weight, with_jacobian);
     if (!shape) {
       found = false;
       return;
     }
     const StripProfile predicted = strip.elastica.profile({}, *shape);
     for (const ProfileRows& measured : strip.profiles) {
-      compare(measured, predicted, strip.elastica.line().length(), parameters, prediction);
+      compare(measured, predicted, strip.elastica.line().length(), prediction);
     }
   });
   if (!found) return std::nullopt;
+  prediction.jacobian.rightCols(with_jacobian ? nuisance.size() : 0) *= kStandardGravity;
   return prediction;
 }
 
@@ -147,52 +198,22 @@ double StripProfiles::reference() const {
   return longest;
 }
 
-ProfileLine StripProfiles::measured_line(const ProfileRows& rows, double length) const {
-  ProfileLine line;
-  line.setting = rows.setting;
-  line.first_row = rows.first;
-  for (const double share : rows.shares()) line.arc_length.push_back(share * length);
-  for (const Eigen::Vector2d& point : rows.points) {
-    line.x.push_back(point.x());
-    line.y.push_back(point.y());
-  }
-  line.curvature = profile_curvature(rows, length);
-  line.moment = hanging_moments(rows, length, weight_);
-  return line;
-}
-
-ProfileLine StripProfiles::predicted_line(const Strip& strip, const StripShape& shape) const {
-  constexpr int kPoints = 150;
-  const double length = strip.elastica.line().length();
-  const StripProfile profile = strip.elastica.profile({}, shape);
-  ProfileRows rows{strip.profiles.front().setting, 0, 0, {}};
-  ProfileLine line;
-  line.setting = rows.setting;
-  for (int i = 0; i <= kPoints; ++i) {
-    line.arc_length.push_back(length * i / kPoints);
-    const StripPoint point = profile.at(line.arc_length.back());
-    line.x.push_back(point.position.x());
-    line.y.push_back(point.position.y());
-    line.curvature.push_back(point.curvature);
-    rows.points.push_back(point.position);
-  }
-  line.moment = hanging_moments(rows, length, weight_);
-  return line;
-}
-
-std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law) const {
+std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
+                                                 const Eigen::VectorXd& nuisance) const {
+  const double weight = weight_by(nuisance);
   StripShapes shapes;
   shapes.setting_name = setting_;
   for (const Strip& strip : strips_) {
-    const std::optional<StripShape> shape = shape_of(strip, law, false);
+    const std::optional<StripShape> shape = shape_of(strip, law, weight, false);
     if (!shape) return std::nullopt;
+    const double length = strip.elastica.line().length();
+    const double setting = strip.profiles.front().setting;
     for (const ProfileRows& rows : strip.profiles) {
-      shapes.measured.push_back(measured_line(rows, strip.elastica.line().length()));
+      shapes.measured.push_back(measured_line(rows, length, weight));
     }
-    shapes.predicted.push_back(predicted_line(strip, *shape));
-    if (strip.rolled != 0) {
-      shapes.bent.push_back(bent_and_released(law, strip.profiles.front().setting, strip.rolled));
-    }
+    shapes.predicted.push_back(
+        predicted_line(strip.elastica.profile({}, *shape), setting, length, weight));
+    if (strip.rolled != 0) shapes.bent.push_back(bent_and_released(law, setting, strip.rolled));
   }
   return shapes;
 }

@@ -15,9 +15,10 @@ class StripProfiles : public Experiment {
  public:
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const override;
   double reference() const override;
-  std::optional<StripShapes> shapes(const ComponentLaw& law) const override;
+  std::optional<StripShapes> shapes(const ComponentLaw& law,
+                                    const Eigen::VectorXd& nuisance) const override;
 
  protected:
   /// A strip, and the measured profiles that should have its shape.
@@ -39,13 +40,12 @@ class StripProfiles : public Experiment {
   const std::vector<ProfileRows>& profiles() const { return profiles_; }
 
  private:
-  std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
-                                     bool with_derivatives) const;
+  static std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
+                                            double weight, bool with_derivatives);
+  /// Stated, or what the nuisance parameter says (N/m^2).
+  double weight_by(const Eigen::VectorXd& nuisance) const;
   static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,
-                      int parameters, Prediction& prediction);
-
-  ProfileLine measured_line(const ProfileRows& rows, double length) const;
-  ProfileLine predicted_line(const Strip& strip, const StripShape& shape) const;
+                      Prediction& prediction);
 
   std::string setting_;
   double weight_ = 0;  // N/m^2

@@ -130,6 +130,11 @@ void read_bent_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& s
   spec.width = defaults.width;
   if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
   if (spec.type == "bending-length") spec.angle = read_overhang_angle(fields);
+  if (spec.type == "cantilever") {
+    if (auto v = fields.optional("density")) {
+      spec.density_is_known = v->choice({"known", "unknown"}) == "known";
+    }
+  }
 }
 
 InitialFriction read_initial_friction(Fields& fields) {

@@ -68,6 +68,7 @@ struct ExperimentSpec {
   bool rested = false;
   InitialFriction initial_friction = InitialFriction::rest;
   RestLength rest_length = RestLength::known;
+  bool density_is_known = true;            ///< cantilever: else it is estimated along
   BucklingSide side = BucklingSide::down;  ///< buckling-bend
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;

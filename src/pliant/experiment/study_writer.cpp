@@ -117,6 +117,7 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
     add_rest_length(spec, node);
   } else if (bends_by_weight(spec.type)) {
     add_bent_strip(spec, node);
+    if (!spec.density_is_known) node["density"] = "unknown";
     if (spec.angle > 0) node["angle"] = text_of(spec.angle, Dimension::angle);
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;

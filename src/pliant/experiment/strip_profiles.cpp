@@ -39,6 +39,25 @@ std::vector<double> hanging_moments(const ProfileRows& profile, double length, d
   return moments;
 }
 
+// Five samples of the spiral, those left out where the weight bends further what stiffness opens:
+// they "do not guarantee a monotonic deformation" ([P] 4.3).
+void sample_as_published(const ProfileRows& profile, MeasuredPath& path) {
+  constexpr int kSamples = 5;
+  const std::vector<double> shares = profile.shares();
+  const auto first = path.published_samples.begin() + profile.first;
+  std::fill_n(first, shares.size(), 0);
+  for (int k = 0; k < kSamples; ++k) {
+    const double middle = (k + 0.5) / kSamples;  // of one of as many parts
+    const auto nearest =
+        std::min_element(shares.begin(), shares.end(), [&](double one, double other) {
+          return std::abs(one - middle) < std::abs(other - middle);
+        });
+    const auto point = nearest - shares.begin();
+    const auto row = static_cast<size_t>(profile.first + point);
+    first[point] = path.force[row] * path.strain[row] <= 0;
+  }
+}
+
 // The points must be those of the whole strip.
 void require_whole(const ProfileRows& profile, double length, const DataRows& data) {
   constexpr double kTolerance = 0.15;  // few points, read with noise
@@ -66,6 +85,7 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   path_.anchor.assign(path_.strain.size(), 0);
   path_.specimen.assign(path_.strain.size(), 0);
   path_.starts_flat.assign(path_.strain.size(), 0);
+  path_.published_samples.assign(path_.strain.size(), 1);
 }
 
 void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled,
@@ -91,6 +111,7 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
     path_.specimen[first + i] = rows.specimen;
     path_.direction[first + i] = rolled < 0 ? 1 : -1;
   }
+  if (rolled != 0) sample_as_published(rows, path_);
   path_.strain[first] = kStrainPerCurvature * rolled;
 }
 

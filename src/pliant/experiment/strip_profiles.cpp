@@ -10,6 +10,7 @@
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/profile_curvature.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/solver/elastica/equilibria.h"
 #include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
@@ -116,9 +117,16 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
 }
 
 std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
-                                                  bool with_derivatives) const {
-  StripHistory history = strip.elastica.rolled(law, strip.rolled);
+                                                  bool with_derivatives,
+                                                  StripHistory& history) const {
+  history = strip.elastica.rolled(law, strip.rolled);
   return released(strip.elastica, law, weight_, {}, with_derivatives, history);
+}
+
+// Whether the strip, pushed from its shape, stays in another.
+bool StripProfiles::is_ambiguous(const Strip& strip, const ComponentLaw& law,
+                                 const StripHistory& history, const StripShape& shape) const {
+  return equilibria_near(strip.elastica, law, weight_, {}, history, shape, kPushedBy).size() > 1;
 }
 
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
@@ -148,7 +156,8 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law, const 
   parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
     if (!found) return;
     const Strip& strip = strips_[static_cast<size_t>(i)];
-    const std::optional<StripShape> shape = shape_of(strip, law, with_jacobian);
+    StripHistory history;
+    const std::optional<StripShape> shape = shape_of(strip, law, with_jacobian, history);
     if (!shape) {
       found = false;
       return;
@@ -205,12 +214,16 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law) const 
   StripShapes shapes;
   shapes.setting_name = setting_;
   for (const Strip& strip : strips_) {
-    const std::optional<StripShape> shape = shape_of(strip, law, false);
+    StripHistory history;
+    const std::optional<StripShape> shape = shape_of(strip, law, false, history);
     if (!shape) return std::nullopt;
     for (const ProfileRows& rows : strip.profiles) {
       shapes.measured.push_back(measured_line(rows, strip.elastica.line().length()));
     }
     shapes.predicted.push_back(predicted_line(strip, *shape));
+    if (is_ambiguous(strip, law, history, *shape)) {
+      shapes.ambiguous.push_back(strip.profiles.front().setting);
+    }
     if (strip.rolled != 0) {
       shapes.bent.push_back(bent_and_released(law, strip.profiles.front().setting, strip.rolled));
     }

@@ -40,7 +40,9 @@ class StripProfiles : public Experiment {
 
  private:
   std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
-                                     bool with_derivatives) const;
+                                     bool with_derivatives, StripHistory& history) const;
+  bool is_ambiguous(const Strip& strip, const ComponentLaw& law, const StripHistory& history,
+                    const StripShape& shape) const;
   static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,
                       int parameters, Prediction& prediction);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 
 #include "pliant/base/assert.h"
 #include "pliant/material/component_law.h"
@@ -12,64 +10,8 @@
 namespace pliant {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A cubic stiffness makes the tangent a cubic too: this many samples a span separate its roots.
-constexpr int kSamplesPerSpan = 64;
 constexpr double kStepsPerTau = 20;        // of the search for the persistent strain
 constexpr double kReachWithoutRange = 50;  // in units of the strain over which friction acts
-
-double elastic_tangent(const ScalarCurve& stiffness, double strain) {
-  return stiffness.value(strain) + stiffness.slope(strain) * strain;
-}
-
-/// |strain| at which a Hermite curve is looked at: zero, samples of its spans on one side, its last
-/// knot.
-std::vector<double> hermite_samples(const ScalarCurve& stiffness, int side) {
-  std::vector<double> ends{0};
-  for (const double knot : stiffness.knots()) {
-    if (side * knot > 0) ends.push_back(side * knot);
-  }
-  std::sort(ends.begin(), ends.end());
-  std::vector<double> samples{0};
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    for (int k = 1; k <= kSamplesPerSpan; ++k) {
-      samples.push_back(ends[i - 1] + (ends[i] - ends[i - 1]) * k / kSamplesPerSpan);
-    }
-  }
-  return samples;
-}
-
-/// Intervals in which `f` is negative, sampled; beyond the last sample it keeps the sign it has
-/// there.
-std::vector<StrainInterval> negative_intervals(const std::function<double(double)>& f,
-                                               const std::vector<double>& samples) {
-  std::vector<StrainInterval> intervals;
-  bool inside = f(samples.front()) < 0;
-  if (inside) intervals.push_back({samples.front(), kInfinity});
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const bool negative = f(samples[i]) < 0;
-    if (negative == inside) continue;
-    const double crossing = root_in_bracket(f, samples[i - 1], samples[i]);
-    if (negative) {
-      intervals.push_back({crossing, kInfinity});
-    } else {
-      intervals.back().to = crossing;
-    }
-    inside = negative;
-  }
-  return intervals;
-}
-
-/// Where the tangent k1 + 2 k2 |strain| falls below b.
-std::vector<StrainInterval> affine_snapping(double k1, double k2, double b) {
-  const bool at_zero = k1 < b;
-  if (k2 == 0)
-    return at_zero ? std::vector<StrainInterval>{{0, kInfinity}} : std::vector<StrainInterval>{};
-  const double crossing = (b - k1) / (2 * k2);
-  if (k2 > 0)
-    return at_zero ? std::vector<StrainInterval>{{0, crossing}} : std::vector<StrainInterval>{};
-  return {{at_zero ? 0 : crossing, kInfinity}};
-}
 
 StiffnessAt stiffness_at(const ComponentLaw& law, double strain) {
   StiffnessAt at;
@@ -118,21 +60,6 @@ FrictionFacts friction_facts(const ScalarCurve& stiffness, const DahlParameters&
 }
 
 }  // namespace
-
-std::vector<StrainInterval> snapping_strains(const ScalarCurve& stiffness, double b, int side) {
-  const std::vector<double>& values = stiffness.values();
-  switch (stiffness.kind()) {
-    case CurveKind::constant:
-      return affine_snapping(values[0], 0, b);
-    case CurveKind::affine:
-      return affine_snapping(values[0], values[1], b);
-    case CurveKind::hermite:
-      break;
-  }
-  return negative_intervals(
-      [&](double strain) { return elastic_tangent(stiffness, side * strain) - b; },
-      hermite_samples(stiffness, stiffness.even() ? 1 : side));
-}
 
 ComponentFacts facts_of(const MaterialComponent& component) {
   PLIANT_ASSERT(component.stiffness.has_value(), "a component with numbers");

@@ -6,14 +6,9 @@
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/density/persistent_deformation.h"
 #include "pliant/material/material.h"
+#include "pliant/material/snapping_strains.h"
 
 namespace pliant {
-
-/// A range of |strain|; `to` may be infinite.
-struct StrainInterval {
-  double from = 0;
-  double to = 0;
-};
 
 /// Stiffness of a component at one strain, in its units (N/m, or N m for bending).
 struct StiffnessAt {
@@ -48,11 +43,5 @@ struct ComponentFacts {
 
 /// @param component  its stiffness is given
 ComponentFacts facts_of(const MaterialComponent& component);
-
-/// Strains at which the slope of the friction stress on unloading, at worst -b, outweighs the
-/// elastic tangent k + k' strain: the law is not monotone there, and the material itself snaps
-/// while it unloads.
-/// @param side  1 or -1: the sign of the strains looked at
-std::vector<StrainInterval> snapping_strains(const ScalarCurve& stiffness, double b, int side);
 
 }  // namespace pliant

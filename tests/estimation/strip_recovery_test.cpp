@@ -1,10 +1,16 @@
 // What a fit finds in the profiles of strips without noise, made from known parameters by a finer
 // elastica than the fit's.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "pliant/estimation/study_evaluation.h"
+#include "pliant/experiment/strip_shapes.h"
 
 #include "estimation/virtual_study.h"
 #include "support/virtual_strips.h"
@@ -12,12 +18,16 @@
 namespace pliant {
 namespace {
 
+using test::estimate_named;
 using test::lab_of;
 using test::overhanging_strips;
 using test::published_bending_material;
 using test::relative_error;
 using test::rolled_strips;
 using test::VirtualStudy;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kRecovered = 5e-3;  // the project's number
 
@@ -48,17 +58,85 @@ TEST_P(SlowRolledFabric, TogetherWithCantileversGivesAllFiveParametersBack) {
 INSTANTIATE_TEST_SUITE_P(Of, SlowRolledFabric, ::testing::Values("felt", "doublecloth"),
                          [](const auto& name) { return std::string(name.param); });
 
-// Without friction a cantilever gives its stiffness alone.
-TEST(Cantilever, GivesAffineStiffnessBack) {
-  Material fabric =
-      test::made_up_material("bend.warp", {ScalarCurve::affine(1e-5, 2e-8), FrictionLaw::none, {}});
-  fabric.density = 0.2;
-  VirtualStudy study(lab_of(fabric, overhanging_strips({0.04, 0.07, 0.1})));
-  study.set_model("stiffness: affine");
-  const StudyResult result = study.fit();
-  for (const std::string& name : test::names_of(fabric, "bend.warp")) {
-    EXPECT_LT(relative_error(result, fabric, name), kRecovered) << name;
+// [P] 4.1 keeps the sides apart; a material that is alike on both shows one law on each.
+class SlowStripsRolledToOneSide : public ::testing::Test {
+ protected:
+  /// To the left, against their weight, or to the right.
+  static VirtualStudy rolled(double side, double noise) {
+    std::vector<double> radii{0.004, 0.005, 0.006, 0.0075, 0.010, 0.016, 0.023};
+    for (double& radius : radii) radius *= side;
+    LabExperiment experiment = rolled_strips(radii);
+    experiment.instrument.length_noise = noise;
+    return VirtualStudy(lab_of(published_bending_material("felt"), experiment), /*seed=*/1);
   }
+};
+
+TEST_F(SlowStripsRolledToOneSide, GiveTheSameLawOnBoth) {
+  const StudyResult left = rolled(1, 0).fit(), right = rolled(-1, 0).fit();
+  for (const std::string& name : test::names_of(published_bending_material("felt"), "bend.warp")) {
+    const double value = estimate_named(left, name).value;
+    // Each is found within the project's number.
+    EXPECT_NEAR(estimate_named(right, name).value, value, 2 * kRecovered * value) << name;
+  }
+}
+
+TEST_F(SlowStripsRolledToOneSide, PredictTheOtherSideToItsNoise) {
+  constexpr double kNoise = 1e-4;
+  const StudyResult left = rolled(1, kNoise).fit();
+  const StudyResult right = evaluate_study(rolled(-1, kNoise).study(), left.material, {});
+  // The scatter of 168 distances is known to 5 %; what the law was missed by adds to it.
+  EXPECT_NEAR(right.experiments.front().rms, kNoise, 0.2 * kNoise);
+}
+
+/// Largest difference of the moments of two laws, bent to the published cylinders and let go, as a
+/// share of the largest moment.
+double moment_error(const ComponentLaw& law, const ComponentLaw& truth) {
+  double error = 0, largest = 0;
+  for (const double radius : test::published_radii()) {
+    const BendingPath found = bent_and_released(law, radius, 1 / radius);
+    const BendingPath expected = bent_and_released(truth, radius, 1 / radius);
+    for (size_t i = 0; i < expected.moment.size(); ++i) {
+      error = std::max(error, std::abs(found.moment[i] - expected.moment[i]));
+      largest = std::max(largest, std::abs(expected.moment[i]));
+    }
+  }
+  return error / largest;
+}
+
+// Paper snaps below a curvature of 57/m: strips of the wider cylinders jump when they are released.
+class SlowRolledPaper : public ::testing::Test {
+ protected:
+  static StudyResult fit(double widest) {
+    LabExperiment experiment = rolled_strips({});
+    for (const double radius : test::published_radii()) {
+      if (radius <= widest) experiment.settings.push_back(radius);
+    }
+    experiment.repeats = 3;
+    return VirtualStudy(lab_of(published_bending_material("paper"), experiment)).fit();
+  }
+  static double moment_error_of(const StudyResult& result) {
+    const double error = moment_error(*law_of(result.material, "bend.warp"),
+                                      *law_of(published_bending_material("paper"), "bend.warp"));
+    fmt::print("moments within {:.2f} % of the largest\n", 100 * error);
+    return error;
+  }
+};
+
+TEST_F(SlowRolledPaper, IsRecoveredFromCylindersThatBendItBeyondItsSnapping) {
+  const Material paper = published_bending_material("paper");
+  const StudyResult result = fit(0.016);
+  for (const std::string& name : test::names_of(paper, "bend.warp")) {
+    EXPECT_LT(relative_error(result, paper, name), kRecovered) << name;
+  }
+  EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("snaps"))));
+}
+
+// Where they end is not the law's alone to say, and the parameters suffer; without noise the
+// moments hardly do.
+TEST_F(SlowRolledPaper, OfAllCylindersIsWarnedOfAndKeepsItsMoments) {
+  const StudyResult result = fit(1);
+  EXPECT_THAT(result.warnings, Contains(HasSubstr("snaps")));
+  EXPECT_LT(moment_error_of(result), 0.02);
 }
 
 Material elastic_fabric() {

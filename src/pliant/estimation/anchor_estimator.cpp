@@ -1,5 +1,6 @@
 #include "pliant/estimation/anchor_estimator.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pliant/estimation/linear_start.h"
@@ -73,39 +74,95 @@ LeastSquaresProblem force_errors(const ComponentProblem& problem, const Componen
           limits.scale};
 }
 
+bool is_overhang(const Experiment& experiment) {
+  return bends_by_weight(experiment.info().type) && experiment.info().type != "rolled-strip";
+}
+
+// The rows that give the stiffness and those that give friction: all of them give both, unless
+// strips were hung for the one and rolled for the other.
+struct PublishedRows {
+  bool stiffness_apart = false;
+  ComponentProblem of_stiffness, of_friction;
+};
+
+PublishedRows published_rows(const ComponentProblem& problem) {
+  const auto& experiments = problem.experiments();
+  const auto has = [&](bool overhang) {
+    return std::any_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
+      return is_overhang(*experiment) == overhang;
+    });
+  };
+  const bool apart = has(true) && has(false);
+  const auto rows_of = [&](bool overhang) {
+    return problem.restricted_to([&](size_t e, size_t row) {
+      const std::vector<char>& sampled = experiments[e]->path().published_samples;
+      const bool belongs = !apart || is_overhang(*experiments[e]) == overhang;
+      return belongs && (sampled.empty() || sampled[row]);
+    });
+  };
+  return {apart, rows_of(true), rows_of(false)};
+}
+
+// Linearised with the parameters outside [first, last) held at their values.
+Uncertainty stage_uncertainty(const ComponentProblem& problem, LawFit fit, int first, int last) {
+  for (int i = 0; i < fit.solution.parameters.size(); ++i) {
+    if (i < first || i >= last) fit.limits.fixed[static_cast<size_t>(i)] = 1;
+  }
+  return linearised_uncertainty(force_errors(problem, fit.law, fit.limits), problem, fit, false);
+}
+
+// That of the first parameters by one stage, and of the others by another.
+Uncertainty joined(Uncertainty result, const Uncertainty& others, int first) {
+  const Eigen::Index count = result.std_error.size() - first;
+  result.covariance += others.covariance;
+  result.std_error.tail(count) = others.std_error.tail(count);
+  result.half_width.tail(count) = others.half_width.tail(count);
+  std::copy(others.at_bound.begin() + first, others.at_bound.end(),
+            result.at_bound.begin() + first);
+  std::copy(others.identified.begin() + first, others.identified.end(),
+            result.identified.begin() + first);
+  Eigen::VectorXd singular_values(result.singular_values.size() + others.singular_values.size());
+  singular_values << result.singular_values, others.singular_values;
+  result.singular_values = singular_values;
+  return result;
+}
+
 }  // namespace
 
 AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
                      const FitOptions& options, const StopToken& stop) {
+  const PublishedRows rows = published_rows(problem);
   const DataScale scale{problem.peak_stress(), problem.largest_strain()};
   AnchorFit result;
   LawFit& fit = result.fit;
   fit.limits = parameter_limits(shape, component_of(problem), {}, scale, options);
-  const LeastSquaresProblem all = force_errors(problem, shape, fit.limits);
 
   const int stiffness = shape.stiffness.size();
   const int count = shape.parameter_count();
   ComponentLaw elastic = shape;
   elastic.friction_law = FrictionLaw::none;
   Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
-  values.head(stiffness) = linear_start(problem, elastic, 1).law.parameters();
+  values.head(stiffness) = linear_start(rows.of_stiffness, elastic, 1).law.parameters();
   if (shape.friction_law == FrictionLaw::dahl) {
     values(stiffness + 2) = kVerySmallTau * problem.largest_strain();
   }
 
-  const auto run = [&](const std::string& name, int first, int last) {
+  const auto run = [&](const ComponentProblem& part, const std::string& name, int first, int last) {
+    const LeastSquaresProblem all = force_errors(part, shape, fit.limits);
     const LeastSquaresSummary solution =
         solve_least_squares(stage_problem(all, values, first, last), values, {}, stop);
     values = solution.parameters;
     fit.solution = solution;
-    result.stages.push_back({name, std::sqrt(2 * solution.cost / problem.used_rows())});
+    result.stages.push_back({name, std::sqrt(2 * solution.cost / part.used_rows())});
   };
-  run("stiffness without friction", 0, stiffness);
+  run(rows.of_stiffness, "stiffness without friction", 0, stiffness);
   if (shape.friction_law == FrictionLaw::dahl) {
-    run("maximum friction with a very small tau", 0, stiffness + 2);
+    const int first = rows.stiffness_apart ? stiffness : 0;
+    run(rows.of_friction, "maximum friction with a very small tau", first, stiffness + 2);
     values(stiffness + 2) = 0.05 * problem.largest_strain();
-    run("tau", stiffness + 2, count);
-    run("all together", 0, count);
+    run(rows.of_friction, "tau", stiffness + 2, count);
+    run(rows.of_friction, rows.stiffness_apart ? "friction together" : "all together", first,
+        count);
   }
   fit.law = shape.with_parameters(values);
   fit.nuisance.resize(problem.nuisance_count());
@@ -119,7 +176,14 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
 }
 
 Uncertainty estimate_anchor_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
-  return linearised_uncertainty(force_errors(problem, fit.law, fit.limits), problem, fit, false);
+  const PublishedRows rows = published_rows(problem);
+  const int stiffness = fit.law.stiffness.size();
+  const int count = fit.law.parameter_count();
+  if (!rows.stiffness_apart) return stage_uncertainty(rows.of_stiffness, fit, 0, count);
+  LawFit elastic = fit;
+  if (count > stiffness) elastic.solution.parameters.segment<2>(stiffness).setZero();  // a and b
+  return joined(stage_uncertainty(rows.of_stiffness, elastic, 0, stiffness),
+                stage_uncertainty(rows.of_friction, fit, stiffness, count), stiffness);
 }
 
 }  // namespace pliant

@@ -153,6 +153,23 @@ void refuse_anchors_of_buckled_strips(const Study& study,
   }
 }
 
+// What is left of rolled strips' samples must tell friction's three parameters.
+void refuse_anchors_of_strips_bent_by_weight(const Study& study,
+                                             const std::vector<const Experiment*>& experiments) {
+  constexpr int kFewest = 3;
+  if (study.fit.estimator != EstimatorKind::anchor) return;
+  for (const Experiment* experiment : experiments) {
+    if (experiment->info().type != "rolled-strip") continue;
+    const std::vector<char>& sampled = experiment->path().published_samples;
+    if (std::count(sampled.begin(), sampled.end(), 1) >= kFewest) continue;
+    throw InputError({study.file, 0, "fit.estimator"},
+                     "the published estimator leaves out where the weight bends a strip further "
+                     "that its stiffness opens, which is nearly all of " +
+                         quoted_value(experiment->info().name),
+                     "path, or strips that were rolled to the left, against their weight");
+  }
+}
+
 }  // namespace
 
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
@@ -165,6 +182,7 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
   ComponentPlan plan;
   plan.fit = study.fit;
   refuse_anchors_of_buckled_strips(study, experiments);
+  refuse_anchors_of_strips_bent_by_weight(study, experiments);
   plan.stiffness =
       model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
   if (only_of("bending-length", experiments)) {

@@ -34,7 +34,8 @@ struct ComponentFit {
 /// strips rolled, constant where there are bending lengths or buckled strips alone, else hermite;
 /// friction where the data unloads.
 /// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
-/// @throws InputError where the study asks for the published estimator of a buckled strip
+/// @throws InputError where the study asks for the published estimator of a buckled strip, or of
+///         strips that all roll with their weight
 ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
                              std::vector<std::string>& notes);
 

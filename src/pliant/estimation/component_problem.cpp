@@ -69,17 +69,22 @@ ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
   }
 }
 
-ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen) const {
+ComponentProblem ComponentProblem::restricted_to(const RowChoice& takes) const {
   ComponentProblem part = *this;
   part.used_rows_ = 0;
   for (size_t e = 0; e < experiments_.size(); ++e) {
-    const MeasuredPath& path = experiments_[e]->path();
-    for (size_t i = 0; i < path.specimen.size(); ++i) {
-      part.used_[e][i] = used_[e][i] && e == experiment && path.specimen[i] == specimen;
+    for (size_t i = 0; i < used_[e].size(); ++i) {
+      part.used_[e][i] = used_[e][i] && takes(e, i);
       part.used_rows_ += part.used_[e][i];
     }
   }
   return part;
+}
+
+ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen) const {
+  return restricted_to([&](size_t e, size_t row) {
+    return e == experiment && experiments_[e]->path().specimen[row] == specimen;
+  });
 }
 
 std::vector<NuisanceParameter> ComponentProblem::nuisance() const {

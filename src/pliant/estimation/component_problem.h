@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,6 +27,9 @@ class ComponentProblem {
   /// @param experiments  all of one component, role fit; they outlive the problem
   explicit ComponentProblem(std::vector<const Experiment*> experiments);
 
+  /// The same problem with fewer rows.
+  using RowChoice = std::function<bool(size_t experiment, size_t row)>;
+  ComponentProblem restricted_to(const RowChoice& takes) const;
   /// The same problem with one specimen's rows alone.
   ComponentProblem restricted_to(size_t experiment, int specimen) const;
 

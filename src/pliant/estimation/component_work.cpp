@@ -7,6 +7,8 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/material/bending_strain.h"
+#include "pliant/material/snapping_strains.h"
 
 namespace pliant {
 namespace {
@@ -131,6 +133,36 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
   }
 }
 
+// Settings of the rolled strips whose cylinders bent them no further than a law snaps.
+int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
+  int count = 0;
+  for (const Experiment* experiment : work.fitted) {
+    if (experiment->info().type != "rolled-strip") continue;
+    const MeasuredPath& path = experiment->path();
+    for (size_t i = 0; i < path.strain.size(); ++i) {
+      const double strain = std::abs(path.strain[i]);
+      count += path.starts_flat[i] && strain > snapping.from && strain < snapping.to;
+    }
+  }
+  return count;
+}
+
+// Where a strip jumps to is not the law's alone to say.
+void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
+  const ComponentLaw& law = work.fit.fit.law;
+  if (law.friction_law != FrictionLaw::dahl) return;
+  for (const StrainInterval& snapping : snapping_strains(law.stiffness, law.friction[1], 1)) {
+    const int strips = snapping_strips(work, snapping);
+    if (strips == 0) continue;
+    result.warnings.push_back(fmt::format(
+        "the fitted law of {} snaps on unloading at curvatures of {:.3g} to {:.3g} 1/m: {} "
+        "profiles of strips that were rolled to there jumped on their release, and what they say "
+        "of the law hangs on how; compare a fit without them",
+        work.component, snapping.from / kStrainPerCurvature, snapping.to / kStrainPerCurvature,
+        strips));
+  }
+}
+
 MaterialComponent measured_component(const ComponentWork& work) {
   MaterialComponent component;
   component.stiffness = work.fit.fit.law.stiffness;
@@ -151,6 +183,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_parameters(work, result);
   add_experiments(work, result);
   add_warnings(work, result);
+  warn_of_snapping(work, result);
   const Eigen::Index law_count = work.fit.fit.law.parameter_count();
   result.curves.push_back(
       component_curve(work.component, work.fit.fit.law, work.problem->largest_strain(),

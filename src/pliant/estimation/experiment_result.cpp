@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "pliant/base/errors.h"
+#include "pliant/experiment/experiment_data.h"
 
 namespace pliant {
 namespace {
@@ -69,6 +73,18 @@ std::vector<int> loading_of_rows(const MeasuredPath& path) {
   return loading;
 }
 
+// A strip that may rest in several shapes was measured in the one in which it was left.
+void tell_other_equilibria(ExperimentResult& result) {
+  if (!result.shapes || result.shapes->ambiguous.empty()) return;
+  std::vector<std::string> settings;
+  for (const double setting : result.shapes->ambiguous) settings.push_back(millimetres(setting));
+  result.handled.push_back(fmt::format(
+      "{} of {} predicted strips would stay in another shape when bent on by up to {} rad ({} {}): "
+      "what they say hangs on how quietly they were left",
+      settings.size(), result.shapes->predicted.size(), kPushedBy, result.shapes->setting_name,
+      fmt::join(settings, ", ")));
+}
+
 }  // namespace
 
 ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
@@ -111,6 +127,7 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.used = info.used;
   result.unloads = unloads(path);
   result.shapes = experiment.shapes(law, nuisance);
+  tell_other_equilibria(result);
   result.measured_loop = metrics_of(experiment, result.measured);
   result.predicted_loop = metrics_of(experiment, result.predicted);
   return result;

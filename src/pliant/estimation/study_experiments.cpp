@@ -41,6 +41,32 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
   return experiments;
 }
 
+namespace {
+
+// [P] 4.3 takes the stiffness from a test of its own.
+void add_stiffness_of_rolled_strips(const Experiments& experiments,
+                                    std::vector<std::string>& assumptions) {
+  const auto measures = [&](const std::string& component, bool rolled) {
+    return std::any_of(experiments.begin(), experiments.end(), [&](const auto& e) {
+      const ExperimentInfo& info = e->info();
+      return info.role == ExperimentRole::fit && info.component == component &&
+             bends_by_weight(info.type) && (info.type == "rolled-strip") == rolled;
+    });
+  };
+  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    if (!measures(component, true)) continue;
+    assumptions.push_back(
+        std::string(component) +
+        (measures(component, false)
+             ? ": published estimator: overhanging strips give the stiffness as if they had no "
+               "friction, and it is held while the rolled strips give friction"
+             : ": published estimator: without overhanging strips, which it takes the stiffness "
+               "from, stiffness is estimated together with friction"));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> assumptions_of(const Study& study, const Experiments& experiments) {
   std::vector<std::string> assumptions;
   const bool stretched = std::any_of(experiments.begin(), experiments.end(), [](const auto& e) {
@@ -81,6 +107,7 @@ std::vector<std::string> assumptions_of(const Study& study, const Experiments& e
     assumptions.push_back(
         "published estimator: friction saturated at every turning point, its "
         "approximate solution (offset b tau dropped); both bias it");
+    add_stiffness_of_rolled_strips(experiments, assumptions);
   }
   return assumptions;
 }

@@ -54,6 +54,8 @@ struct MeasuredPath {
   /// Rows where the path begins anew: from zero strain, free of friction, it comes to the row's
   /// strain and turns. Empty: there are none.
   std::vector<char> starts_flat;
+  /// Rows that the published estimator samples. Empty: all of them.
+  std::vector<char> published_samples;
 };
 
 /// An abscissa and an ordinate a row: the loop as the field draws it (force over length).

@@ -10,6 +10,7 @@
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/profile_curvature.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/solver/elastica/equilibria.h"
 #include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
@@ -39,6 +40,25 @@ std::vector<double> hanging_moments(const ProfileRows& profile, double length, d
     }
   }
   return moments;
+}
+
+// Five samples of the spiral, those left out where the weight bends further what stiffness opens:
+// they "do not guarantee a monotonic deformation" ([P] 4.3).
+void sample_as_published(const ProfileRows& profile, MeasuredPath& path) {
+  constexpr int kSamples = 5;
+  const std::vector<double> shares = profile.shares();
+  const auto first = path.published_samples.begin() + profile.first;
+  std::fill_n(first, shares.size(), 0);
+  for (int k = 0; k < kSamples; ++k) {
+    const double middle = (k + 0.5) / kSamples;  // of one of as many parts
+    const auto nearest =
+        std::min_element(shares.begin(), shares.end(), [&](double one, double other) {
+          return std::abs(one - middle) < std::abs(other - middle);
+        });
+    const auto point = nearest - shares.begin();
+    const auto row = static_cast<size_t>(profile.first + point);
+    first[point] = path.force[row] * path.strain[row] <= 0;
+  }
 }
 
 // The points must be those of the whole strip.
@@ -104,6 +124,7 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   path_.anchor.assign(path_.strain.size(), 0);
   path_.specimen.assign(path_.strain.size(), 0);
   path_.starts_flat.assign(path_.strain.size(), 0);
+  path_.published_samples.assign(path_.strain.size(), 1);
 }
 
 void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled,
@@ -129,6 +150,7 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
     path_.specimen[first + i] = rows.specimen;
     path_.direction[first + i] = rolled < 0 ? 1 : -1;
   }
+  if (rolled != 0) sample_as_published(rows, path_);
   path_.strain[first] = kStrainPerCurvature * rolled;
 }
 
@@ -142,9 +164,16 @@ Eigen::VectorXd StripProfiles::unfitted_nuisance(const ComponentLaw&) const {
 }
 
 std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
-                                                  double weight, bool with_derivatives) {
-  StripHistory history = strip.elastica.rolled(law, strip.rolled);
+                                                  double weight, bool with_derivatives,
+                                                  StripHistory& history) {
+  history = strip.elastica.rolled(law, strip.rolled);
   return released(strip.elastica, law, weight, {}, with_derivatives, history);
+}
+
+// Whether the strip, pushed from its shape, stays in another.
+bool StripProfiles::is_ambiguous(const Strip& strip, const ComponentLaw& law, double weight,
+                                 const StripHistory& history, const StripShape& shape) {
+  return equilibria_near(strip.elastica, law, weight, {}, history, shape, kPushedBy).size() > 1;
 }
 
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
@@ -177,7 +206,8 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
     if (!found) return;
     const Strip& strip = strips_[static_cast<size_t>(i)];
-    const std::optional<StripShape> shape = shape_of(strip, law, weight, with_jacobian);
+    StripHistory history;
+    const std::optional<StripShape> shape = shape_of(strip, law, weight, with_jacobian, history);
     if (!shape) {
       found = false;
       return;
@@ -204,7 +234,8 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
   StripShapes shapes;
   shapes.setting_name = setting_;
   for (const Strip& strip : strips_) {
-    const std::optional<StripShape> shape = shape_of(strip, law, weight, false);
+    StripHistory history;
+    const std::optional<StripShape> shape = shape_of(strip, law, weight, false, history);
     if (!shape) return std::nullopt;
     const double length = strip.elastica.line().length();
     const double setting = strip.profiles.front().setting;
@@ -213,6 +244,7 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
     }
     shapes.predicted.push_back(
         predicted_line(strip.elastica.profile({}, *shape), setting, length, weight));
+    if (is_ambiguous(strip, law, weight, history, *shape)) shapes.ambiguous.push_back(setting);
     if (strip.rolled != 0) shapes.bent.push_back(bent_and_released(law, setting, strip.rolled));
   }
   return shapes;

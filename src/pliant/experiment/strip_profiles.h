@@ -41,7 +41,10 @@ class StripProfiles : public Experiment {
 
  private:
   static std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
-                                            double weight, bool with_derivatives);
+                                            double weight, bool with_derivatives,
+                                            StripHistory& history);
+  static bool is_ambiguous(const Strip& strip, const ComponentLaw& law, double weight,
+                           const StripHistory& history, const StripShape& shape);
   /// Stated, or what the nuisance parameter says (N/m^2).
   double weight_by(const Eigen::VectorXd& nuisance) const;
   static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,

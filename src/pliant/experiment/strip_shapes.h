@@ -25,12 +25,16 @@ struct BendingPath {
   std::vector<double> moment;     ///< N
 };
 
+/// How far a strip is bent on, all along together, to see whether it comes back (rad).
+inline constexpr double kPushedBy = 1.5;
+
 /// What there is to draw of strips whose profiles are measured.
 struct StripShapes {
   std::string setting_name;            ///< overhang, radius
   std::vector<ProfileLine> measured;   ///< in the order of the data
   std::vector<ProfileLine> predicted;  ///< one for each setting
   std::vector<BendingPath> bent;       ///< one for each radius; empty where nothing was rolled
+  std::vector<double> ambiguous;       ///< settings (m) whose strip, pushed, stays in another shape
 };
 
 /// The path of a material point from flat to a curvature and back to flat.

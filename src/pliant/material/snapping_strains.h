@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/math/scalar_curve.h"
+
+namespace pliant {
+
+/// A range of |strain|; `to` may be infinite.
+struct StrainInterval {
+  double from = 0;
+  double to = 0;
+};
+
+/// Strains at which the slope of the friction stress on unloading, at worst -b, outweighs the
+/// elastic tangent k + k' strain: the law is not monotone there, and the material itself snaps
+/// while it unloads.
+/// @param side  1 or -1: the sign of the strains looked at
+std::vector<StrainInterval> snapping_strains(const ScalarCurve& stiffness, double b, int side);
+
+}  // namespace pliant

@@ -64,6 +64,18 @@ TEST(LoopFigure, LegendNamesExactlyTheSeriesDrawn) {
   EXPECT_EQ(legend, groups(loop));
 }
 
+TEST(LoopFigure, DrawsAnElasticCurveOnceWherePassesFallTogether) {
+  const LoopFigure loop = loop_figure(experiment("force_N"), cycle(), {});
+  EXPECT_EQ(trace_of(loop, "elastic").at("x"), nlohmann::json({0.0, 0.0, 10.0, 10.0, 20.0}));
+}
+
+TEST(LoopFigure, DrawsAnElasticCurvePassByPassWhereItsZeroDrifts) {
+  Prediction p = cycle();
+  p.elastic = {0.0, 0.8, 1.9, 2.8, 4.0};
+  const LoopFigure loop = loop_figure(experiment("force_N"), p, {});
+  EXPECT_EQ(trace_of(loop, "elastic").at("y"), nlohmann::json(p.elastic));
+}
+
 TEST(LoopFigure, OnPageOneShowsTheLoopsAlone) {
   const LoopFigure loop =
       loop_figure(experiment("force_N"), cycle(), {.budget = 300, .compact = true});

@@ -1,7 +1,9 @@
 #include "pliant/report/loop_figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "pliant/report/drawn_rows.h"
 
@@ -89,13 +91,16 @@ class LoopPlot {
     add(style, line.x, line.y);
   }
 
-  /// The elastic curve has no branches: one line, in the order of what drives it.
+  /// The elastic curve has no branches: one line, in the order of what drives it; or, where the
+  /// zero of the instrument drifts from pass to pass, pass by pass.
   void add_elastic(const SeriesStyle& style) {
     if (prediction_.elastic.empty()) return;
     std::vector<std::size_t> order = rows_;
-    const std::vector<double>& key = at_.measured_along_x ? at_.y_elastic : at_.x_elastic;
+    const auto& [key, value] = at_.measured_along_x ? std::tie(at_.y_elastic, at_.x_elastic)
+                                                    : std::tie(at_.x_elastic, at_.y_elastic);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
+    if (variation(value, rows_) < variation(value, order)) order = rows_;
     std::vector<double> x, y;
     for (const std::size_t row : order) {
       x.push_back(at_.x_elastic[row]);
@@ -114,6 +119,16 @@ class LoopPlot {
   }
 
  private:
+  // By how much the values go up and down on the way.
+  static double variation(const std::vector<double>& values,
+                          const std::vector<std::size_t>& order) {
+    double sum = 0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      sum += std::abs(values[order[i]] - values[order[i - 1]]);
+    }
+    return sum;
+  }
+
   template <typename Belongs>
   void add_markers(const SeriesStyle& style, Belongs belongs) {
     std::vector<double> x, y;

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json spread_json(const char* face, const BendingLengthSpread& spread) {
+Json spread_json(const std::string& face, const BendingLengthSpread& spread) {
   const bool weighed = spread.flexural_rigidity > 0;
   return {{"face", face},
           {"readings", spread.readings},
@@ -25,16 +25,9 @@ Json spread_json(const char* face, const BendingLengthSpread& spread) {
 
 Json bending_length_json(const OverhangRows& rows, double angle, double weight) {
   Json faces = Json::array();
-  const auto add = [&](const char* face, const std::vector<double>& overhangs) {
-    if (overhangs.empty()) return;
-    const auto spread = bending_length_spread(overhangs, angle, weight);
-    if (spread) faces.push_back(spread_json(face, *spread));
-  };
-  const std::vector<double> up = overhangs_of(rows, StripFace::up);
-  const std::vector<double> down = overhangs_of(rows, StripFace::down);
-  add("1", up);
-  add("2", down);
-  if (!up.empty() && !down.empty()) add("both", rows.overhang);
+  for (const auto& [face, spread] : spread_by_face(rows, angle, weight)) {
+    faces.push_back(spread_json(face, spread));
+  }
   return {{"angle_deg", angle * 180 / std::numbers::pi}, {"faces", faces}};
 }
 

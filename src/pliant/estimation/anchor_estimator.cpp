@@ -74,10 +74,6 @@ LeastSquaresProblem force_errors(const ComponentProblem& problem, const Componen
           limits.scale};
 }
 
-bool is_overhang(const Experiment& experiment) {
-  return bends_by_weight(experiment.info().type) && experiment.info().type != "rolled-strip";
-}
-
 // The rows that give the stiffness and those that give friction: all of them give both, unless
 // strips were hung for the one and rolled for the other.
 struct PublishedRows {
@@ -89,14 +85,14 @@ PublishedRows published_rows(const ComponentProblem& problem) {
   const auto& experiments = problem.experiments();
   const auto has = [&](bool overhang) {
     return std::any_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
-      return is_overhang(*experiment) == overhang;
+      return overhangs(experiment->info().type) == overhang;
     });
   };
   const bool apart = has(true) && has(false);
   const auto rows_of = [&](bool overhang) {
     return problem.restricted_to([&](size_t e, size_t row) {
       const std::vector<char>& sampled = experiments[e]->path().published_samples;
-      const bool belongs = !apart || is_overhang(*experiments[e]) == overhang;
+      const bool belongs = !apart || overhangs(experiments[e]->info().type) == overhang;
       return belongs && (sampled.empty() || sampled[row]);
     });
   };

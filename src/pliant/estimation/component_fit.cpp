@@ -14,24 +14,25 @@ namespace {
 constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
-// The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
-// Not strips alone that only load: friction that is not told from stiffness makes that fall.
-bool only_published_tests(const std::vector<const Experiment*>& experiments) {
-  const auto are = [&](const auto& belongs) {
-    return std::all_of(experiments.begin(), experiments.end(),
-                       [&](const Experiment* e) { return belongs(e->info().type); });
-  };
-  return are([](const std::string& type) {
-           return type == "hanging-weights" || bends_by_weight(type);
-         }) &&
-         !are([](const std::string& type) {
-           return type == "cantilever" || type == "bending-length";
-         });
+template <class Belongs>
+bool all_types(const std::vector<const Experiment*>& experiments, const Belongs& belongs) {
+  return std::all_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
+    return belongs(experiment->info().type);
+  });
 }
 
 bool only_of(const char* type, const std::vector<const Experiment*>& experiments) {
-  return std::all_of(experiments.begin(), experiments.end(),
-                     [&](const Experiment* experiment) { return experiment->info().type == type; });
+  return all_types(experiments, [&](const std::string& other) { return other == type; });
+}
+
+// The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
+// Not strips alone that only load: friction that is not told from stiffness makes that fall.
+bool only_published_tests(const std::vector<const Experiment*>& experiments) {
+  return all_types(experiments,
+                   [](const std::string& type) {
+                     return type == "hanging-weights" || bends_by_weight(type);
+                   }) &&
+         !all_types(experiments, overhangs);
 }
 
 // The force at which a strip buckles is the same at all distances, so that an offset of the force
@@ -140,32 +141,27 @@ LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
   return grown.fit;
 }
 
-// Its moments are not known without a fit: they come from a force whose zero is not known.
-void refuse_anchors_of_buckled_strips(const Study& study,
-                                      const std::vector<const Experiment*>& experiments) {
-  if (study.fit.estimator != EstimatorKind::anchor) return;
-  for (const Experiment* experiment : experiments) {
-    if (experiment->info().type != "buckling-bend") continue;
-    throw InputError({study.file, 0, "fit.estimator"},
-                     "the published estimator knows no moments of the buckled strip " +
-                         quoted_value(experiment->info().name),
-                     "path");
-  }
-}
-
-// What is left of rolled strips' samples must tell friction's three parameters.
-void refuse_anchors_of_strips_bent_by_weight(const Study& study,
-                                             const std::vector<const Experiment*>& experiments) {
+// The moments of a buckled strip come from a force whose zero is not known without a fit; what is
+// left of rolled strips' samples must tell friction's three parameters.
+void refuse_anchors(const Study& study, const std::vector<const Experiment*>& experiments) {
   constexpr int kFewest = 3;
   if (study.fit.estimator != EstimatorKind::anchor) return;
+  const Location where{study.file, 0, "fit.estimator"};
   for (const Experiment* experiment : experiments) {
-    if (experiment->info().type != "rolled-strip") continue;
+    const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;
-    if (std::count(sampled.begin(), sampled.end(), 1) >= kFewest) continue;
-    throw InputError({study.file, 0, "fit.estimator"},
+    if (experiment->info().type == "buckling-bend") {
+      throw InputError(
+          where, "the published estimator knows no moments of the buckled strip " + name, "path");
+    }
+    if (experiment->info().type != "rolled-strip" ||
+        std::count(sampled.begin(), sampled.end(), 1) >= kFewest) {
+      continue;
+    }
+    throw InputError(where,
                      "the published estimator leaves out where the weight bends a strip further "
                      "that its stiffness opens, which is nearly all of " +
-                         quoted_value(experiment->info().name),
+                         name,
                      "path, or strips that were rolled to the left, against their weight");
   }
 }
@@ -181,8 +177,7 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
 
   ComponentPlan plan;
   plan.fit = study.fit;
-  refuse_anchors_of_buckled_strips(study, experiments);
-  refuse_anchors_of_strips_bent_by_weight(study, experiments);
+  refuse_anchors(study, experiments);
   plan.stiffness =
       model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
   if (only_of("bending-length", experiments)) {

@@ -21,7 +21,7 @@ std::string variation_text(const std::optional<double>& variation) {
   return variation ? fmt::format(" (coefficient of variation {:.2g} %)", 100 * *variation) : "";
 }
 
-std::string spread_text(const char* face, const BendingLengthSpread& spread) {
+std::string spread_text(const std::string& face, const BendingLengthSpread& spread) {
   std::string text = fmt::format("{}, {} reading{}: bending length {}{}", face, spread.readings,
                                  spread.readings == 1 ? "" : "s",
                                  format_quantity(spread.length, Dimension::length, kDigits),
@@ -59,20 +59,27 @@ std::vector<double> overhangs_of(const OverhangRows& rows, StripFace face) {
   return overhangs;
 }
 
-std::vector<std::string> bending_length_texts(const OverhangRows& rows, double angle,
-                                              double weight) {
-  const std::vector<double> up = overhangs_of(rows, StripFace::up);
-  const std::vector<double> down = overhangs_of(rows, StripFace::down);
-  std::vector<std::string> texts;
+std::vector<FaceSpread> spread_by_face(const OverhangRows& rows, double angle, double weight) {
+  std::vector<FaceSpread> faces;
   const auto add = [&](const char* face, const std::vector<double>& overhangs) {
     if (overhangs.empty()) return;
-    if (const auto spread = bending_length_spread(overhangs, angle, weight)) {
-      texts.push_back(spread_text(face, *spread));
-    }
+    const auto spread = bending_length_spread(overhangs, angle, weight);
+    if (spread) faces.push_back({face, *spread});
   };
-  add("face 1", up);
-  add("face 2", down);
-  if (!up.empty() && !down.empty()) add("both faces", rows.overhang);
+  const std::vector<double> up = overhangs_of(rows, StripFace::up);
+  const std::vector<double> down = overhangs_of(rows, StripFace::down);
+  add("1", up);
+  add("2", down);
+  if (!up.empty() && !down.empty()) add("both", rows.overhang);
+  return faces;
+}
+
+std::vector<std::string> bending_length_texts(const OverhangRows& rows, double angle,
+                                              double weight) {
+  std::vector<std::string> texts;
+  for (const auto& [face, spread] : spread_by_face(rows, angle, weight)) {
+    texts.push_back(spread_text(face == "both" ? "both faces" : "face " + face, spread));
+  }
   return texts;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/math/spline_line.h"
+
 namespace pliant {
 namespace {
 
@@ -31,14 +33,7 @@ void require_sound(const ProfileRows& profile, const DataRows& data) {
 
 }  // namespace
 
-std::vector<double> ProfileRows::shares() const {
-  std::vector<double> result{0};
-  for (size_t i = 1; i < points.size(); ++i) {
-    result.push_back(result.back() + (points[i] - points[i - 1]).norm());
-  }
-  for (double& share : result) share /= result.back();
-  return result;
-}
+std::vector<double> ProfileRows::shares() const { return length_shares(points); }
 
 std::vector<ProfileRows> read_profiles(const DataRows& data, std::string_view setting) {
   const std::vector<double> settings = data.quantity(setting, Dimension::length);

@@ -365,6 +365,8 @@ bool measures_profiles(std::string_view type) {
   return type == "cantilever" || type == "rolled-strip";
 }
 
+bool overhangs(std::string_view type) { return type == "cantilever" || type == "bending-length"; }
+
 bool bends_by_weight(std::string_view type) {
   return type == "bending-length" || measures_profiles(type);
 }

@@ -132,6 +132,9 @@ std::string_view name_of(BucklingSide side);
 /// Types whose rows are points of strips' profiles: cantilever, rolled-strip.
 bool measures_profiles(std::string_view type);
 
+/// Types in which a strip sticks out and bends once from flat: cantilever, bending-length.
+bool overhangs(std::string_view type);
+
 /// Types in which its own weight alone bends a strip, from flat: those and bending-length.
 bool bends_by_weight(std::string_view type);
 

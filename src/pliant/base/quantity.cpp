@@ -286,4 +286,8 @@ std::string format_quantity(double si, Dimension dimension) {
   return format_quantity(si, dimension, 4);
 }
 
+std::string exact_quantity(double si, Dimension dimension) {
+  return format_number(si) + " " + si_unit(dimension);
+}
+
 }  // namespace pliant

@@ -82,4 +82,7 @@ std::string format_quantity(double si, Dimension dimension, int digits);
 /// The same with 4 significant digits.
 std::string format_quantity(double si, Dimension dimension);
 
+/// An SI value in the SI unit, with the digits that read back to the same number: "0.1 m".
+std::string exact_quantity(double si, Dimension dimension);
+
 }  // namespace pliant

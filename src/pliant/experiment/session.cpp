@@ -134,6 +134,14 @@ void check_shape(const Session& session) {
 
 }  // namespace
 
+Eigen::Vector3d clip_middle(const Session& session, int frame, int clip) {
+  const std::vector<int>& clamped = session.clips[static_cast<std::size_t>(clip)].clamped;
+  return session.frames[static_cast<std::size_t>(frame)]
+      .positions(Eigen::all, clamped)
+      .rowwise()
+      .mean();
+}
+
 Session read_session(const fs::path& directory) {
   const SessionDocument document = read_session_document(directory / "session.yaml");
   Session session = begin_session(document);

@@ -69,6 +69,9 @@ struct Session {
   int frame_count() const { return static_cast<int>(frames.size()); }
 };
 
+/// The middle of the vertices that a clip clamps, in a frame (m).
+Eigen::Vector3d clip_middle(const Session& session, int frame, int clip);
+
 /// Reads and judges a session/1 directory.
 /// @throws InputError that names file, line, and the frame, clip or vertex at fault
 Session read_session(const std::filesystem::path& directory);

@@ -26,8 +26,6 @@ int element_count(double length, double curvature) {
 
 constexpr double kDensityChange = 0.05;  // that matters
 
-Eigen::Vector2d left_of(const Eigen::Vector2d& tangent) { return {-tangent.y(), tangent.x()}; }
-
 // Moment per width of what hangs beyond each point of a measured profile ([P] Eq. 7), about it.
 std::vector<double> hanging_moments(const ProfileRows& profile, double length, double weight) {
   const std::vector<double> shares = profile.shares();
@@ -182,7 +180,7 @@ void StripProfiles::compare(const ProfileRows& measured, const StripProfile& pre
   for (size_t i = 0; i < measured.points.size(); ++i) {
     const double place = predicted.nearest(measured.points[i], shares[i] * length);
     const StripPoint nearest = predicted.at(place);
-    const Eigen::Vector2d across = left_of(nearest.tangent);
+    const Eigen::Vector2d across = nearest.normal();
     const Eigen::Index row = measured.first + static_cast<Eigen::Index>(i);
     prediction.value(row) = across.dot(nearest.position - measured.points[i]);
     prediction.strain(row) = kStrainPerCurvature * nearest.curvature;

@@ -1,16 +1,10 @@
 #include <yaml-cpp/yaml.h>
 
-#include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/study.h"
 
 namespace pliant {
 namespace {
-
-// In the SI unit, with the digits that read back to the same number.
-std::string text_of(double si, Dimension dimension) {
-  return format_number(si) + " " + si_unit(dimension);
-}
 
 std::string_view name_of(FrictionChoice choice) {
   switch (choice) {
@@ -53,35 +47,36 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
 YAML::Node noise_node(const StatedNoise& noise, const std::string& type) {
   YAML::Node node;
   if (measures_profiles(type)) {
-    node["position"] = text_of(*noise.length, Dimension::length);
+    node["position"] = exact_quantity(*noise.length, Dimension::length);
     return node;
   }
   if (type == "bending-length") {
-    node["overhang"] = text_of(*noise.length, Dimension::length);
+    node["overhang"] = exact_quantity(*noise.length, Dimension::length);
     return node;
   }
   if (type == "pure-bending") {
-    node["moment"] = text_of(*noise.force, Dimension::force);
+    node["moment"] = exact_quantity(*noise.force, Dimension::force);
     return node;
   }
   const bool shear = type == "shear-cycles";
   if (noise.force) {
-    node["force"] = text_of(*noise.force, shear ? Dimension::force_per_length : Dimension::force);
+    node["force"] =
+        exact_quantity(*noise.force, shear ? Dimension::force_per_length : Dimension::force);
   }
-  if (noise.length) node["length"] = text_of(*noise.length, Dimension::length);
+  if (noise.length) node["length"] = exact_quantity(*noise.length, Dimension::length);
   return node;
 }
 
 void add_strip(const ExperimentSpec& spec, YAML::Node& node) {
   node["direction"] = spec.direction;
-  node["length"] = text_of(spec.length, Dimension::length);
-  node["width"] = text_of(spec.width, Dimension::length);
+  node["length"] = exact_quantity(spec.length, Dimension::length);
+  node["width"] = exact_quantity(spec.width, Dimension::length);
 }
 
 void add_bent_strip(const ExperimentSpec& spec, YAML::Node& node) {
   node["direction"] = spec.direction;
-  if (spec.length > 0) node["length"] = text_of(spec.length, Dimension::length);
-  if (spec.width > 0) node["width"] = text_of(spec.width, Dimension::length);
+  if (spec.length > 0) node["length"] = exact_quantity(spec.length, Dimension::length);
+  if (spec.width > 0) node["width"] = exact_quantity(spec.width, Dimension::length);
 }
 
 void add_initial_friction(const ExperimentSpec& spec, YAML::Node& node) {
@@ -96,17 +91,18 @@ void add_rest_length(const ExperimentSpec& spec, YAML::Node& node) {
 void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   if (spec.type == "hanging-weights") {
     add_strip(spec, node);
-    node["clip_mass"] = text_of(spec.clip_mass, Dimension::mass);
+    node["clip_mass"] = exact_quantity(spec.clip_mass, Dimension::mass);
     node["rested"] = spec.rested;
   } else if (spec.type == "tensile-cycles") {
     add_strip(spec, node);
-    node["pretension"] = text_of(spec.pretension, Dimension::force);
-    node["apparatus_friction"] = text_of(spec.apparatus_friction, Dimension::force);
+    node["pretension"] = exact_quantity(spec.pretension, Dimension::force);
+    node["apparatus_friction"] = exact_quantity(spec.apparatus_friction, Dimension::force);
     node["precondition_cycles"] = spec.precondition_cycles;
     add_rest_length(spec, node);
     add_initial_friction(spec, node);
   } else if (spec.type == "shear-cycles") {
-    node["transverse_tension"] = text_of(spec.transverse_tension, Dimension::force_per_length);
+    node["transverse_tension"] =
+        exact_quantity(spec.transverse_tension, Dimension::force_per_length);
     add_initial_friction(spec, node);
   } else if (spec.type == "pure-bending") {
     add_bent_strip(spec, node);
@@ -118,7 +114,7 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
   } else if (bends_by_weight(spec.type)) {
     add_bent_strip(spec, node);
     if (!spec.density_is_known) node["density"] = "unknown";
-    if (spec.angle > 0) node["angle"] = text_of(spec.angle, Dimension::angle);
+    if (spec.angle > 0) node["angle"] = exact_quantity(spec.angle, Dimension::angle);
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }
@@ -180,7 +176,7 @@ std::string resolved_study_text(const Study& study, const std::filesystem::path&
   YAML::Node node;
   node["pliant"] = "study/1";
   node["name"] = study.name;
-  if (study.density > 0) node["density"] = text_of(study.density, Dimension::area_density);
+  if (study.density > 0) node["density"] = exact_quantity(study.density, Dimension::area_density);
   if (!study.info.empty()) node["info"] = texts_node(study.info);
   if (!study.conditions.empty()) node["conditions"] = texts_node(study.conditions);
   for (const ExperimentSpec& spec : study.experiments) {

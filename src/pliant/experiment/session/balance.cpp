@@ -66,10 +66,9 @@ Eigen::VectorXd vertex_masses(const Session& session) {
 ClipLoad clip_load(const Session& session, int frame, int clip, const Eigen::Vector3d& centre) {
   const SessionClip& body = session.clips[static_cast<std::size_t>(clip)];
   const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
-  const Eigen::Vector3d middle = now.positions(Eigen::all, body.clamped).rowwise().mean();
   ClipLoad load;
   load.force = body.mass * session.gravity;
-  load.moment = (middle - centre).cross(load.force);
+  load.moment = (clip_middle(session, frame, clip) - centre).cross(load.force);
   for (const CordForce& cord : now.cords[static_cast<std::size_t>(clip)]) {
     load.force += cord.force;
     load.moment += (cord.point - centre).cross(cord.force);

@@ -80,7 +80,7 @@ void require_attached_cords(const Session& session, const CordForces& cords) {
     const SessionFrame& frame = session.frames[f];
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
       const SessionClip& clip = session.clips[c];
-      const Eigen::Vector3d middle = frame.positions(Eigen::all, clip.clamped).rowwise().mean();
+      const Eigen::Vector3d middle = clip_middle(session, static_cast<int>(f), static_cast<int>(c));
       for (std::size_t i = 0; i < frame.cords[c].size(); ++i) {
         const double distance = (frame.cords[c][i].point - middle).norm();
         if (distance <= most) continue;

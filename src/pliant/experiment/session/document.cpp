@@ -114,11 +114,6 @@ SessionDocument read_session_document(const std::filesystem::path& path) {
 
 namespace {
 
-// In the SI unit, with the digits that read back to the same number.
-std::string text_of(double si, Dimension dimension) {
-  return format_number(si) + " " + si_unit(dimension);
-}
-
 YAML::Node flow_list() {
   YAML::Node list(YAML::NodeType::Sequence);
   list.SetStyle(YAML::EmitterStyle::Flow);
@@ -128,17 +123,17 @@ YAML::Node flow_list() {
 YAML::Node sample_node(const SessionSample& sample) {
   YAML::Node node;
   if (!sample.id.empty()) node["id"] = sample.id;
-  node["width"] = text_of(sample.width, Dimension::length);
-  node["height"] = text_of(sample.height, Dimension::length);
-  if (sample.mass) node["mass"] = text_of(*sample.mass, Dimension::mass);
-  if (sample.density) node["density"] = text_of(*sample.density, Dimension::area_density);
+  node["width"] = exact_quantity(sample.width, Dimension::length);
+  node["height"] = exact_quantity(sample.height, Dimension::length);
+  if (sample.mass) node["mass"] = exact_quantity(*sample.mass, Dimension::mass);
+  if (sample.density) node["density"] = exact_quantity(*sample.density, Dimension::area_density);
   return node;
 }
 
 YAML::Node clip_node(const SessionClip& clip) {
   YAML::Node node;
   node["name"] = clip.name;
-  node["mass"] = text_of(clip.mass, Dimension::mass);
+  node["mass"] = exact_quantity(clip.mass, Dimension::mass);
   node["clamped"] = flow_list();
   for (const int vertex : clip.clamped) node["clamped"].push_back(vertex);
   return node;
@@ -163,7 +158,8 @@ std::string session_document_text(const Session& session) {
   for (const SessionClip& clip : session.clips) node["clips"].push_back(clip_node(clip));
   if (session.table) {
     const char* key = *session.table == RestAxis::u ? "edge_x" : "edge_y";
-    node["table"][key] = text_of(session.frames.front().table_edge.value(), Dimension::length);
+    node["table"][key] =
+        exact_quantity(session.frames.front().table_edge.value(), Dimension::length);
   }
   YAML::Emitter emitter;
   emitter << node;

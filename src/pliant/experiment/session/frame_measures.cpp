@@ -89,17 +89,11 @@ std::optional<std::array<int, 4>> corner_clips(const Session& session) {
 
 /// Mean pull of two clips away from each other (N).
 double tension(const Session& session, int frame, int from, int to) {
-  const auto middle = [&](int clip) -> Eigen::Vector3d {
-    const std::vector<int>& clamped = session.clips[static_cast<std::size_t>(clip)].clamped;
-    return session.frames[static_cast<std::size_t>(frame)]
-        .positions(Eigen::all, clamped)
-        .rowwise()
-        .mean();
-  };
   const auto force = [&](int clip) {
     return clip_load(session, frame, clip, Eigen::Vector3d::Zero()).force;
   };
-  const Eigen::Vector3d along = (middle(to) - middle(from)).normalized();
+  const Eigen::Vector3d along =
+      (clip_middle(session, frame, to) - clip_middle(session, frame, from)).normalized();
   return (force(to) - force(from)).dot(along) / 2;
 }
 

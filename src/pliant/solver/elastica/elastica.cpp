@@ -213,6 +213,16 @@ std::optional<Eigen::VectorXd> Elastica::newton_step(const Balance& b) const {
   return k.partialPivLu().solve(right);
 }
 
+// Changes of the curvatures, then of the far end's loads, that balance small moments and gaps, a
+// column each.
+Eigen::MatrixXd Elastica::respond(const Balance& b, const Eigen::MatrixXd& right) const {
+  if (b.gap.size() == 0) {
+    const LineFactor line = factor(stiffness(b, false));
+    if (line.is_positive()) return line.solve(right);
+  }
+  return bordered(b).partialPivLu().solve(right);
+}
+
 // Whether the energy grows in every direction that the far end allows.
 bool Elastica::is_stable(const Balance& b) const {
   const Stiffness all = stiffness(b, false);
@@ -298,12 +308,7 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
   }
   right.col(parameters - 1).head(n) -= line_.transposed_integrals(
       w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine)));
-  Eigen::MatrixXd change;
-  if (b.gap.size() == 0 && shape.stable) {
-    change = factor(stiffness(b, false)).solve(right);
-  } else {
-    change = bordered(b).partialPivLu().solve(right);
-  }
+  const Eigen::MatrixXd change = respond(b, right);
   shape.curvature_by_parameter = change.topRows(n);
   shape.far_load_by_parameter = Eigen::MatrixXd::Zero(3, parameters);
   Eigen::Index next = n;
@@ -324,9 +329,7 @@ Eigen::Vector2d Elastica::tip_by_length(const ComponentLaw& law, double weight,
   const Eigen::VectorXd moment_change =
       b.force.cwiseProduct(2 / line_.length() * b.cosine - b.sine.cwiseProduct(turned));
   const Eigen::VectorXd bend =
-      matrix(stiffness(b, false))
-          .partialPivLu()
-          .solve(-line_.transposed_integrals(w.cwiseProduct(moment_change)));
+      respond(b, -line_.transposed_integrals(w.cwiseProduct(moment_change)));
   const Eigen::VectorXd turn = turned + line_.integrals(bend);
   return {w.dot(b.cosine / line_.length() - b.sine.cwiseProduct(turn)),
           w.dot(b.sine / line_.length() + b.cosine.cwiseProduct(turn))};

@@ -103,6 +103,7 @@ class Elastica {
   LineFactor factor(const Stiffness& stiffness) const;
   Eigen::MatrixXd bordered(const Balance& balance) const;
   std::optional<Eigen::VectorXd> newton_step(const Balance& balance) const;
+  Eigen::MatrixXd respond(const Balance& balance, const Eigen::MatrixXd& right) const;
   bool is_stable(const Balance& balance) const;
 
   GaussLine line_;

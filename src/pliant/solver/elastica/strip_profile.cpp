@@ -42,8 +42,7 @@ double StripProfile::nearest(const Eigen::Vector2d& target, double guess) const 
   for (int iteration = 0; iteration < kMost; ++iteration) {
     const StripPoint here = at(place);
     const Eigen::Vector2d beyond = here.position - target;
-    const Eigen::Vector2d normal(-here.tangent.y(), here.tangent.x());
-    const double growth = std::max(1 + here.curvature * normal.dot(beyond), 0.2);
+    const double growth = std::max(1 + here.curvature * here.normal().dot(beyond), 0.2);
     const double next = std::clamp(place - here.tangent.dot(beyond) / growth, 0.0, line_.length());
     const double moved = std::abs(next - place);
     place = next;

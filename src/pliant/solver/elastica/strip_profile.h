@@ -11,6 +11,9 @@ struct StripPoint {
   Eigen::Vector2d position;  ///< m
   Eigen::Vector2d tangent;   ///< unit vector, away from the clamp
   double curvature = 0;      ///< 1/m, positive where the profile turns left
+
+  /// Across the profile, to its left.
+  Eigen::Vector2d normal() const { return {-tangent.y(), tangent.x()}; }
 };
 
 /// The line that a bent strip forms, from its clamp at the origin. Places are distances from the

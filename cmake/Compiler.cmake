@@ -31,6 +31,9 @@ if(PLIANT_SANITIZE)
   add_compile_options(-fsanitize=${PLIANT_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${PLIANT_SANITIZE})
+  # Eigen would pad what it allocates under the address sanitizer. Packaged libraries that carry
+  # instances of its templates (Ceres) do not, and the linker mixes theirs with ours.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Under the sanitizers g++ 12 gives this warning for the standard library's own <regex>.
     add_compile_options(-Wno-maybe-uninitialized)

@@ -117,7 +117,7 @@ std::string long_work_lab() {
 // The program is a second or so into its work, and has a second to end.
 TEST(Interrupt, EndsALongFitWithinASecondAndLeavesNothing) {
   const MeasuredFolder folder(long_work_lab());
-  constexpr double kWait = 1.0;
+  constexpr double kWait = kSanitizerFactor;
   const ProgramRun run = run_program({"fit", folder.study(), "-o", folder.file("deep/fit"),
                                       "--compare", "friction", "--profile", "*"},
                                      {.interrupt_after = kWait});
@@ -134,7 +134,7 @@ TEST(Interrupt, LeavesEarlierResultsAsTheyWere) {
   const auto before = names_in(folder.path() / "fit");
   const ProgramRun run = run_program(
       {"fit", folder.study(), "-o", folder.file("fit"), "--compare", "friction", "--profile", "*"},
-      {.interrupt_after = 0.7});
+      {.interrupt_after = 0.7 * kSanitizerFactor});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(names_in(folder.path() / "fit"), UnorderedElementsAreArray(before));
 }

@@ -68,7 +68,8 @@ TEST(Strips, ArePredictedByAMaterialThatKnowsItsDensity) {
   const ProgramRun run =
       run_program({"evaluate", light, "-m", felt, "-o", folder.file("check"), "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  for (const json& e : json::parse(run.out)["experiments"]) {
+  const json result = json::parse(run.out);
+  for (const json& e : result["experiments"]) {
     EXPECT_LT(e["rms_position_mm"], 0.13);
   }
   const ProgramRun fit = run_program({"fit", light, "-o", folder.file("fit")});

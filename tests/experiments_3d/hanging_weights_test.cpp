@@ -82,7 +82,7 @@ TEST_P(HangingWeights3d, HasTheLengthsOfTheOneDimensionalModelOverTheWholePath) 
 
     // (k1, k2, a, b, tau) in both. The slope of saturated friction scales the derivatives.
     const Eigen::VectorXd lengths =
-        -point.positions_by_parameter.row(3 * sheet.clip.front() + 1).segment<5>(first).transpose();
+        -point.by_parameter.positions.row(3 * sheet.clip.front() + 1).segment<5>(first).transpose();
     const Eigen::VectorXd jacobian = expected->jacobian.row(i).transpose();
     EXPECT_LT((lengths - jacobian).norm(), 1e-6 * jacobian.norm()) << i;
   }

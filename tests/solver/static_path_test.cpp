@@ -103,8 +103,8 @@ void expect_derivatives(LoadedSheet& sheet) {
     for (size_t i = 0; i < at.points.size(); ++i) {
       const Eigen::VectorXd x = (up.positions[i] - down.positions[i]) / (2 * change);
       const Eigen::VectorXd f = (up.forces[i] - down.forces[i]) / (2 * change);
-      const double x_error = (at.points[i].positions_by_parameter.col(k) - x).norm();
-      const double f_error = (at.points[i].forces_by_parameter.col(k) - f).norm();
+      const double x_error = (at.points[i].by_parameter.positions.col(k) - x).norm();
+      const double f_error = (at.points[i].by_parameter.forces.col(k) - f).norm();
       // What rounding leaves of the paths, over the change: the tolerance over the stiffness of
       // bending, and what that makes of the membrane's forces.
       EXPECT_LT(x_error, 1e-5 * x.norm() + 1e-12 / change) << sheet.parameters.names[k] << " " << i;
@@ -248,7 +248,7 @@ TEST(StaticPath, AClipOnItsOwnLineOfPointsHasSensitivities) {
   const auto& names = sheet.parameters.names;
   const auto warp = std::find(names.begin(), names.end(), "stretch.warp.k") - names.begin();
   ASSERT_LT(warp, std::ssize(names));
-  EXPECT_NEAR(point.positions_by_parameter(3 * low[0] + 1, warp), -by_stiffness,
+  EXPECT_NEAR(point.by_parameter.positions(3 * low[0] + 1, warp), -by_stiffness,
               1e-7 * std::abs(by_stiffness));  // rounding over the stiffness of bending
 }
 

@@ -1,5 +1,7 @@
 #include "pliant/mechanics/element_potential.h"
 
+#include <algorithm>
+
 #include <Eigen/Eigenvalues>
 
 #include "pliant/base/assert.h"
@@ -83,6 +85,7 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
       count_(static_cast<int>(stencils.points.size())),
       density_(std::move(density)),
       parameter_places_(std::move(parameter_places)),
+      parameter_columns_(parameter_places_),
       field_names_(std::move(field_names)) {
   PLIANT_ASSERT(count_ > 0, "a potential of elements has at least one");
   PLIANT_ASSERT(
@@ -283,13 +286,29 @@ void ElementPotential<Measure>::set_parameters(const Eigen::VectorXd& all) {
   density_->set_parameters(all(parameter_places_));
 }
 
+template <class Measure>
+void ElementPotential<Measure>::differentiate_by(const std::vector<int>& column_of) {
+  for (size_t k = 0; k < parameter_places_.size(); ++k) {
+    parameter_columns_[k] = column_of[static_cast<size_t>(parameter_places_[k])];
+  }
+}
+
+// Without own parameters and without memory, stress changes with the strain alone.
+template <class Measure>
+bool ElementPotential<Measure>::depends_on_parameters() const {
+  return density_->history_size() > 0 ||
+         std::any_of(parameter_columns_.begin(), parameter_columns_.end(),
+                     [](int column) { return column >= 0; });
+}
+
 // Rows of a stencil's numbers in the potential's history: column c of lane l is 8 c + l.
 template <class Measure>
 void ElementPotential<Measure>::add_force_sensitivity(
     const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
     Eigen::MatrixXd& gradient_by_parameter) const {
+  if (!depends_on_parameters()) return;
   constexpr int m = Measure::kStrains;
-  const int own = density_->history_size(), count = static_cast<int>(parameter_places_.size());
+  const int own = density_->history_size(), count = static_cast<int>(parameter_columns_.size());
   const auto parameters = static_cast<int>(density_->parameters().size());
   for (int e = 0; e < count_; ++e) {
     const int batch = e / kLanes, lane = e % kLanes;
@@ -299,7 +318,8 @@ void ElementPotential<Measure>::add_force_sensitivity(
     const Eigen::Index first = Eigen::Index(kLanes) * columns() * batch + lane;
     Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(m, history_by_parameter.cols());
     for (int k = 0; k < count; ++k) {
-      stress.col(parameter_places_[static_cast<size_t>(k)]) += d.stress_by_parameter.col(k);
+      const int column = parameter_columns_[static_cast<size_t>(k)];
+      if (column >= 0) stress.col(column) += d.stress_by_parameter.col(k);
     }
     for (int c = 0; c < m; ++c) {
       stress += d.stress_by_last.col(c) * history_by_parameter.row(first + kLanes * c);
@@ -323,7 +343,7 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
                                                     const Eigen::MatrixXd& positions_by_parameter,
                                                     Eigen::MatrixXd& history_by_parameter) const {
   constexpr int m = Measure::kStrains;
-  const int own = density_->history_size(), count = static_cast<int>(parameter_places_.size());
+  const int own = density_->history_size(), count = static_cast<int>(parameter_columns_.size());
   const auto parameters = static_cast<int>(density_->parameters().size());
   const Eigen::Index all = history_by_parameter.cols();
   for (int e = 0; e < count_; ++e) {
@@ -349,7 +369,8 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
     Eigen::MatrixXd next =
         d.next_by_strain * strain + d.next_by_last * last + d.next_by_history * kept;
     for (int k = 0; k < count; ++k) {
-      next.col(parameter_places_[static_cast<size_t>(k)]) += d.next_by_parameter.col(k);
+      const int column = parameter_columns_[static_cast<size_t>(k)];
+      if (column >= 0) next.col(column) += d.next_by_parameter.col(k);
     }
     history_by_parameter(rows(0, m), Eigen::all) = strain;
     history_by_parameter(rows(m, m), Eigen::all) = last;

@@ -35,6 +35,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   double advance(const Evaluation& at, double* next) const override;
 
   void set_parameters(const Eigen::VectorXd& all) override;
+  void differentiate_by(const std::vector<int>& column_of) override;
   void add_force_sensitivity(const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
                              Eigen::MatrixXd& gradient_by_parameter) const override;
   void advance_sensitivity(const Evaluation& at, const Eigen::MatrixXd& positions_by_parameter,
@@ -49,6 +50,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   using Rests = std::array<typename Measure::Rest, kLanes>;
   struct Batch;  // eight stencils, evaluated
 
+  bool depends_on_parameters() const;
   int batches() const { return static_cast<int>(points_.size()) / kLanes; }
   int columns() const { return 2 * Measure::kStrains + density_->history_size(); }
   LanePositions<Measure> gather(int batch, const Configuration& configuration) const;
@@ -64,6 +66,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   int count_ = 0;              // without those that fill up
   std::shared_ptr<ParametricDensity> density_;
   std::vector<int> parameter_places_;
+  std::vector<int> parameter_columns_;  // of the derivatives; -1: none
   std::vector<std::string> field_names_;
   std::vector<int> entries_;  // of each pair of each stencil: see bind
   ElementGroups groups_;      // of batches

@@ -83,6 +83,22 @@ void System::set_parameters(const Eigen::VectorXd& values) {
   }
 }
 
+void System::set_parameter_count(int count) {
+  parameter_count_ = count;
+  derivative_count_ = count;
+}
+
+void System::differentiate_by(const std::vector<int>& parameters) {
+  std::vector<int> column_of(static_cast<size_t>(parameter_count_), -1);
+  derivative_count_ = static_cast<int>(parameters.size());
+  for (int k = 0; k < derivative_count_; ++k) {
+    column_of[static_cast<size_t>(parameters[static_cast<size_t>(k)])] = k;
+  }
+  for (const Part& part : parts_) {
+    if (part.parametric) part.parametric->differentiate_by(column_of);
+  }
+}
+
 void System::add_force_sensitivity(const Configuration& at, const State& from,
                                    const Eigen::MatrixXd& history_by_parameter,
                                    Eigen::MatrixXd& gradient_by_parameter) const {

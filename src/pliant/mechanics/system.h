@@ -66,9 +66,13 @@ class System {
   /// @name Parameters of the material
   /// @{
   int parameter_count() const { return parameter_count_; }
-  void set_parameter_count(int count) { parameter_count_ = count; }
+  /// Derivatives are by all of them until some are chosen.
+  void set_parameter_count(int count);
   void set_parameters(const Eigen::VectorXd& values);
-  /// Adds d gradient / d parameters at fixed positions (3 points x parameters).
+  /// Takes the derivatives below by these parameters alone, in this order.
+  void differentiate_by(const std::vector<int>& parameters);
+  int derivative_count() const { return derivative_count_; }
+  /// Adds d gradient / d parameters at fixed positions (3 points x chosen parameters).
   void add_force_sensitivity(const Configuration& at, const State& from,
                              const Eigen::MatrixXd& history_by_parameter,
                              Eigen::MatrixXd& gradient_by_parameter) const;
@@ -99,7 +103,7 @@ class System {
   std::vector<Drive> drives_;
   std::shared_ptr<const BlockPattern> pattern_;
   Eigen::Index history_size_ = 0;
-  int parameter_count_ = 0;
+  int parameter_count_ = 0, derivative_count_ = 0;
   int threads_ = 1;
 };
 

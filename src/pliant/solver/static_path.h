@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pliant/math/sparse_cholesky.h"
+#include "pliant/solver/equilibrium_derivatives.h"
 #include "pliant/solver/newton.h"
 
 namespace pliant {
@@ -20,11 +21,7 @@ struct PathPoint {
   double work = 0;          ///< done against friction during the step (J)
   Eigen::Matrix3Xd forces;  ///< dE / d points (N): on points moved from outside what moves them
 
-  /// @name Derivatives by the parameters, 3 points x parameters; empty where none were asked for
-  /// @{
-  Eigen::MatrixXd positions_by_parameter;
-  Eigen::MatrixXd forces_by_parameter;  ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8)
-  /// @}
+  EquilibriumDerivatives by_parameter;  ///< empty where no derivatives were asked for
 };
 
 /// A quasi-static path of a system: equilibria at one time after the other, under what its drives
@@ -57,8 +54,6 @@ class StaticPath {
  private:
   void reach(double time, int halvings, PathPoint& point);
   bool find_equilibrium(double time, PathPoint& point, Configuration& at);
-  void differentiate(const Configuration& at, PathPoint& point);
-  Eigen::MatrixXd forces_along(const Configuration& at, const Eigen::MatrixXd& motions) const;
   void accept(double time, Configuration at, PathPoint& point);
 
   const System& system_;

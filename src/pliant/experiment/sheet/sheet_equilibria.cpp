@@ -1,0 +1,229 @@
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+#include "pliant/base/parallel.h"
+#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/math/sparse_cholesky.h"
+#include "pliant/solver/equilibrium_derivatives.h"
+#include "pliant/solver/newton.h"
+
+namespace pliant {
+namespace {
+
+constexpr DensityOptions kElastic{.friction = false};
+
+}  // namespace
+
+class SheetEquilibria::Lane {
+ public:
+  Lane(const Session& session, const Material& material, std::vector<int> held)
+      : sheet_(session, material, kElastic, std::move(held)),
+        rest_(sheet_.system().initial_state()),
+        hessian_(sheet_.system().make_hessian()),
+        solver_(hessian_.matrix) {}
+
+  SheetSystem& sheet() { return sheet_; }
+  const SheetSystem& sheet() const { return sheet_; }
+
+  NewtonSummary relax(Configuration& at) {
+    return minimize(objective(), {.reuse_factor = true}, solver_, hessian_, at);
+  }
+
+  /// @return false where only a convex stand-in of the Hessian can be factorised
+  bool differentiate(const Configuration& at, EquilibriumDerivatives& derivatives) {
+    Eigen::Matrix3Xd gradient;
+    bool exact = true;
+    objective().linearize(at, Curvature::exact, gradient, hessian_);
+    if (!solver_.factorize(hessian_.matrix)) {
+      exact = false;
+      objective().linearize(at, Curvature::convex, gradient, hessian_);
+      if (!solver_.factorize(hessian_.matrix)) return false;
+    }
+    const Eigen::MatrixXd no_history =
+        Eigen::MatrixXd::Zero(rest_.history.size(), sheet_.system().derivative_count());
+    derivatives = differentiate_equilibrium(objective(), at, no_history, solver_);
+    return exact;
+  }
+
+  Eigen::Matrix3Xd clip_forces(const Configuration& at) const {
+    return sheet_.clip_forces(objective().gradient(at));
+  }
+
+  Eigen::MatrixXd clip_forces_by_parameter(const Eigen::MatrixXd& forces,
+                                           const std::vector<SessionClip>& clips) const {
+    Eigen::MatrixXd sums =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * clips.size()), forces.cols());
+    for (std::size_t c = 0; c < clips.size(); ++c) {
+      for (const int node : clips[c].clamped) {
+        sums.middleRows<3>(static_cast<Eigen::Index>(3 * c)) += forces.middleRows<3>(3 * node);
+      }
+    }
+    return sums;
+  }
+
+ private:
+  Objective objective() const { return {sheet_.system(), rest_}; }
+
+  SheetSystem sheet_;
+  State rest_;  // elasticity remembers nothing
+  Hessian hessian_;
+  SparseCholesky solver_;
+};
+
+struct SheetEquilibria::Reached {
+  bool found = false, differentiated = false;
+  Eigen::VectorXd parameters;
+  std::vector<int> by;
+  SheetShape shape;
+  EquilibriumCounts counts;  // of the last time
+};
+
+/// Systems that nobody uses now, by the nodes that they hold.
+struct SheetEquilibria::Pool {
+  std::mutex mutex;
+  std::map<std::vector<int>, std::vector<std::unique_ptr<Lane>>> idle;
+};
+
+SheetEquilibria::SheetEquilibria(const Session& session, const Material& material)
+    : session_(session),
+      material_(material),
+      states_(sheet_states(session)),
+      reached_(states_.states.size()),
+      pool_(std::make_unique<Pool>()) {
+  std::unique_ptr<Lane> lane = borrow(states_.states.front().held);
+  const ParameterList& list = lane->sheet().parameters();
+  names_ = list.names;
+  parameters_ = Eigen::Map<const Eigen::VectorXd>(list.values.data(),
+                                                  static_cast<Eigen::Index>(list.values.size()));
+  warnings_ = lane->sheet().warnings();
+  give_back(std::move(lane));
+}
+
+SheetEquilibria::~SheetEquilibria() = default;
+
+std::unique_ptr<SheetEquilibria::Lane> SheetEquilibria::borrow(const std::vector<int>& held) {
+  {
+    const std::lock_guard lock(pool_->mutex);
+    auto& idle = pool_->idle[held];
+    if (!idle.empty()) {
+      std::unique_ptr<Lane> lane = std::move(idle.back());
+      idle.pop_back();
+      return lane;
+    }
+  }
+  return std::make_unique<Lane>(session_, material_, held);
+}
+
+void SheetEquilibria::give_back(std::unique_ptr<Lane> lane) {
+  const std::lock_guard lock(pool_->mutex);
+  pool_->idle[lane->sheet().held()].push_back(std::move(lane));
+}
+
+bool SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
+                            const std::vector<int>& by) {
+  const SheetState& conditions = states_.states[static_cast<std::size_t>(state)];
+  Reached& reached = reached_[static_cast<std::size_t>(state)];
+  reached.counts = {};
+  const bool here = reached.found && reached.parameters == parameters;
+  if (here && (by.empty() || (reached.differentiated && reached.by == by))) return true;
+
+  std::unique_ptr<Lane> lane = borrow(conditions.held);
+  SheetSystem& sheet = lane->sheet();
+  sheet.system().set_parameters(parameters);
+  sheet.system().differentiate_by(by);
+  const Eigen::Matrix3Xd& measured =
+      session_.frames[static_cast<std::size_t>(conditions.frame)].positions;
+  Configuration at =
+      sheet.configuration(conditions.frame, here ? reached.shape.positions : measured);
+  if (!here) {
+    const auto search = [&](Configuration from) {
+      const NewtonSummary newton = lane->relax(from);
+      reached.counts.iterations += newton.iterations;
+      reached.counts.factors += newton.factorizations;
+      if (newton.converged) at = std::move(from);
+      return newton.converged;
+    };
+    bool found = false;
+    if (reached.found) {
+      Eigen::Matrix3Xd guess = reached.shape.positions;
+      if (reached.differentiated) {
+        Eigen::VectorXd change(static_cast<Eigen::Index>(reached.by.size()));
+        for (Eigen::Index k = 0; k < change.size(); ++k) {
+          const int p = reached.by[static_cast<std::size_t>(k)];
+          change(k) = parameters(p) - reached.parameters(p);
+        }
+        guess += (reached.shape.positions_by_parameter * change).reshaped(3, guess.cols());
+      }
+      found = search(sheet.configuration(conditions.frame, std::move(guess)));
+    }
+    if (!found) found = search(sheet.configuration(conditions.frame, measured));
+    reached.found = found;
+    reached.differentiated = false;
+    if (!found) {
+      give_back(std::move(lane));
+      return false;
+    }
+    ++reached.counts.equilibria;
+    reached.parameters = parameters;
+    reached.shape = {at.positions, lane->clip_forces(at), {}, {}};
+  }
+  if (!by.empty()) {
+    EquilibriumDerivatives derivatives;
+    ++reached.counts.factors;
+    if (!lane->differentiate(at, derivatives)) ++reached.counts.unstable;
+    reached.shape.clip_forces_by_parameter =
+        lane->clip_forces_by_parameter(derivatives.forces, session_.clips);
+    reached.shape.positions_by_parameter = std::move(derivatives.positions);
+    reached.differentiated = true;
+    reached.by = by;
+  }
+  give_back(std::move(lane));
+  return true;
+}
+
+SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
+  const SheetBlend& blend = states_.frames[static_cast<std::size_t>(frame)];
+  SheetShape shape = reached_[static_cast<std::size_t>(blend.first)].shape;
+  if (!derivatives) {
+    shape.positions_by_parameter.resize(0, 0);
+    shape.clip_forces_by_parameter.resize(0, 0);
+  }
+  if (blend.share == 0) return shape;
+  const SheetShape& second = reached_[static_cast<std::size_t>(blend.second)].shape;
+  const auto mix = [&](auto& value, const auto& other) { value += blend.share * (other - value); };
+  mix(shape.positions, second.positions);
+  mix(shape.clip_forces, second.clip_forces);
+  if (derivatives) {
+    mix(shape.positions_by_parameter, second.positions_by_parameter);
+    mix(shape.clip_forces_by_parameter, second.clip_forces_by_parameter);
+  }
+  return shape;
+}
+
+std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::VectorXd& parameters,
+                                                                const std::vector<int>& by,
+                                                                int threads,
+                                                                const StopToken& stop) {
+  std::atomic<bool> all_found = true;
+  parallel_for(equilibria_each(), threads, [&](int state) {
+    stop.throw_if_requested();
+    if (!reach(state, parameters, by)) all_found = false;
+  });
+  for (const Reached& reached : reached_) {
+    counts_.equilibria += reached.counts.equilibria;
+    counts_.iterations += reached.counts.iterations;
+    counts_.factors += reached.counts.factors;
+    counts_.unstable += reached.counts.unstable;
+  }
+  if (!all_found) return std::nullopt;
+  std::vector<SheetShape> shapes;
+  for (int frame = 0; frame < session_.frame_count(); ++frame) {
+    shapes.push_back(blended(frame, !by.empty()));
+  }
+  return shapes;
+}
+
+}  // namespace pliant

@@ -1,0 +1,77 @@
+#include "pliant/experiment/sheet/sheet_system.h"
+
+#include <utility>
+
+#include "pliant/experiment/session/balance.h"
+#include "pliant/mechanics/point_forces.h"
+
+namespace pliant {
+namespace {
+
+/// Rounding of an edge's distance (m).
+constexpr double kOnEdge = 1e-9;
+
+std::vector<int> clip_of_nodes(const Session& session) {
+  std::vector<int> clips(static_cast<std::size_t>(session.rest.vertex_count()), -1);
+  for (std::size_t c = 0; c < session.clips.size(); ++c) {
+    for (const int node : session.clips[c].clamped) {
+      clips[static_cast<std::size_t>(node)] = static_cast<int>(c);
+    }
+  }
+  return clips;
+}
+
+}  // namespace
+
+std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge) {
+  const std::vector<int> clips = clip_of_nodes(session);
+  std::vector<int> held;
+  for (int node = 0; node < session.rest.vertex_count(); ++node) {
+    const bool on_table =
+        session.table && edge &&
+        session.rest.positions(static_cast<int>(*session.table), node) <= *edge + kOnEdge;
+    if (on_table || clips[static_cast<std::size_t>(node)] >= 0) held.push_back(node);
+  }
+  return held;
+}
+
+Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held) {
+  const std::vector<int> clips = clip_of_nodes(session);
+  const std::vector<Pose>& poses = session.frames[static_cast<std::size_t>(frame)].poses;
+  Eigen::Matrix3Xd positions = session.rest.positions(Eigen::all, held);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int clip = clips[static_cast<std::size_t>(held[i])];
+    auto place = positions.col(static_cast<Eigen::Index>(i));
+    if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
+  }
+  return positions;
+}
+
+SheetSystem::SheetSystem(const Session& session, const Material& material,
+                         const DensityOptions& options, std::vector<int> held)
+    : session_(session),
+      held_(std::move(held)),
+      system_(session.rest.positions, vertex_masses(session)) {
+  for (const int node : held_) system_.coordinates().prescribe(node);
+  warnings_ = add_cloth(system_, session.rest, material, options, parameters_).warnings;
+  system_.add(std::make_shared<PointForces>(session.gravity * system_.masses().transpose()));
+  system_.finish();
+}
+
+Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {
+  Configuration at{std::move(start), {}};
+  at.positions(Eigen::all, held_) = held_positions(session_, frame, held_);
+  return at;
+}
+
+Eigen::Matrix3Xd SheetSystem::clip_forces(const Eigen::Matrix3Xd& gradient) const {
+  Eigen::Matrix3Xd forces(3, static_cast<Eigen::Index>(session_.clips.size()));
+  for (std::size_t c = 0; c < session_.clips.size(); ++c) {
+    const SessionClip& clip = session_.clips[c];
+    forces.col(static_cast<Eigen::Index>(c)) =
+        gradient(Eigen::all, clip.clamped).rowwise().sum() - clip.mass * session_.gravity;
+  }
+  return forces;
+}
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pliant/experiment/session.h"
+#include "pliant/material/material.h"
+#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/system.h"
+
+namespace pliant {
+
+/// The nodes of a session's rest mesh that do not move freely: those in clips, and those on the
+/// table where it reaches to `edge` (m, rest plane).
+std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge);
+
+/// Where held nodes are in a frame: clamped ones where the pose of their clip puts them, those on
+/// the table where they rest (m, one column a node of `held`).
+Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held);
+
+/// The sheet of a session as a mechanical system: its material and its weight on the rest mesh,
+/// with some nodes held. The session's frames say where those are ([T] 3.4.1).
+class SheetSystem {
+ public:
+  /// @param session   on the mesh that is simulated; outlives the system
+  /// @param material  complete; its stiffness goes on beyond its range
+  SheetSystem(const Session& session, const Material& material, const DensityOptions& options,
+              std::vector<int> held);
+
+  System& system() { return system_; }
+  const System& system() const { return system_; }
+  const std::vector<int>& held() const { return held_; }
+  const ParameterList& parameters() const { return parameters_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// `start` with the held nodes where a frame has them.
+  Configuration configuration(int frame, Eigen::Matrix3Xd start) const;
+
+  /// Forces that hold each clip: of the cloth and the weights of cloth and clip, as its cords give
+  /// them (N, one column a clip).
+  /// @param gradient  dE / d points at an equilibrium
+  Eigen::Matrix3Xd clip_forces(const Eigen::Matrix3Xd& gradient) const;
+
+ private:
+  const Session& session_;
+  std::vector<int> held_;
+  System system_;
+  ParameterList parameters_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace pliant

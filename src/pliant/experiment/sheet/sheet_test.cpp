@@ -1,0 +1,150 @@
+#include "pliant/experiment/sheet/sheet_test.h"
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/sheet/sheet_system.h"
+
+namespace pliant {
+namespace {
+
+/// The direction in which a clip's vertices lie in a line, in a frame.
+Eigen::Vector3d direction_of(const Session& session, int frame, int clip) {
+  const SessionClip& body = session.clips[static_cast<std::size_t>(clip)];
+  const Eigen::Matrix3Xd at = session.rest.positions(Eigen::all, body.clamped);
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(at.colwise() - at.rowwise().mean(),
+                                               Eigen::ComputeThinU);
+  const Pose& pose =
+      session.frames[static_cast<std::size_t>(frame)].poses[static_cast<std::size_t>(clip)];
+  return pose.rotation * svd.matrixU().col(0);
+}
+
+}  // namespace
+
+std::string_view name_of(SheetObjective objective) {
+  switch (objective) {
+    case SheetObjective::clip_forces:
+      return "clip-forces";
+    case SheetObjective::parallel_clip_forces:
+      return "parallel-clip-forces";
+    case SheetObjective::positions:
+      return "positions";
+  }
+  return "";
+}
+
+SheetObjective usual_objective(const Session& session) {
+  if (session.test == "shear") return SheetObjective::parallel_clip_forces;
+  for (const SessionFrame& frame : session.frames) {
+    for (const auto& cords : frame.cords) {
+      if (!cords.empty()) return SheetObjective::clip_forces;
+    }
+  }
+  return SheetObjective::positions;
+}
+
+std::vector<std::string> usual_components(std::string_view test) {
+  if (test == "stretch-weft") return {"stretch.weft"};
+  if (test == "stretch-warp") return {"stretch.warp"};
+  if (test == "shear" || test == "bias-extension") return {"shear"};
+  if (test == "bend-weft") return {"bend.weft"};
+  if (test == "bend-warp") return {"bend.warp"};
+  return {};
+}
+
+SheetTest::SheetTest(std::string name, Session session, SheetObjective objective)
+    : name_(std::move(name)), session_(std::move(session)), objective_(objective) {
+  for (int frame = 0; frame < frame_count(); ++frame) {
+    frames_.push_back(compared_in(frame));
+    rows_ += rows(frame);
+  }
+  if (rows_ == 0) {
+    throw InputError(
+        {},
+        fmt::format("the session of {} has no {} to compare", name_,
+                    objective_ == SheetObjective::positions ? "free vertices" : "forces of cords"),
+        objective_ == SheetObjective::positions ? "vertices that neither clip nor table holds"
+                                                : "rows in cords.csv");
+  }
+}
+
+SheetTest::Frame SheetTest::compared_in(int frame) const {
+  const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];
+  Frame compared;
+  if (objective_ == SheetObjective::positions) {
+    std::vector<char> is_held(static_cast<std::size_t>(session_.rest.vertex_count()), 0);
+    for (const int node : held_nodes(session_, now.table_edge)) {
+      is_held[static_cast<std::size_t>(node)] = 1;
+    }
+    for (int node = 0; node < session_.rest.vertex_count(); ++node) {
+      if (!is_held[static_cast<std::size_t>(node)]) compared.nodes.push_back(node);
+    }
+    return compared;
+  }
+  for (int clip = 0; clip < static_cast<int>(session_.clips.size()); ++clip) {
+    if (now.cords[static_cast<std::size_t>(clip)].empty()) continue;
+    if (objective_ == SheetObjective::parallel_clip_forces) {
+      compared.forces.push_back({clip, direction_of(session_, frame, clip)});
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      compared.forces.push_back({clip, Eigen::Vector3d::Unit(axis)});
+    }
+  }
+  return compared;
+}
+
+int SheetTest::rows(int frame) const {
+  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  return static_cast<int>(compared.forces.size() + 3 * compared.nodes.size());
+}
+
+Eigen::VectorXd SheetTest::measured(int frame) const {
+  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];
+  if (!compared.nodes.empty()) return now.positions(Eigen::all, compared.nodes).reshaped();
+  Eigen::VectorXd values(rows(frame));
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const ForceRow& row = compared.forces[static_cast<std::size_t>(i)];
+    values(i) = row.direction.dot(cord_pull(session_, frame, row.clip));
+  }
+  return values;
+}
+
+Eigen::VectorXd SheetTest::predicted(int frame, const SheetShape& shape) const {
+  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  if (!compared.nodes.empty()) return shape.positions(Eigen::all, compared.nodes).reshaped();
+  Eigen::VectorXd values(rows(frame));
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const ForceRow& row = compared.forces[static_cast<std::size_t>(i)];
+    values(i) = row.direction.dot(shape.clip_forces.col(row.clip));
+  }
+  return values;
+}
+
+Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
+  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  Eigen::MatrixXd values(rows(frame), shape.positions_by_parameter.cols());
+  for (std::size_t i = 0; i < compared.nodes.size(); ++i) {
+    values.middleRows<3>(static_cast<Eigen::Index>(3 * i)) =
+        shape.positions_by_parameter.middleRows<3>(3 * compared.nodes[i]);
+  }
+  for (std::size_t i = 0; i < compared.forces.size(); ++i) {
+    const ForceRow& row = compared.forces[i];
+    values.row(static_cast<Eigen::Index>(i)) =
+        row.direction.transpose() * shape.clip_forces_by_parameter.middleRows<3>(3 * row.clip);
+  }
+  return values;
+}
+
+Eigen::Vector3d cord_pull(const Session& session, int frame, int clip) {
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+  for (const CordForce& cord :
+       session.frames[static_cast<std::size_t>(frame)].cords[static_cast<std::size_t>(clip)]) {
+    pull += cord.force;
+  }
+  return pull;
+}
+
+}  // namespace pliant

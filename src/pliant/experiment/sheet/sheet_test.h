@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/experiment/session.h"
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+
+namespace pliant {
+
+/// What of a session a fit compares ([T] 3.4.1).
+enum class SheetObjective {
+  clip_forces,           ///< of all clips that cords pull: stretch
+  parallel_clip_forces,  ///< along the clips, where shear shows and stretch does not
+  positions,             ///< of the nodes that are free: bending, which no force is measured in
+};
+
+/// `clip-forces`, `parallel-clip-forces`, `positions`.
+std::string_view name_of(SheetObjective objective);
+
+/// What the thesis compares in a test of that name; in others the clips' forces where there are
+/// any, else positions.
+SheetObjective usual_objective(const Session& session);
+
+/// The strain components that the thesis fits to a test ([T] 3.4.2), e.g. stretch.weft; none for a
+/// test of another name.
+std::vector<std::string> usual_components(std::string_view test);
+
+/// A session with what a fit compares of it, row by row. Forces (N) or coordinates (m).
+class SheetTest {
+ public:
+  /// @param session  on the mesh that is simulated
+  /// @throws InputError where the session has nothing of the objective
+  SheetTest(std::string name, Session session, SheetObjective objective);
+
+  const std::string& name() const { return name_; }
+  const Session& session() const { return session_; }
+  SheetObjective objective() const { return objective_; }
+
+  int frame_count() const { return session_.frame_count(); }
+  int rows() const { return rows_; }
+  int rows(int frame) const;
+
+  Eigen::VectorXd measured(int frame) const;
+  Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;
+  /// rows x parameters
+  Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
+
+ private:
+  struct ForceRow {
+    int clip;
+    Eigen::Vector3d direction;
+  };
+  struct Frame {
+    std::vector<ForceRow> forces;
+    std::vector<int> nodes;  // three rows each
+  };
+  Frame compared_in(int frame) const;
+
+  std::string name_;
+  Session session_;
+  SheetObjective objective_;
+  std::vector<Frame> frames_;
+  int rows_ = 0;
+};
+
+/// What the cords of a clip pull with in a frame (N).
+Eigen::Vector3d cord_pull(const Session& session, int frame, int clip);
+
+}  // namespace pliant

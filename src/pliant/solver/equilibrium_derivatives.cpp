@@ -1,0 +1,57 @@
+#include "pliant/solver/equilibrium_derivatives.h"
+
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+Eigen::Map<const Eigen::Matrix3Xd> by_points(const Eigen::MatrixXd& all, Eigen::Index column) {
+  return {all.col(column).data(), 3, all.rows() / 3};
+}
+
+// Central differences along each motion: the Hessian has no rows for points that are moved from
+// outside. The motion is scaled to a small part of the distance between neighbours, so that strains
+// change by about 1e-6, far less than friction takes to turn around.
+Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at,
+                             const Eigen::MatrixXd& motions) {
+  const Eigen::Vector3d extent =
+      at.positions.rowwise().maxCoeff() - at.positions.rowwise().minCoeff();
+  const double distance =
+      extent.norm() / std::sqrt(static_cast<double>(objective.system().points()));
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(motions.rows(), motions.cols());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    const double largest = motions.col(k).cwiseAbs().maxCoeff();
+    if (largest == 0) continue;
+    const double length = 1e-6 * distance / largest;
+    Configuration forward = at, backward = at;
+    forward.positions += length * by_points(motions, k);
+    backward.positions -= length * by_points(motions, k);
+    changes.col(k) =
+        ((objective.gradient(forward) - objective.gradient(backward)) / (2 * length)).reshaped();
+  }
+  return changes;
+}
+
+}  // namespace
+
+EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
+                                                 const Configuration& at,
+                                                 const Eigen::MatrixXd& history_by_parameter,
+                                                 const LinearSolver& solver) {
+  const System& system = objective.system();
+  const Coordinates& coordinates = system.coordinates();
+  const Eigen::Index rows = 3 * system.points(), columns = system.derivative_count();
+  EquilibriumDerivatives result;
+  result.forces.setZero(rows, columns);
+  result.positions.resize(rows, columns);
+  system.add_force_sensitivity(at, objective.from(), history_by_parameter, result.forces);
+  Eigen::VectorXd rates;
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    solver.solve(-coordinates.reduce(at, by_points(result.forces, k)), rates);
+    result.positions.col(k) = coordinates.motion(at, rates).reshaped();
+  }
+  result.forces += forces_along(objective, at, result.positions);
+  return result;
+}
+
+}  // namespace pliant

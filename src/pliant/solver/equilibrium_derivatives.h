@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "pliant/math/linear_solver.h"
+#include "pliant/solver/objective.h"
+
+namespace pliant {
+
+/// How an equilibrium changes with the parameters of its system: 3 points x chosen parameters.
+struct EquilibriumDerivatives {
+  Eigen::MatrixXd positions;  ///< (dF/dx) dx/dp = -dF/dp ([T] Eq. 3.7)
+  Eigen::MatrixXd forces;     ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8)
+};
+
+/// Derivatives of an equilibrium by the parameters that its system differentiates by.
+/// @param history_by_parameter  of what its potentials remember; rows of the whole history
+/// @param solver                with the Hessian at the equilibrium, factorised
+EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
+                                                 const Configuration& at,
+                                                 const Eigen::MatrixXd& history_by_parameter,
+                                                 const LinearSolver& solver);
+
+}  // namespace pliant

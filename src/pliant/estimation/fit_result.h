@@ -9,6 +9,7 @@
 
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/loop_metrics.h"
+#include "pliant/experiment/session.h"
 #include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
 
@@ -27,6 +28,11 @@ struct ParameterEstimate {
   bool fixed = false;
   std::optional<double> between_specimen_sd;
   std::string note;  ///< e.g. the strain of a control point
+};
+
+/// A session on the mesh that it was simulated on, and as it was predicted.
+struct SheetComparison {
+  Session measured, predicted;
 };
 
 /// How an experiment's measured quantity compares with its prediction.
@@ -51,6 +57,7 @@ struct ExperimentResult {
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
   std::optional<StripShapes> shapes;  ///< of strips whose profiles are measured
+  std::optional<SheetComparison> sheet;  ///< of full-field sessions
   std::vector<std::string> handled;
 
   // Row by row, for predictions/NAME.csv.

@@ -54,6 +54,8 @@ std::string prediction_file(const ExperimentResult& e) { return "predictions/" +
 
 std::string shape_file(const ExperimentResult& e) { return "shapes/" + e.name + ".csv"; }
 
+std::string sheet_folder(const ExperimentResult& e) { return "sheets/" + e.name; }
+
 // What an error is called depends on what is compared: a distance has no peak, but a strip's length
 // that it may be held against.
 Json experiment_json(const ExperimentResult& e) {
@@ -93,6 +95,7 @@ Json experiment_json(const ExperimentResult& e) {
   json["handled"] = e.handled;
   json["prediction_file"] = prediction_file(e);
   json["shape_file"] = e.shapes ? Json(shape_file(e)) : Json(nullptr);
+  json["sheets"] = e.sheet ? Json(sheet_folder(e)) : Json(nullptr);
   return json;
 }
 
@@ -233,6 +236,14 @@ void add_tables(const StudyResult& result,
   for (const ExperimentResult& experiment : result.experiments) {
     files.emplace_back(prediction_file(experiment), prediction_csv(experiment));
     if (experiment.shapes) files.emplace_back(shape_file(experiment), shape_table(experiment));
+    if (!experiment.sheet) continue;
+    for (const auto* part : {"measured", "predicted"}) {
+      const SheetComparison& sheet = *experiment.sheet;
+      const Session& session = part[0] == 'm' ? sheet.measured : sheet.predicted;
+      for (auto& [name, content] : session_files(session)) {
+        files.emplace_back(sheet_folder(experiment) + "/" + part + "/" + name, std::move(content));
+      }
+    }
   }
 }
 

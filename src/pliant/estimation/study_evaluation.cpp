@@ -9,6 +9,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/estimation/study_experiments.h"
 
 namespace pliant {
@@ -45,6 +46,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
           component_curve(info.component, *law, std::max(std::abs(low), std::abs(high)), {}));
     }
   }
+  evaluate_sheets(with_measure, material, context, result);
   result.assumptions = assumptions_of(study, experiments);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -10,6 +10,7 @@
 #include "pliant/estimation/component_work.h"
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
+#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/estimation/study_experiments.h"
 
 namespace pliant {
@@ -70,6 +71,7 @@ void share_threads(const Experiments& experiments, size_t components, int thread
 
 StudyResult fit_study(const Study& study, const StudyFitOptions& options,
                       const RunContext& context) {
+  if (fits_sheets(study)) return fit_sheet_study(study, context);
   const auto begin = std::chrono::steady_clock::now();
   StudyResult result = describe(study);
   const Experiments experiments = read_experiments(study, result);

@@ -192,6 +192,13 @@ void read_buckling_bend(Fields& fields, ExperimentSpec& spec) {
   spec.rest_length = read_rest_length(fields, 0);
 }
 
+void read_session_fields(Fields& fields, ExperimentSpec& spec) {
+  if (auto v = fields.optional("objective")) {
+    spec.objective =
+        sheet_objective(v->choice({"clip-forces", "parallel-clip-forces", "positions"}));
+  }
+}
+
 // The fields that belong to the type; those of types for later are kept as they are.
 void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
   if (spec.type == "hanging-weights") {
@@ -209,6 +216,8 @@ void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& 
     read_buckling_bend(fields, spec);
   } else if (bends_by_weight(spec.type)) {
     read_bent_strip(fields, defaults, spec);
+  } else if (measures_sheets(spec.type)) {
+    read_session_fields(fields, spec);
   } else {
     for (auto& [key, value] : fields.all()) {
       if (!value.is_scalar()) continue;
@@ -264,6 +273,16 @@ ComponentModel read_component_model(const Value& node) {
   return model;
 }
 
+void read_sheet_mesh(const Value& node, ModelOptions& model) {
+  if (!node.is_mapping()) {
+    model.measured_mesh = node.choice({"measured"}) == "measured";
+    return;
+  }
+  Fields fields = node.fields();
+  model.mesh_edge = fields.require("edge").positive_quantity(Dimension::length);
+  fields.finish();
+}
+
 ModelOptions read_model(Fields& study) {
   ModelOptions model;
   const auto node = study.optional("model");
@@ -273,13 +292,14 @@ ModelOptions read_model(Fields& study) {
   if (auto v = fields.optional("membrane")) {
     model.membrane = membrane_measure(v->choice({"stvk", "soft-constraint", "spring"}));
   }
-  if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells"});
-  // Components are fitted one by one here: the isotropic variants have nothing to share.
+  if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells", "spring"});
   if (auto v = fields.optional("variant")) {
-    if (v->choice({"nonlinear-orthotropic", "linear-orthotropic"}) == "linear-orthotropic") {
-      model.stiffness = CurveKind::constant;
-    }
+    const std::string variant = v->choice({"nonlinear-orthotropic", "linear-orthotropic",
+                                           "nonlinear-isotropic", "linear-isotropic"});
+    if (variant.starts_with("linear")) model.stiffness = CurveKind::constant;
+    model.isotropic = variant.ends_with("-isotropic");
   }
+  if (auto v = fields.optional("mesh")) read_sheet_mesh(*v, model);
   if (auto v = fields.optional("stiffness")) model.stiffness = read_curve_kind(*v);
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
@@ -320,6 +340,27 @@ GaussianPrior read_prior(const Value& value) {
   return prior;
 }
 
+std::vector<std::string> read_texts(const Value& list) {
+  std::vector<std::string> texts;
+  for (const Value& item : list.items()) texts.push_back(item.text());
+  if (texts.empty()) list.fail("is empty", "at least one name");
+  return texts;
+}
+
+PlanStage read_plan_stage(const Value& node) {
+  Fields fields = node.fields();
+  PlanStage stage;
+  stage.where = node.location();
+  const std::vector<std::string_view> known{"stretch.weft", "stretch.warp", "shear",
+                                            "bend.weft",    "bend.warp",    "bend.diagonal"};
+  const Value components = fields.require("components");
+  for (const Value& item : components.items()) stage.components.push_back(item.choice(known));
+  if (stage.components.empty()) components.fail("is empty", "at least one component");
+  stage.experiments = read_texts(fields.require("experiments"));
+  fields.finish();
+  return stage;
+}
+
 FitOptions read_fit(Fields& study) {
   FitOptions fit;
   const auto node = study.optional("fit");
@@ -330,6 +371,9 @@ FitOptions read_fit(Fields& study) {
         v->choice({"path", "anchor"}) == "path" ? EstimatorKind::path : EstimatorKind::anchor;
   }
   if (auto v = fields.optional("control_points")) fit.control_points = v->integer(1, 20);
+  if (auto v = fields.optional("plan")) {
+    for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage));
+  }
   fit.bounds = read_map(fields, "bounds", read_bounds);
   fit.fix = read_map(fields, "fix", [](const Value& v) { return v.number(); });
   fit.priors = read_map(fields, "priors", read_prior);
@@ -370,6 +414,8 @@ bool overhangs(std::string_view type) { return type == "cantilever" || type == "
 bool bends_by_weight(std::string_view type) {
   return type == "bending-length" || measures_profiles(type);
 }
+
+bool measures_sheets(std::string_view type) { return type == "session"; }
 
 bool needs_density(std::string_view type) {
   return type == "buckling-bend" || bends_by_weight(type);

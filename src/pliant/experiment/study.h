@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/experiment.h"
+#include "pliant/experiment/sheet/sheet_objective.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/material.h"
 
@@ -70,6 +71,7 @@ struct ExperimentSpec {
   RestLength rest_length = RestLength::known;
   bool density_is_known = true;            ///< cantilever: else it is estimated along
   BucklingSide side = BucklingSide::down;  ///< buckling-bend
+  std::optional<SheetObjective> objective;  ///< session; absent: what is usual for its test
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   ExperimentRole role = ExperimentRole::fit;
@@ -87,6 +89,10 @@ struct ComponentModel {
 struct ModelOptions {
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
+  bool isotropic = false;           ///< weft and warp share their curves; fits of sheets
+  std::optional<double> mesh_edge;  ///< m, of the grid that sheets are simulated on; absent: 24
+                                    ///< cells on the longer side
+  bool measured_mesh = false;       ///< sheets are simulated on the meshes of their sessions
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
   FrictionChoice friction = FrictionChoice::automatic;
   std::map<std::string, ComponentModel> components;
@@ -102,6 +108,13 @@ struct GaussianPrior {
   double sd = 0;
 };
 
+/// One stage of an incremental fit of sheets.
+struct PlanStage {
+  std::vector<std::string> components;
+  std::vector<std::string> experiments;  ///< names, or patterns with `*`
+  Location where;
+};
+
 /// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
 struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
@@ -109,6 +122,7 @@ struct FitOptions {
   std::map<std::string, std::pair<double, double>> bounds;
   std::map<std::string, double> fix;
   std::map<std::string, GaussianPrior> priors;
+  std::vector<PlanStage> plan;  ///< of sheets; empty: the thesis'
 };
 
 struct Study {
@@ -125,6 +139,9 @@ struct Study {
 
 /// Experiment types that this version fits and predicts.
 bool is_supported_type(std::string_view type);
+
+/// Types whose data is the full field of a sheet: session.
+bool measures_sheets(std::string_view type);
 
 /// `down` or `up`.
 std::string_view name_of(BucklingSide side);

@@ -115,6 +115,8 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
     add_bent_strip(spec, node);
     if (!spec.density_is_known) node["density"] = "unknown";
     if (spec.angle > 0) node["angle"] = exact_quantity(spec.angle, Dimension::angle);
+  } else if (measures_sheets(spec.type)) {
+    if (spec.objective) node["objective"] = std::string(name_of(*spec.objective));
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }
@@ -144,6 +146,12 @@ YAML::Node model_node(const ModelOptions& model) {
   node["kind"] = "cloth";
   node["membrane"] = std::string(name_of(model.membrane));
   node["bending"] = model.bending;
+  if (model.isotropic) {
+    const bool linear = model.stiffness == CurveKind::constant;
+    node["variant"] = linear ? "linear-isotropic" : "nonlinear-isotropic";
+  }
+  if (model.measured_mesh) node["mesh"] = "measured";
+  if (model.mesh_edge) node["mesh"]["edge"] = exact_quantity(*model.mesh_edge, Dimension::length);
   if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
   node["friction"] = std::string(name_of(model.friction));
   for (const auto& [name, component] : model.components) {
@@ -166,6 +174,12 @@ YAML::Node fit_node(const FitOptions& fit) {
   for (const auto& [name, prior] : fit.priors) {
     node["priors"][name]["mean"] = prior.mean;
     node["priors"][name]["sd"] = prior.sd;
+  }
+  for (const PlanStage& stage : fit.plan) {
+    YAML::Node inner;
+    inner["components"] = stage.components;
+    inner["experiments"] = stage.experiments;
+    node["plan"].push_back(inner);
   }
   return node;
 }

@@ -1,5 +1,6 @@
 #include "pliant/experiment/sheet/sheet_system.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pliant/experiment/session/balance.h"
@@ -53,9 +54,27 @@ SheetSystem::SheetSystem(const Session& session, const Material& material,
       held_(std::move(held)),
       system_(session.rest.positions, vertex_masses(session)) {
   for (const int node : held_) system_.coordinates().prescribe(node);
-  warnings_ = add_cloth(system_, session.rest, material, options, parameters_).warnings;
+  Cloth cloth = add_cloth(system_, session.rest, material, options, parameters_);
+  shown_ = std::move(cloth.shown);
+  warnings_ = std::move(cloth.warnings);
   system_.add(std::make_shared<PointForces>(session.gravity * system_.masses().transpose()));
   system_.finish();
+}
+
+std::vector<double> SheetSystem::strains(const std::string& component,
+                                         const Eigen::Matrix3Xd& positions) const {
+  std::vector<double> strains;
+  for (const ShownPotential& shown : shown_) {
+    const std::vector<std::string> names = shown.fields->field_names();
+    const auto found = std::ranges::find(names, "strain." + component);
+    if (found == names.end()) continue;
+    const auto& potential = dynamic_cast<const HistoryPotential&>(*shown.potential);
+    const Eigen::VectorXd history = potential.initial_history({positions, {}});
+    const Eigen::RowVectorXd values =
+        shown.fields->field_values(history.data()).row(found - names.begin());
+    strains.insert(strains.end(), values.begin(), values.end());
+  }
+  return strains;
 }
 
 Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {

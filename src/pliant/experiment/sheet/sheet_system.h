@@ -32,6 +32,8 @@ class SheetSystem {
   const std::vector<int>& held() const { return held_; }
   const ParameterList& parameters() const { return parameters_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The strains of a component in all elements that measure it, the nodes being at `positions`.
+  std::vector<double> strains(const std::string& component, const Eigen::Matrix3Xd& positions) const;
 
   /// `start` with the held nodes where a frame has them.
   Configuration configuration(int frame, Eigen::Matrix3Xd start) const;
@@ -46,6 +48,7 @@ class SheetSystem {
   std::vector<int> held_;
   System system_;
   ParameterList parameters_;
+  std::vector<ShownPotential> shown_;
   std::vector<std::string> warnings_;
 };
 

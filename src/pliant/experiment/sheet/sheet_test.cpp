@@ -22,18 +22,6 @@ Eigen::Vector3d direction_of(const Session& session, int frame, int clip) {
 
 }  // namespace
 
-std::string_view name_of(SheetObjective objective) {
-  switch (objective) {
-    case SheetObjective::clip_forces:
-      return "clip-forces";
-    case SheetObjective::parallel_clip_forces:
-      return "parallel-clip-forces";
-    case SheetObjective::positions:
-      return "positions";
-  }
-  return "";
-}
-
 SheetObjective usual_objective(const Session& session) {
   if (session.test == "shear") return SheetObjective::parallel_clip_forces;
   for (const SessionFrame& frame : session.frames) {

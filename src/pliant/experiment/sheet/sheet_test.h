@@ -9,18 +9,9 @@
 
 #include "pliant/experiment/session.h"
 #include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/sheet_objective.h"
 
 namespace pliant {
-
-/// What of a session a fit compares ([T] 3.4.1).
-enum class SheetObjective {
-  clip_forces,           ///< of all clips that cords pull: stretch
-  parallel_clip_forces,  ///< along the clips, where shear shows and stretch does not
-  positions,             ///< of the nodes that are free: bending, which no force is measured in
-};
-
-/// `clip-forces`, `parallel-clip-forces`, `positions`.
-std::string_view name_of(SheetObjective objective);
 
 /// What the thesis compares in a test of that name; in others the clips' forces where there are
 /// any, else positions.

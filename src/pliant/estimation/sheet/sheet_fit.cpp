@@ -1,0 +1,258 @@
+#include "pliant/estimation/sheet/sheet_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/experiment/sheet/sheet_system.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
+constexpr double kOutlierShare = 0.01;    // of strains, before the range is taken
+constexpr int kHingeRounds = 3;
+constexpr double kHingesSettled = 0.005;  // relative change of stiffness
+constexpr LeastSquaresOptions kStageSearch{
+    .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
+
+struct Solved {
+  Eigen::VectorXd values;
+  double rms = 0;  // of the differences in units of the problem's scales
+  bool converged = false;
+};
+
+class Fitter {
+ public:
+  Fitter(const Study& study, const RunContext& context) : study_(study), context_(context) {
+    fit_.material = first_sheet_material(study);
+  }
+
+  SheetFit run(const std::vector<SheetStage>& plan) && {
+    fit_.groups = groups_of(plan);
+    ProgressTask task(context_.progress, "fit", static_cast<double>(plan.size()));
+    for (std::size_t s = 0; s < plan.size(); ++s) {
+      context_.stop.throw_if_requested();
+      run_stage(plan[s]);
+      task.advance(static_cast<double>(s + 1));
+    }
+    return std::move(fit_);
+  }
+
+ private:
+  void run_stage(const SheetStage& stage) {
+    if (stage.grows && stage.groups.size() == 1) {
+      grow(stage, stage.groups.front());
+    } else {
+      for (const ComponentGroup& group : stage.groups) {
+        if (!is_fitted(group)) guess(stage, group);
+      }
+      const Solved solved = solve(stage);
+      record(stage, "once more", solved.rms, true);
+    }
+    for (const ComponentGroup& group : stage.groups) {
+      if (!is_fitted(group)) fitted_.push_back(group);
+    }
+    guess_shear();
+  }
+
+  bool is_fitted(const ComponentGroup& group) const {
+    return std::ranges::find(fitted_, group) != fitted_.end();
+  }
+
+  /// One control point after the other, at equal distances.
+  void grow(const SheetStage& stage, const ComponentGroup& group) {
+    guess(stage, group);
+    Solved best = solve(stage);
+    // Membrane components that are not known yet follow those that are.
+    if (group.front().starts_with("stretch") && guess_shear()) best = solve(stage);
+    record(stage, "1 control point", best.rms, true);
+    const double largest = largest_strain(stage, group);
+    for (const std::string& component : group) fit_.strains[component] = largest;
+    const bool even = is_even(group.front());
+    int useless = 0;
+    const int most = study_.model.stiffness == CurveKind::constant ? 1 : study_.fit.control_points;
+    Material accepted = fit_.material;
+    for (int points = 2; points <= most && useless < 2; ++points) {
+      const ScalarCurve last = *fit_.material.components.at(group.front()).stiffness;
+      std::vector<double> knots, values;
+      for (int i = 0; i < points; ++i) {
+        knots.push_back(largest * i / (points - 1));
+        values.push_back(last.value(knots.back()));
+      }
+      set_stiffness(fit_.material, group, ScalarCurve::hermite(knots, values, even));
+      const Solved solved = solve(stage);
+      const bool worthwhile = solved.rms < (1 - kWorthwhileFall) * best.rms;
+      record(stage, fmt::format("{} control points", points), solved.rms, worthwhile);
+      useless = worthwhile ? 0 : useless + 1;
+      if (!worthwhile) continue;
+      best = solved;
+      accepted = fit_.material;
+    }
+    fit_.material = accepted;
+  }
+
+  /// One stiffness to begin with. Forces tell it at once; how far a sheet hangs is tried from stiff
+  /// to soft.
+  void guess(const SheetStage& stage, const ComponentGroup& group) {
+    const bool even = is_even(group.front());
+    const auto constant = [&](double value) {
+      set_stiffness(fit_.material, group, ScalarCurve::hermite({0.0}, {value}, even));
+    };
+    constant(fit_.material.components.at(group.front()).stiffness->value(0));
+    if (!is_bending(group.front())) return;
+    constexpr double kRatio = 0.4;
+    const bool springs = fit_.material.bending == "spring";
+    double value = springs ? 30 : 1e-3, least = INFINITY, best = value;
+    const double softest = springs ? 1e-4 : 3e-8;
+    for (int worse = 0; value > softest && worse < 3; value *= kRatio) {
+      constant(value);
+      const SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
+      const LeastSquaresProblem squares = problem.least_squares();
+      Eigen::VectorXd residual(squares.residuals);
+      const bool found = squares.evaluate(problem.start(), residual, nullptr);
+      add_counts(problem.counts());
+      const double cost = found ? residual.squaredNorm() : INFINITY;
+      worse = cost < least ? 0 : worse + 1;
+      if (cost < least) {
+        least = cost;
+        best = value;
+      }
+    }
+    constant(best);
+  }
+
+  /// Without a test of shear the sheet has a fifth of its stretch stiffness.
+  bool guess_shear() {
+    const auto stretched = std::ranges::find_if(fit_.groups, [](const ComponentGroup& group) {
+      return group.front().starts_with("stretch");
+    });
+    if (stretched == fit_.groups.end() || is_fitted({"shear"})) return false;
+    const double stretch = fit_.material.components.at(stretched->front()).stiffness->value(0);
+    fit_.material.components.at("shear").stiffness =
+        ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
+    return true;
+  }
+
+  /// The search of a stage, whose result the material gets. What hinges make of the stiffness of a
+  /// sheet depends on its ratios: where bending is fitted, hinges and stiffness are settled in
+  /// turns.
+  Solved solve(const SheetStage& stage) {
+    const bool bends = std::ranges::any_of(stage.groups, [](const ComponentGroup& group) {
+      return is_bending(group.front());
+    });
+    Solved solved;
+    for (int round = 0; round < (bends ? kHingeRounds : 1); ++round) {
+      const SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
+      const Eigen::VectorXd start = problem.start();
+      const LeastSquaresSummary summary =
+          solve_least_squares(problem.least_squares(), start, kStageSearch, context_.stop);
+      add_counts(problem.counts());
+      if (!std::isfinite(summary.cost)) {
+        throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
+      }
+      solved.values = summary.parameters;
+      solved.converged = summary.converged;
+      solved.rms = std::sqrt(2 * summary.cost / problem.least_squares().residuals) *
+                   problem.scales().front();
+      fit_.material = problem.material_at(solved.values);
+      const double change = (solved.values - start).cwiseAbs().maxCoeff();
+      if (change <= kHingesSettled * solved.values.maxCoeff()) break;
+    }
+    fit_.converged = fit_.converged && solved.converged;
+    return solved;
+  }
+
+  double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
+    std::vector<double> strains;
+    const SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
+    for (std::size_t t = 0; t < stage.tests.size(); ++t) {
+      const SheetTest& test = *stage.tests[t];
+      const auto shapes = problem.predict(t, problem.start(), false);
+      if (!shapes) continue;
+      const SheetSystem sheet(test.session(), fit_.material, {.friction = false}, {});
+      for (const SheetShape& shape : *shapes) {
+        for (const std::string& component : group) {
+          if (!usually_strains(test, component)) continue;
+          const std::vector<double> own = sheet.strains(component, shape.positions);
+          strains.insert(strains.end(), own.begin(), own.end());
+        }
+      }
+    }
+    add_counts(problem.counts());
+    if (is_even(group.front())) {
+      for (double& strain : strains) strain = std::abs(strain);
+    }
+    const auto at = strains.begin() + static_cast<std::ptrdiff_t>(
+                                          (1 - kOutlierShare) * static_cast<double>(strains.size()));
+    std::ranges::nth_element(strains, at);
+    return std::max(*at, 1e-9);
+  }
+
+  /// A test of weft says nothing about the strains that warp has.
+  static bool usually_strains(const SheetTest& test, const std::string& component) {
+    const std::vector<std::string> usual = usual_components(test.session().test);
+    const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
+    if (usual.empty() || !directed) return true;
+    const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
+    return usual.front() == component || family(usual.front()) != family(component);
+  }
+
+  void record(const SheetStage& stage, const std::string& what, double rms, bool accepted) {
+    const bool positions = stage.tests.front()->objective() == SheetObjective::positions;
+    std::vector<std::string> components;
+    for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
+    fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what,
+                           positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
+  }
+
+  static std::string names(const std::vector<const SheetTest*>& tests) {
+    std::vector<std::string> list;
+    for (const SheetTest* test : tests) list.push_back(test->name());
+    return fmt::format("{}", fmt::join(list, ", "));
+  }
+
+  void add_counts(const EquilibriumCounts& counts) {
+    fit_.counts.equilibria += counts.equilibria;
+    fit_.counts.iterations += counts.iterations;
+    fit_.counts.factors += counts.factors;
+    fit_.counts.unstable += counts.unstable;
+  }
+
+  const Study& study_;
+  const RunContext& context_;
+  SheetFit fit_;
+  std::vector<ComponentGroup> fitted_;
+};
+
+}  // namespace
+
+Material first_sheet_material(const Study& study) {
+  Material material;
+  material.name = study.name;
+  material.density = study.density;
+  material.membrane = study.model.membrane;
+  material.bending = study.model.bending;
+  const bool springs = material.bending == "spring";
+  const auto give = [&](const char* component, double stiffness) {
+    material.components[component].stiffness =
+        ScalarCurve::hermite({0.0}, {stiffness}, is_even(component));
+  };
+  for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
+  give("shear", 20);
+  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    give(component, springs ? 0.1 : 3e-6);
+  }
+  return material;
+}
+
+SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
+                    const RunContext& context) {
+  return Fitter(study, context).run(plan);
+}
+
+}  // namespace pliant

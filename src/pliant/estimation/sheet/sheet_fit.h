@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/sheet/sheet_plan.h"
+
+namespace pliant {
+
+/// A material fitted to full-field sessions, stage by stage ([T] 3.4).
+struct SheetFit {
+  Material material;  ///< complete: components without test are guesses
+  std::vector<ComponentGroup> groups;
+  std::vector<FitStage> stages;
+  std::vector<std::string> warnings;
+  std::map<std::string, double> strains;  ///< largest of the fitted sheets, by component
+  EquilibriumCounts counts;
+  bool converged = true;
+};
+
+/// What a search begins with: one stiffness for each component, and the measures of a model.
+Material first_sheet_material(const Study& study);
+
+/// Fits the stages of a plan one after the other.
+///
+/// The curve of a group grows from one control point by equal distances over the strains of the
+/// fitted sheet until the residual falls by less than 1 % ([T] 3.4.2). The thesis takes the strains
+/// of the measured shapes, in which noise shows as strain of small triangles.
+SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
+                    const RunContext& context);
+
+}  // namespace pliant

@@ -1,0 +1,130 @@
+#include "pliant/estimation/sheet/sheet_plan.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+namespace {
+
+using Tests = std::vector<const SheetTest*>;
+
+Tests named(const Tests& tests, const std::vector<std::string>& names) {
+  Tests found;
+  for (const SheetTest* test : tests) {
+    if (std::ranges::find(names, test->session().test) != names.end()) found.push_back(test);
+  }
+  return found;
+}
+
+/// Weft and warp are one group where the material is the same in both.
+std::vector<ComponentGroup> grouped(const std::vector<std::string>& components, bool isotropic) {
+  std::vector<ComponentGroup> groups;
+  const auto has = [&](const std::string& name) {
+    return std::ranges::find(components, name) != components.end();
+  };
+  for (const std::string& component : components) {
+    const bool weft = component.ends_with(".weft"), warp = component.ends_with(".warp");
+    if (!isotropic || !(weft || warp)) {
+      groups.push_back({component});
+      continue;
+    }
+    const std::string family = component.substr(0, component.find('.'));
+    if (warp && has(family + ".weft")) continue;
+    groups.push_back({family + ".weft", family + ".warp"});
+  }
+  return groups;
+}
+
+void add_stage(const std::vector<std::string>& components, const Tests& tests, bool isotropic,
+               bool grows, std::vector<SheetStage>& plan) {
+  if (tests.empty()) return;
+  plan.push_back({grouped(components, isotropic), tests, grows});
+}
+
+std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
+  const Tests shear = !named(tests, {"shear"}).empty() ? named(tests, {"shear"})
+                                                       : named(tests, {"bias-extension"});
+  const Tests weft = named(tests, {"bend-weft"}), warp = named(tests, {"bend-warp"});
+  const Tests bending = named(tests, {"bend-weft", "bend-warp"});
+  std::vector<SheetStage> plan;
+  const auto add = [&](const std::vector<std::string>& components, const Tests& data,
+                       bool grows = true) {
+    add_stage(components, data, isotropic, grows, plan);
+  };
+  if (isotropic) {
+    add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}));
+    add({"shear"}, shear);
+    add({"bend.weft", "bend.warp"}, bending);
+  } else {
+    add({"stretch.weft"}, named(tests, {"stretch-weft"}));
+    add({"stretch.warp"}, named(tests, {"stretch-warp"}));
+    add({"shear"}, shear);
+    add({"bend.weft"}, weft);
+    add({"bend.warp"}, warp);
+  }
+  add({"bend.diagonal"}, bending);
+  if (!shear.empty() && !bending.empty()) add({"shear"}, shear, false);
+  std::vector<std::string> bends;
+  if (!weft.empty()) bends.emplace_back("bend.weft");
+  if (!warp.empty()) bends.emplace_back("bend.warp");
+  bends.emplace_back("bend.diagonal");
+  add(bends, bending, false);
+  return plan;
+}
+
+std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bool isotropic) {
+  std::vector<SheetStage> plan;
+  std::vector<std::string> seen;
+  for (const PlanStage& asked : study.fit.plan) {
+    Tests data;
+    for (const SheetTest* test : tests) {
+      const bool wanted = std::ranges::any_of(asked.experiments, [&](const std::string& pattern) {
+        return matches(pattern, test->name());
+      });
+      if (wanted) data.push_back(test);
+    }
+    if (data.empty()) {
+      throw InputError(asked.where,
+                       fmt::format("no session to be fitted is called {}",
+                                   fmt::join(asked.experiments, " or ")),
+                       "names or patterns of experiments of the type session");
+    }
+    const bool again = std::ranges::all_of(asked.components, [&](const std::string& component) {
+      return std::ranges::find(seen, component) != seen.end();
+    });
+    seen.insert(seen.end(), asked.components.begin(), asked.components.end());
+    add_stage(asked.components, data, isotropic, !again, plan);
+  }
+  return plan;
+}
+
+}  // namespace
+
+std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const SheetTest*>& tests) {
+  const bool isotropic = study.model.isotropic;
+  std::vector<SheetStage> plan = study.fit.plan.empty() ? plan_of_thesis(tests, isotropic)
+                                                        : plan_of_study(study, tests, isotropic);
+  if (plan.empty()) {
+    throw InputError({study.file, 0, "experiments"},
+                     "the plan of the fit has no stage for the sessions to be fitted",
+                     "sessions of the tests stretch-weft, stretch-warp, shear, bias-extension, "
+                     "bend-weft, bend-warp, or a plan under fit");
+  }
+  return plan;
+}
+
+std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan) {
+  std::vector<ComponentGroup> groups;
+  for (const SheetStage& stage : plan) {
+    for (const ComponentGroup& group : stage.groups) {
+      if (std::ranges::find(groups, group) == groups.end()) groups.push_back(group);
+    }
+  }
+  return groups;
+}
+
+}  // namespace pliant

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/estimation/sheet/sheet_unknown.h"
+#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+
+/// One stage of an incremental fit: some curves, to some tests.
+struct SheetStage {
+  std::vector<ComponentGroup> groups;
+  std::vector<const SheetTest*> tests;
+  bool grows = true;  ///< control points are added; else those that are there are fitted once more
+};
+
+/// The stages of a fit: what the study asks for, else the thesis' plan ([T] 3.4.2) as far as there
+/// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
+/// shear and bending once more.
+///
+/// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
+/// @throws InputError where a stage of the study names no test, or a test that is not there
+std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const SheetTest*>& tests);
+
+/// The components that a plan fits.
+std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);
+
+}  // namespace pliant

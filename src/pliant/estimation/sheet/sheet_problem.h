@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/least_squares.h"
+#include "pliant/estimation/sheet/sheet_unknown.h"
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/sheet_test.h"
+
+namespace pliant {
+
+/// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
+/// of forces or positions of all frames, each test's in units of its own `scale`, at equilibria.
+class SheetProblem {
+ public:
+  /// @param tests     outlive the problem
+  /// @param material  complete; says where a search begins
+  SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
+               std::vector<ComponentGroup> groups, const RunContext& context);
+
+  const std::vector<const SheetTest*>& tests() const { return tests_; }
+  const std::vector<SheetUnknown>& unknowns() const { return unknowns_; }
+  Eigen::VectorXd start() const;
+  Material material_at(const Eigen::VectorXd& values) const;
+
+  /// Weight of each test: what its differences are divided by (N or m).
+  const std::vector<double>& scales() const { return scales_; }
+  void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
+
+  /// Shapes of all frames of a test at some values of the unknowns; nothing where there is no
+  /// equilibrium.
+  std::optional<std::vector<SheetShape>> predict(std::size_t test, const Eigen::VectorXd& values,
+                                                 bool derivatives) const;
+
+  /// Non-negative unknowns; `evaluate` keeps the equilibria of the last values for the next.
+  LeastSquaresProblem least_squares() const;
+
+  EquilibriumCounts counts() const;
+
+ private:
+  bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
+                Eigen::MatrixXd* jacobian) const;
+
+  std::vector<const SheetTest*> tests_;
+  Material material_;
+  std::vector<ComponentGroup> groups_;
+  std::vector<SheetUnknown> unknowns_;
+  std::vector<double> scales_;
+  std::vector<int> parameters_;  // of the equilibria that an unknown sets, one after the other
+  std::vector<int> unknown_of_;  // each of them
+  std::vector<std::unique_ptr<SheetEquilibria>> equilibria_;
+  const RunContext& context_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,168 @@
+#include "pliant/estimation/sheet/sheet_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/geometry/mesh_quality.h"
+
+namespace pliant {
+namespace {
+
+/// Rows of an experiment's table.
+struct Rows {
+  std::vector<std::string> frame, what, axis;
+  std::vector<double> strain, measured, predicted;
+
+  void add(int at, std::string named, std::string along, double travel, double seen, double found) {
+    frame.push_back(std::to_string(at));
+    what.push_back(std::move(named));
+    axis.push_back(std::move(along));
+    strain.push_back(travel);
+    measured.push_back(seen);
+    predicted.push_back(found);
+  }
+};
+
+/// How far the clips have moved from their places at rest, over the sheet's longer side; on a table
+/// how much of the sheet hangs over.
+double travel(const Session& session, int frame) {
+  const double side = std::max(session.sample.width, session.sample.height);
+  const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
+  if (session.table && now.table_edge) {
+    const Eigen::RowVectorXd along = session.rest.positions.row(static_cast<int>(*session.table));
+    return (along.maxCoeff() - *now.table_edge) / side;
+  }
+  double sum = 0;
+  for (std::size_t c = 0; c < session.clips.size(); ++c) {
+    const Eigen::Vector3d middle =
+        session.rest.positions(Eigen::all, session.clips[c].clamped).rowwise().mean();
+    sum += (now.poses[c].apply(middle) - middle).norm();
+  }
+  return sum / side;
+}
+
+/// Free nodes along the middle of a sheet that hangs over a table, or of any other along weft.
+std::vector<int> middle_nodes(const Session& session, int frame) {
+  const int along = session.table ? static_cast<int>(*session.table) : 0;
+  const Eigen::RowVectorXd across = session.rest.positions.row(1 - along);
+  const double middle = (across.minCoeff() + across.maxCoeff()) / 2;
+  const double reach = mesh_quality(session.rest).mean_edge / 3;
+  const std::vector<int> held =
+      held_nodes(session, session.frames[static_cast<std::size_t>(frame)].table_edge);
+  std::vector<int> nodes;
+  for (int node = 0; node < session.rest.vertex_count(); ++node) {
+    if (std::abs(across(node) - middle) > reach) continue;
+    if (!std::ranges::binary_search(held, node)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+void add_heights(const SheetTest& test, int frame, const SheetShape& shape, Rows& rows) {
+  const Session& session = test.session();
+  const int along = session.table ? static_cast<int>(*session.table) : 0;
+  for (const int node : middle_nodes(session, frame)) {
+    const double place = 1e3 * session.rest.positions(along, node);
+    rows.add(frame, fmt::format("{:.4g} mm", place), "z", travel(session, frame),
+             session.frames[static_cast<std::size_t>(frame)].positions(2, node),
+             shape.positions(2, node));
+  }
+}
+
+void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows& rows) {
+  const Session& session = test.session();
+  const Eigen::VectorXd seen = test.measured(frame), found = test.predicted(frame, shape);
+  const bool parallel = test.objective() == SheetObjective::parallel_clip_forces;
+  Eigen::Index row = 0;
+  for (std::size_t c = 0; c < session.clips.size(); ++c) {
+    if (session.frames[static_cast<std::size_t>(frame)].cords[c].empty()) continue;
+    for (const char* axis : {"x", "y", "z"}) {
+      rows.add(frame, session.clips[c].name, parallel ? "parallel" : axis, travel(session, frame),
+               seen(row), found(row));
+      ++row;
+      if (parallel) break;
+    }
+  }
+}
+
+/// 1 where the clips go on, -1 where they return.
+std::vector<int> directions(const std::vector<double>& travels) {
+  std::vector<int> direction(travels.size(), 1);
+  for (std::size_t i = 0; i < travels.size(); ++i) {
+    std::size_t before = i;
+    while (before > 0 && travels[before] == travels[i]) --before;
+    if (travels[before] != travels[i]) direction[i] = travels[before] < travels[i] ? 1 : -1;
+  }
+  return direction;
+}
+
+MeasuredQuantity quantity_of(const SheetTest& test) {
+  if (test.objective() == SheetObjective::positions) {
+    return {"height_mm", "distance", "mm", 1e3};
+  }
+  return {"force_N", "force", "N", 1};
+}
+
+}  // namespace
+
+Session predicted_session(const Session& measured, const std::vector<SheetShape>& shapes) {
+  Session predicted = measured;
+  for (int f = 0; f < measured.frame_count(); ++f) {
+    const SheetShape& shape = shapes[static_cast<std::size_t>(f)];
+    SessionFrame& frame = predicted.frames[static_cast<std::size_t>(f)];
+    frame.positions = shape.positions;
+    for (std::size_t c = 0; c < frame.cords.size(); ++c) {
+      if (frame.cords[c].empty()) continue;
+      const Eigen::Vector3d middle = clip_middle(measured, f, static_cast<int>(c));
+      frame.cords[c] = {{"", middle, shape.clip_forces.col(static_cast<Eigen::Index>(c))}};
+    }
+  }
+  return predicted;
+}
+
+ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetShape>& shapes) {
+  const Session& session = test.session();
+  ExperimentResult result;
+  result.name = test.name();
+  result.type = "session";
+  result.direction = session.test;
+  result.quantity = quantity_of(test);
+  Rows rows;
+  double squares = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const SheetShape& shape = shapes[static_cast<std::size_t>(frame)];
+    squares += (test.predicted(frame, shape) - test.measured(frame)).squaredNorm();
+    if (test.objective() == SheetObjective::positions) add_heights(test, frame, shape, rows);
+    else add_forces(test, frame, shape, rows);
+  }
+  const auto as_vector = [](const std::vector<double>& values) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  };
+  result.measured = as_vector(rows.measured);
+  result.predicted = as_vector(rows.predicted);
+  result.rms = std::sqrt(squares / test.rows());
+  const bool positions = test.objective() == SheetObjective::positions;
+  const double side = std::max(session.sample.width, session.sample.height);
+  result.peak_force = positions ? 0 : result.measured.cwiseAbs().maxCoeff();
+  result.rms_percent = 100 * result.rms / (positions ? side : std::max(result.peak_force, 1e-12));
+  result.points = test.rows();
+  result.specimens = {session.sample.id.empty() ? "1" : session.sample.id};
+  result.noise = result.rms;
+  result.noise_source = "from the residuals";
+  result.columns = {{"frame", rows.frame},
+                    {positions ? "place" : "clip", rows.what},
+                    {"axis", rows.axis}};
+  result.strain = rows.strain;
+  result.strain_range = {*std::ranges::min_element(rows.strain),
+                         *std::ranges::max_element(rows.strain)};
+  result.direction_of_row = directions(rows.strain);
+  result.specimen_of_row.assign(rows.frame.size(), 0);
+  result.used.assign(rows.frame.size(), 1);
+  result.sheet = SheetComparison{session, predicted_session(session, shapes)};
+  return result;
+}
+
+}  // namespace pliant

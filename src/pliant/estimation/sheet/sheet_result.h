@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/estimation/fit_result.h"
+#include "pliant/experiment/sheet/sheet_test.h"
+
+namespace pliant {
+
+/// A session as it was predicted: its own clips, poses and masses, with the positions of predicted
+/// shapes and one cord a clip, at its middle, that pulls with the predicted force.
+Session predicted_session(const Session& measured, const std::vector<SheetShape>& shapes);
+
+/// How a session compares with its prediction. Rows are what the test compares of forces, clip by
+/// clip and axis by axis; of positions the heights of the free nodes along the middle of the sheet,
+/// while the error is that of all free nodes.
+ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetShape>& shapes);
+
+}  // namespace pliant

@@ -1,0 +1,216 @@
+#include "pliant/estimation/sheet/sheet_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/sheet/sheet_fit.h"
+#include "pliant/estimation/sheet/sheet_plan.h"
+#include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/estimation/sheet/sheet_uncertainty.h"
+#include "pliant/estimation/study_experiments.h"
+#include "pliant/estimation/uncertainty.h"
+#include "pliant/experiment/session/balance.h"
+#include "pliant/experiment/session/on_mesh.h"
+#include "pliant/geometry/regular_grid.h"
+#include "pliant/material/fill.h"
+#include "pliant/material/positive_stiffness.h"
+
+namespace pliant {
+namespace {
+
+/// Cells on the longer side of a sheet ([T] 3.4.1).
+constexpr int kCells = 24;
+/// A rest mesh that covers less of its bounding box is no rectangle along weft and warp.
+constexpr double kRectangle = 0.95;
+
+bool is_rectangle(const Session& session) {
+  const Eigen::Vector3d extent = session.rest.positions.rowwise().maxCoeff() -
+                                 session.rest.positions.rowwise().minCoeff();
+  return rest_area(session.rest) > kRectangle * extent.x() * extent.y();
+}
+
+int nodes_along(double side, double edge) {
+  return std::max(static_cast<int>(std::lround(side / edge)), 2) + 1;
+}
+
+Session on_fit_mesh(const Session& session, const ModelOptions& model) {
+  if (model.measured_mesh || !is_rectangle(session)) return session;
+  const double width = session.sample.width, height = session.sample.height;
+  const double edge = model.mesh_edge.value_or(std::max(width, height) / kCells);
+  const TriangleMesh grid =
+      regular_grid(width, height, nodes_along(width, edge), nodes_along(height, edge));
+  return on_mesh(session, centred_on_rest(session, grid));
+}
+
+/// A control value is known where its interval leaves out zero.
+ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i,
+                              double degrees) {
+  const auto index = static_cast<std::size_t>(i);
+  const SheetUnknown& unknown = uncertainty.unknowns[index];
+  ParameterEstimate estimate;
+  estimate.name = unknown.name;
+  estimate.owner = unknown.name.substr(0, unknown.name.rfind(".k"));
+  estimate.unit = unknown.unit;
+  estimate.value = uncertainty.values(i);
+  estimate.note = fmt::format("at strain {:.3g}", unknown.strain);
+  if (!uncertainty.told_by[index].empty()) estimate.note += "; " + uncertainty.told_by[index];
+  estimate.at_bound = estimate.value <= 0;
+  if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
+  estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
+  const double half = *estimate.std_error * student_quantile_95(degrees);
+  estimate.lower = estimate.value - half;
+  estimate.upper = estimate.value + half;
+  estimate.identified = *estimate.lower > 0;
+  return estimate;
+}
+
+double frames_of(const std::vector<SheetStage>& plan) {
+  double most = 0;
+  for (const SheetStage& stage : plan) {
+    double frames = 0;
+    for (const SheetTest* test : stage.tests) frames += test->frame_count();
+    most = std::max(most, frames);
+  }
+  return most;
+}
+
+/// What a fit found counts as measured, its guesses as assumed.
+void set_status(SheetFit& fit) {
+  for (auto& [name, component] : fit.material.components) {
+    const bool measured = std::ranges::any_of(fit.groups, [&](const ComponentGroup& group) {
+      return std::ranges::find(group, name) != group.end();
+    });
+    component.status = measured ? ComponentStatus::measured : ComponentStatus::assumed;
+    if (measured) component.range = {0.0, component.stiffness->knots().back()};
+  }
+}
+
+void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyResult& result) {
+  Eigen::Index first = 0;
+  for (const ComponentGroup& group : fit.groups) {
+    const Eigen::Index count = control_values(fit.material, group).size();
+    const ComponentLaw law{*fit.material.components.at(group.front()).stiffness,
+                           FrictionLaw::none,
+                           {}};
+    const auto strains = fit.strains.find(group.front());
+    const double largest = strains == fit.strains.end() ? 0.01 : strains->second;
+    const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
+    for (const std::string& component : group) {
+      result.curves.push_back(component_curve(component, law, largest, own));
+    }
+    first += count;
+  }
+}
+
+/// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
+/// the session then.
+std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
+                                const RunContext& context) {
+  SheetEquilibria equilibria(test.session(), material);
+  auto shapes = equilibria.predict(equilibria.parameters(), {}, context.threads, context.stop);
+  if (!shapes) {
+    throw SolverError("the equilibrium of every frame of " + test.name(),
+                      equilibria.counts().iterations, 0);
+  }
+  return std::move(*shapes);
+}
+
+void add_predictions(const std::vector<SheetExperiment>& experiments, const Material& material,
+                     const RunContext& context, StudyResult& result) {
+  const Material usable = held_beyond_range(material);
+  ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    const SheetExperiment& experiment = experiments[i];
+    ExperimentResult row =
+        compare_sheet(experiment.test, predict(experiment.test, usable, context));
+    row.role = experiment.role;
+    const auto components = usual_components(experiment.test.session().test);
+    if (!components.empty()) row.component = components.front();
+    result.experiments.push_back(std::move(row));
+    task.advance(static_cast<double>(i + 1));
+  }
+}
+
+std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments) {
+  std::vector<const SheetTest*> tests;
+  for (const SheetExperiment& experiment : experiments) {
+    if (experiment.role == ExperimentRole::fit) tests.push_back(&experiment.test);
+  }
+  return tests;
+}
+
+}  // namespace
+
+std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyResult& result) {
+  std::vector<SheetExperiment> experiments;
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!measures_sheets(spec.type)) continue;
+    const Session measured = read_session(spec.data.files.front());
+    for (const std::string& warning : measured.warnings) {
+      result.warnings.push_back(spec.name + ": " + warning);
+    }
+    Session session = on_fit_mesh(measured, study.model);
+    const SheetObjective objective = spec.objective.value_or(usual_objective(session));
+    experiments.push_back({SheetTest(spec.name, std::move(session), objective), spec.role});
+  }
+  return experiments;
+}
+
+bool fits_sheets(const Study& study) {
+  return std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
+    return measures_sheets(spec.type) && spec.role == ExperimentRole::fit;
+  });
+}
+
+StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  StudyResult result = describe(study);
+  const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
+  const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
+  SheetFit fit = fit_sheets(study, plan, context);
+  if (fit.material.density == 0) {
+    fit.material.density = area_density(experiments.front().test.session());
+  }
+  result.density = fit.material.density;
+  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, context);
+  set_status(fit);
+  result.converged = fit.converged;
+  result.stages = fit.stages;
+  result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
+  result.covariance = uncertainty.covariance;
+  const double degrees =
+      std::max(frames_of(plan) - static_cast<double>(uncertainty.values.size()), 1.0);
+  for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
+    result.parameters.push_back(estimate_of(uncertainty, i, degrees));
+  }
+  result.material = fit.material;
+  add_predictions(experiments, fit.material, context, result);
+  add_curves(fit, uncertainty, result);
+  for (const auto& [name, component] : fit.material.components) {
+    if (component.status == ComponentStatus::assumed) {
+      result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
+    }
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
+                     StudyResult& result) {
+  const bool any = std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
+    return measures_sheets(spec.type);
+  });
+  if (!any) return;
+  require_complete(material, sheet_component_names(), {study.file, 0, "experiments"});
+  require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
+  std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
+  for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
+  add_predictions(experiments, material, context, result);
+}
+
+}  // namespace pliant

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/study.h"
+
+namespace pliant {
+
+/// A full-field experiment of a study.
+struct SheetExperiment {
+  SheetTest test;
+  ExperimentRole role = ExperimentRole::fit;
+};
+
+/// The sessions of a study, on the meshes that they are simulated on.
+/// @param result  gets what there is to say of them
+/// @throws InputError for sessions that cannot be used
+std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyResult& result);
+
+/// Whether a study has sessions to be fitted.
+bool fits_sheets(const Study& study);
+
+/// Fits a material to the sessions of a study, and predicts all of them with it.
+/// @throws InputError, SolverError, Interrupted
+StudyResult fit_sheet_study(const Study& study, const RunContext& context);
+
+/// Adds the predictions of a study's sessions with a material to a result.
+void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
+                     StudyResult& result);
+
+}  // namespace pliant

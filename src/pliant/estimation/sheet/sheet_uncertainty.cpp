@@ -1,0 +1,152 @@
+#include "pliant/estimation/sheet/sheet_uncertainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include "pliant/estimation/sheet/sheet_problem.h"
+
+namespace pliant {
+namespace {
+
+/// Information below this part of the largest one, in units of the values, is none.
+constexpr double kNoInformation = 1e-10;
+
+/// Residuals and derivatives of the frames of a test, by all unknowns.
+struct Linearised {
+  std::vector<Eigen::VectorXd> residual;
+  std::vector<Eigen::MatrixXd> jacobian;
+  Eigen::VectorXd information;  // of each unknown, in units of the test's residual variance
+};
+
+Linearised linearise(const SheetTest& test, const Material& material,
+                     const std::vector<ComponentGroup>& groups, const RunContext& context) {
+  const SheetProblem problem({&test}, material, groups, context);
+  const LeastSquaresProblem squares = problem.least_squares();
+  Eigen::VectorXd residual(squares.residuals);
+  Eigen::MatrixXd jacobian;
+  Linearised result;
+  if (!squares.evaluate(problem.start(), residual, &jacobian)) return result;
+  Eigen::Index row = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const int rows = test.rows(frame);
+    result.residual.push_back(problem.scales().front() * residual.segment(row, rows));
+    result.jacobian.push_back(problem.scales().front() * jacobian.middleRows(row, rows));
+    row += rows;
+  }
+  const double variance =
+      std::max(residual.squaredNorm() / static_cast<double>(residual.size()), 1e-20);
+  result.information = jacobian.colwise().squaredNorm().transpose() / variance;
+  return result;
+}
+
+/// Frames whose parts of g go together.
+int lag_of(int frames) { return static_cast<int>(std::lround(std::sqrt(frames))); }
+
+}  // namespace
+
+SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
+                                   const RunContext& context) {
+  SheetUncertainty result;
+  std::vector<const SheetStage*> stage_of;  // the last of each unknown
+  Eigen::VectorXd values;
+  for (const ComponentGroup& group : fit.groups) {
+    const SheetStage* last = nullptr;
+    for (const SheetStage& stage : plan) {
+      if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
+    }
+    const Eigen::VectorXd own = control_values(fit.material, group);
+    values.conservativeResize(values.size() + own.size());
+    values.tail(own.size()) = own;
+    for (const SheetUnknown& unknown : unknowns_of(fit.material, {group})) {
+      result.unknowns.push_back(unknown);
+      stage_of.push_back(last);
+    }
+  }
+  result.values = values;
+  const Eigen::Index n = values.size();
+
+  std::map<const SheetTest*, Linearised> tests;
+  for (const SheetStage* stage : stage_of) {
+    for (const SheetTest* test : stage->tests) {
+      if (!tests.contains(test)) {
+        tests.emplace(test, linearise(*test, fit.material, fit.groups, context));
+      }
+    }
+  }
+
+  // In units of the values: g_i and p_i are both of the size of 1.
+  const Eigen::VectorXd unit = values.cwiseMax(1e-6 * values.cwiseAbs().maxCoeff());
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n), meat = Eigen::MatrixXd::Zero(n, n);
+  const auto takes = [&](Eigen::Index unknown, const SheetTest* test) {
+    const auto& used = stage_of[static_cast<std::size_t>(unknown)]->tests;
+    return std::ranges::find(used, test) != used.end();
+  };
+  for (const auto& [test, linear] : tests) {
+    const int frames = static_cast<int>(linear.residual.size());
+    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(n, frames);
+    for (int f = 0; f < frames; ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      const Eigen::MatrixXd jacobian = linear.jacobian[i] * unit.asDiagonal();
+      const Eigen::MatrixXd product = jacobian.transpose() * jacobian;
+      const Eigen::VectorXd part = jacobian.transpose() * linear.residual[i];
+      for (Eigen::Index u = 0; u < n; ++u) {
+        if (!takes(u, test)) continue;
+        slope.row(u) += product.row(u);
+        parts(u, f) = part(u);
+      }
+    }
+    const int lag = lag_of(frames);
+    for (int l = 0; l <= lag && l < frames; ++l) {
+      const double weight = 1 - static_cast<double>(l) / (lag + 1);
+      const Eigen::MatrixXd product =
+          parts.rightCols(frames - l) * parts.leftCols(frames - l).transpose();
+      if (l == 0) meat += product;
+      else meat += weight * (product + product.transpose());
+    }
+  }
+
+  std::vector<Eigen::Index> known;
+  result.determined.assign(static_cast<std::size_t>(n), 0);
+  for (Eigen::Index u = 0; u < n; ++u) {
+    double largest = 0;
+    for (Eigen::Index v = 0; v < n; ++v) {
+      const bool same = stage_of[static_cast<std::size_t>(v)] == stage_of[static_cast<std::size_t>(u)];
+      if (same) largest = std::max(largest, slope(v, v));
+    }
+    if (slope(u, u) > kNoInformation * largest && slope(u, u) > 0) known.push_back(u);
+  }
+  const Eigen::MatrixXd part = slope(known, known);
+  const Eigen::FullPivLU<Eigen::MatrixXd> factor(part);
+  result.covariance = Eigen::MatrixXd::Zero(n, n);
+  if (factor.isInvertible()) {
+    const Eigen::MatrixXd inverse = factor.inverse();
+    const Eigen::MatrixXd scaled = unit(known).asDiagonal() * inverse;
+    result.covariance(known, known) = scaled * meat(known, known) * scaled.transpose();
+    for (const Eigen::Index u : known) result.determined[static_cast<std::size_t>(u)] = 1;
+  }
+
+  for (Eigen::Index u = 0; u < n; ++u) {
+    double all = 0;
+    std::vector<std::pair<double, std::string>> shares;
+    for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
+      const Linearised& linear = tests.at(test);
+      if (linear.information.size() == 0) continue;
+      shares.emplace_back(linear.information(u), test->name());
+      all += linear.information(u);
+    }
+    std::ranges::sort(shares, std::greater());
+    std::string text;
+    for (const auto& [share, name] : shares) {
+      if (all <= 0 || share < 0.01 * all) continue;
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name, 100 * share / all);
+    }
+    result.told_by.push_back(text);
+  }
+  return result;
+}
+
+}  // namespace pliant

@@ -1,0 +1,120 @@
+// The equilibria of sheets in full-field sessions.
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/sheet_states.h"
+#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/geometry/regular_grid.h"
+
+#include "support/cloth_sheet.h"
+#include "support/session_sheets.h"
+
+namespace pliant {
+namespace {
+
+using test::linear_cloth;
+
+// A sheet that a table lets hang over its edge, from frame to frame further.
+Session overhanging(const TriangleMesh& mesh, const std::vector<double>& edges) {
+  Session session;
+  session.test = "bend-warp";
+  session.sample = {"", 0.1, 0.1, {}, 0.2};
+  session.rest = mesh;
+  session.table = RestAxis::v;
+  for (const double edge : edges) {
+    SessionFrame frame;
+    frame.table_edge = edge;
+    frame.positions = mesh.positions;
+    session.frames.push_back(frame);
+  }
+  return session;
+}
+
+TEST(SheetEquilibria, StretchAFlatSheetWithTheClosedFormForce) {
+  Session session = test::stretch_session(9, 2);
+  session.gravity.setZero();
+  for (SessionClip& clip : session.clips) clip.mass = 0;
+  SessionFrame& frame = session.frames[1];
+  for (Pose& pose : frame.poses) pose.rotation.setIdentity();
+  frame.poses[0].translation = {-0.005, 0, 0};
+  frame.poses[1].translation = {0.005, 0, 0};
+  frame.positions = session.rest.positions;
+  SheetEquilibria equilibria(session, linear_cloth(100, 30, 1e-5));
+  const auto shapes = equilibria.predict(equilibria.parameters(), {}, 1, {});
+  ASSERT_TRUE(shapes.has_value());
+  // Without Poisson's effect the sheet stretches evenly: l = 1.1, strain (l^2 - 1) / 2.
+  const double force = 0.1 * 1.1 * 100 * (1.1 * 1.1 - 1) / 2;
+  EXPECT_NEAR((*shapes)[1].clip_forces(0, 1), force, 1e-4 * force);
+  EXPECT_NEAR((*shapes)[1].clip_forces(0, 0), -force, 1e-4 * force);
+  EXPECT_NEAR((*shapes)[0].clip_forces.cwiseAbs().maxCoeff(), 0, 1e-6);
+}
+
+TEST(SheetEquilibria, CordsCarryTheWeights) {
+  const Session session = test::stretch_session(9, 2);
+  SheetEquilibria equilibria(session, linear_cloth(100, 30, 1e-5));
+  const auto shapes = equilibria.predict(equilibria.parameters(), {}, 2, {});
+  ASSERT_TRUE(shapes.has_value());
+  const double weight = (0.0031 + 2 * 0.0101) * kStandardGravity;
+  const Eigen::Vector3d sum = (*shapes)[1].clip_forces.rowwise().sum();
+  EXPECT_NEAR(sum.z(), weight, 1e-3);
+  EXPECT_LT(sum.head<2>().norm(), 1e-3);
+}
+
+TEST(SheetEquilibria, KnowTheirDerivatives) {
+  const Session session = test::stretch_session(7, 2);
+  const Material material = linear_cloth(100, 30, 1e-5);
+  SheetEquilibria equilibria(session, material);
+  const std::vector<int> by{2, 0};  // shear, then stretch along weft
+  const Eigen::VectorXd at = equilibria.parameters();
+  const auto shapes = equilibria.predict(at, by, 1, {});
+  ASSERT_TRUE(shapes.has_value());
+  for (int k = 0; k < 2; ++k) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
+    step(by[static_cast<size_t>(k)]) = 1e-2 * at(by[static_cast<size_t>(k)]);
+    const auto up = equilibria.predict(at + step, {}, 1, {});
+    const auto down = equilibria.predict(at - step, {}, 1, {});
+    ASSERT_TRUE(up && down);
+    const Eigen::VectorXd difference =
+        ((*up)[1].clip_forces - (*down)[1].clip_forces).reshaped() / (2 * step.sum());
+    const Eigen::VectorXd derivative = (*shapes)[1].clip_forces_by_parameter.col(k);
+    EXPECT_LT((difference - derivative).norm(), 1e-3 * difference.norm() + 1e-5) << k;
+  }
+}
+
+// The mean height of the row that hangs out furthest.
+double tip_height(const SheetShape& shape) {
+  const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(shape.positions.cols())));
+  return shape.positions.row(2).tail(n).mean();
+}
+
+TEST(SheetEquilibria, HangOverATableAsFarAsItsEdgeSaysWhateverTheMesh) {
+  const std::vector<double> edges{0.062, 0.0605, 0.059, 0.0575, 0.056, 0.0545};
+  const Material material = [] {
+    Material sheet = linear_cloth(200, 60, 3e-6);
+    sheet.bending_of = "sheet";
+    return sheet;
+  }();
+  const Session coarse = overhanging(regular_grid(0.1, 0.1, 25, 25), edges);
+  const Session fine = overhanging(regular_grid(0.1, 0.1, 49, 49), edges);
+  SheetEquilibria few(coarse, material), many(fine, material);
+  const auto of_few = few.predict(few.parameters(), {}, 2, {});
+  const auto of_many = many.predict(many.parameters(), {}, 2, {});
+  ASSERT_TRUE(of_few && of_many);
+  EXPECT_LT(few.equilibria_each(), 5);
+  for (size_t f = 0; f < edges.size(); ++f) {
+    const double depth = -tip_height((*of_many)[f]);
+    EXPECT_NEAR(-tip_height((*of_few)[f]), depth, 0.025 * depth) << f;
+  }
+  // A quarter of a cell further each time, not nothing and then a cell.
+  for (size_t f = 1; f < edges.size(); ++f) {
+    const double more = tip_height((*of_few)[f - 1]) - tip_height((*of_few)[f]);
+    EXPECT_NEAR(more, 0.002, 0.0003) << f;
+  }
+}
+
+}  // namespace
+}  // namespace pliant

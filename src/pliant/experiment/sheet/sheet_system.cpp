@@ -1,5 +1,6 @@
 #include "pliant/experiment/sheet/sheet_system.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pliant/experiment/session/balance.h"
@@ -56,6 +57,12 @@ SheetSystem::SheetSystem(const Session& session, const Material& material,
   warnings_ = add_cloth(system_, session.rest, material, options, parameters_).warnings;
   system_.add(std::make_shared<PointForces>(session.gravity * system_.masses().transpose()));
   system_.finish();
+}
+
+double SheetSystem::tolerance() const {
+  constexpr double kOfThesis = 1e-5, kOfWeight = 1e-3;
+  const double weight = session_.gravity.norm() * system_.masses().sum() / system_.points();
+  return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
 Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {

@@ -33,6 +33,10 @@ class SheetSystem {
   const ParameterList& parameters() const { return parameters_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// Largest force that an equilibrium leaves on a node: 10 uN ([T] 3.4.1), but never more than a
+  /// thousandth of what a node weighs, without which a fine mesh would not notice gravity (N).
+  double tolerance() const;
+
   /// `start` with the held nodes where a frame has them.
   Configuration configuration(int frame, Eigen::Matrix3Xd start) const;
 

@@ -21,7 +21,8 @@ void run_lab(const CommandContext& context, const LabArguments& arguments) {
   for (const auto& [name, content] : files) results.write(name, content);
   results.write("truth.json", material_text(lab.material));
   results.commit();
-  context.say(fmt::format("{} virtual measurements of {} (seed {}): {}", files.size() - 1,
+  context.say(fmt::format("{} virtual measurements of {} (seed {}): {}",
+                          lab.experiments.size() * static_cast<std::size_t>(lab.specimens),
                           lab.material.name, context.common.seed,
                           (std::filesystem::path(arguments.output) / "study.yaml").string()));
   context.print_written_json("lab", std::filesystem::path(arguments.output) / "study.yaml");

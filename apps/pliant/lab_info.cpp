@@ -73,7 +73,21 @@ std::string specimens_text(const VirtualLab& lab) {
                      format_quantity(lab.specimen_variation, Dimension::fraction, kDigits));
 }
 
+Json session_json(const LabExperiment& experiment) {
+  const VirtualSession& session = experiment.session;
+  return {{"name", experiment.name},
+          {"type", experiment.type},
+          {"test", session.test},
+          {std::string(session_test_kind(session.test).amplitude), session.amplitude},
+          {"size", {session.width, session.height}},
+          {"frames", session.frames},
+          {"position_noise", session.noise.position},
+          {"force_noise", session.noise.force},
+          {"cord_friction", session.noise.cord_friction}};
+}
+
 Json experiment_json(const LabExperiment& experiment) {
+  if (experiment.type == "session") return session_json(experiment);
   const Instrument& instrument = experiment.instrument;
   return {{"name", experiment.name},
           {"type", experiment.type},
@@ -119,7 +133,34 @@ std::string buckling_text(const LabExperiment& experiment) {
                      format_quantity(experiment.force_drift, Dimension::force, kDigits));
 }
 
+std::string session_noise_text(const SessionNoise& noise) {
+  const auto text = [](double value, Dimension dimension) {
+    return value > 0 ? format_quantity(value, dimension, kDigits) : std::string("none");
+  };
+  return fmt::format("noise: position {}, force {}; cord friction {}",
+                     text(noise.position, Dimension::length), text(noise.force, Dimension::force),
+                     text(noise.cord_friction, Dimension::force));
+}
+
+void add_session_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  const VirtualSession& session = experiment.session;
+  const SessionTestKind& kind = session_test_kind(session.test);
+  lines.push_back(labelled(experiment.name, experiment.type + ", " + session.test));
+  lines.push_back(
+      labelled("sheet",
+               fmt::format("{} x {}", format_quantity(session.width, Dimension::length, kDigits),
+                           format_quantity(session.height, Dimension::length, kDigits)),
+               1));
+  lines.push_back(labelled(
+      std::string(kind.amplitude),
+      fmt::format("{}; {} frames", format_quantity(session.amplitude, kind.dimension, kDigits),
+                  session.frames),
+      1));
+  lines.push_back(labelled("instrument", session_noise_text(session.noise), 1));
+}
+
 void add_lines(const LabExperiment& experiment, std::vector<std::string>& lines) {
+  if (experiment.type == "session") return add_session_lines(experiment, lines);
   if (measures_profiles(experiment.type)) return add_profile_lines(experiment, lines);
   if (experiment.type == "bending-length") return add_overhang_lines(experiment, lines);
   const bool shear = experiment.type == "shear-cycles";

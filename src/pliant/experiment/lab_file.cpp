@@ -4,6 +4,7 @@
 #include "pliant/experiment/experiment_name.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_lab.h"
+#include "pliant/experiment/virtual_session/fields.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/material/material_file.h"
@@ -180,7 +181,12 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   experiment.name = read_experiment_name(fields.require("name"), names);
   experiment.type = fields.require("type").choice(
       {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending", "cantilever",
-       "rolled-strip", "bending-length", "buckling-bend"});
+       "rolled-strip", "bending-length", "buckling-bend", "session"});
+  if (experiment.type == "session") {
+    experiment.session = read_virtual_session(fields);
+    fields.finish();
+    return experiment;
+  }
   if (bends_by_weight(experiment.type)) {
     experiment.direction = fields.require("direction").choice({"warp", "weft", "bias"});
     if (measures_profiles(experiment.type)) {
@@ -199,6 +205,24 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   experiment.instrument = {noise.force, noise.length, resolution.force, resolution.length};
   fields.finish();
   return experiment;
+}
+
+void require_material(const Material& material, const LabExperiment& experiment,
+                      const Value& node) {
+  if (experiment.type == "session") {
+    require_sheet_material(material, experiment.session, node.location());
+    return;
+  }
+  if (!law_of(material, component_of_test(experiment.type, experiment.direction))) {
+    node.fail(
+        "needs a component that the material " + quoted_value(material.name) + " does not have",
+        "a direction that was measured or assumed");
+  }
+  if (needs_density(experiment.type) && !(material.density > 0)) {
+    node.fail("needs the density of the material " + quoted_value(material.name) +
+                  ", which does not say it",
+              "a material with `density`: its own weight bends the strip");
+  }
 }
 
 }  // namespace
@@ -220,16 +244,7 @@ VirtualLab read_lab(const std::filesystem::path& path) {
   const Value list = fields.require("experiments");
   for (const Value& node : list.items()) {
     LabExperiment experiment = read_experiment(node, names);
-    if (!law_of(lab.material, component_of_test(experiment.type, experiment.direction))) {
-      node.fail("needs a component that the material " + quoted_value(lab.material.name) +
-                    " does not have",
-                "a direction that was measured or assumed");
-    }
-    if (needs_density(experiment.type) && !(lab.material.density > 0)) {
-      node.fail("needs the density of the material " + quoted_value(lab.material.name) +
-                    ", which does not say it",
-                "a material with `density`: its own weight bends the strip");
-    }
+    require_material(lab.material, experiment, node);
     lab.experiments.push_back(std::move(experiment));
   }
   if (lab.experiments.empty()) list.fail("has no experiment", "at least one");

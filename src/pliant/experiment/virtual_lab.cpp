@@ -18,6 +18,7 @@
 #include "pliant/experiment/virtual_buckling.h"
 #include "pliant/experiment/virtual_overhangs.h"
 #include "pliant/experiment/virtual_profiles.h"
+#include "pliant/experiment/virtual_sessions.h"
 #include "pliant/experiment/weight_path.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/bending_strain.h"
@@ -227,6 +228,10 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
   return text;
 }
 
+std::string session_entry(const std::string& name) {
+  return fmt::format("  - name: {0}\n    type: session\n    data: {0}\n", yaml_text(name));
+}
+
 std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
   const std::string source =
       fmt::format("virtual measurements of the material {}, seed {}", lab.material.name, seed);
@@ -234,6 +239,12 @@ std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
   if (lab.material.density > 0) study += fmt::format("density: {} kg/m^2\n", lab.material.density);
   study += fmt::format("info:\n  source: {}\nexperiments:\n", yaml_text(source));
   for (const LabExperiment& experiment : lab.experiments) {
+    if (experiment.type == "session") {
+      for (const std::string& session : session_names(lab, experiment)) {
+        study += session_entry(session);
+      }
+      continue;
+    }
     study += study_entry(experiment, experiment.name + (lab.specimens == 1 ? ".csv" : "-*.csv"));
   }
   study += fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
@@ -249,6 +260,7 @@ std::vector<std::pair<std::string, std::string>> make_measurements(const Virtual
   std::vector<std::pair<std::string, std::string>> files;
   RandomStream root(context.seed);
   for (const LabExperiment& experiment : lab.experiments) {
+    if (experiment.type == "session") continue;
     require_rows_between_reversals(experiment);
     const ComponentLaw law =
         *law_of(lab.material, component_of_test(experiment.type, experiment.direction));
@@ -262,6 +274,7 @@ std::vector<std::pair<std::string, std::string>> make_measurements(const Virtual
       files.emplace_back(name, measure(experiment, own, lab, random));
     }
   }
+  for (auto& file : make_sessions(lab, context)) files.push_back(std::move(file));
   files.emplace_back("study.yaml", study_text(lab, context.seed));
   return files;
 }

@@ -9,6 +9,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/experiment/study.h"
 #include "pliant/experiment/virtual_instrument.h"
+#include "pliant/experiment/virtual_session/options.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -37,6 +38,7 @@ struct LabExperiment {
   double strip_length = 0;  ///< m, what the strip has in truth between its clamps
   double force_offset = 0;  ///< N
   double force_drift = 0;   ///< N, of the force's zero from the first row to the last
+  VirtualSession session;   ///< of the type session, which has a name and nothing else of the above
   Location where;
 };
 
@@ -55,8 +57,8 @@ struct VirtualLab {
 /// @throws InputError
 VirtualLab read_lab(const std::filesystem::path& path);
 
-/// Makes the measurements: study.yaml and a CSV for each experiment (and specimen), in the formats
-/// that `fit` reads.
+/// Makes the measurements: study.yaml and a CSV or session directory for each experiment (and
+/// specimen), in the formats that `fit` reads. Warnings of sessions go to the context's progress.
 /// @return names and contents; the same for the same seed
 /// @throws InputError when a half cycle would have too few rows to find its reversals again;
 /// SolverError when it cannot carry a load

@@ -29,7 +29,8 @@ class SheetEquilibria::Lane {
   const SheetSystem& sheet() const { return sheet_; }
 
   NewtonSummary relax(Configuration& at) {
-    return minimize(objective(), {.reuse_factor = true}, solver_, hessian_, at);
+    return minimize(objective(), {.tolerance = sheet_.tolerance(), .reuse_factor = true}, solver_,
+                    hessian_, at);
   }
 
   /// @return false where only a convex stand-in of the Hessian can be factorised

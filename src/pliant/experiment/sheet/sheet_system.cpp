@@ -77,6 +77,12 @@ std::vector<double> SheetSystem::strains(const std::string& component,
   return strains;
 }
 
+double SheetSystem::tolerance() const {
+  constexpr double kOfThesis = 1e-5, kOfWeight = 1e-3;
+  const double weight = session_.gravity.norm() * system_.masses().sum() / system_.points();
+  return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
+}
+
 Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {
   Configuration at{std::move(start), {}};
   at.positions(Eigen::all, held_) = held_positions(session_, frame, held_);

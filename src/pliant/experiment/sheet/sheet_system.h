@@ -35,6 +35,10 @@ class SheetSystem {
   /// The strains of a component in all elements that measure it, the nodes being at `positions`.
   std::vector<double> strains(const std::string& component, const Eigen::Matrix3Xd& positions) const;
 
+  /// Largest force that an equilibrium leaves on a node: 10 uN ([T] 3.4.1), but never more than a
+  /// thousandth of what a node weighs, without which a fine mesh would not notice gravity (N).
+  double tolerance() const;
+
   /// `start` with the held nodes where a frame has them.
   Configuration configuration(int frame, Eigen::Matrix3Xd start) const;
 

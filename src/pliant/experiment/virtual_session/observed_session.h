@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pliant/base/random.h"
+#include "pliant/experiment/session.h"
+#include "pliant/experiment/virtual_session/options.h"
+
+namespace pliant {
+
+/// Makes of the true state of a session what the instruments of [T] 3.2.3 see.
+///
+/// Vertices, and the points where cords are attached, get white noise; poses of clips are the rigid
+/// motions that fit theirs best. Cords drag over pulleys: their load cells show half of the
+/// friction more while they pull their clip along, and half of it less while they give way, and so
+/// on until they move again.
+/// @param session  true; its sheet starts at rest
+void observe(const SessionNoise& noise, RandomStream& random, Session& session);
+
+}  // namespace pliant

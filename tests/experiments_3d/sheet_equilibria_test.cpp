@@ -1,11 +1,12 @@
 // The equilibria of sheets in full-field sessions.
 
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/sheet/sheet_equilibria.h"
 #include "pliant/experiment/sheet/sheet_states.h"
 #include "pliant/experiment/sheet/sheet_test.h"
 #include "pliant/geometry/regular_grid.h"

@@ -56,7 +56,7 @@ struct ExperimentResult {
                                       ///< absent for too few rows in a run, and for profiles
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
-  std::optional<StripShapes> shapes;  ///< of strips whose profiles are measured
+  std::optional<StripShapes> shapes;     ///< of strips whose profiles are measured
   std::optional<SheetComparison> sheet;  ///< of full-field sessions
   std::vector<std::string> handled;
 

@@ -294,8 +294,8 @@ ModelOptions read_model(Fields& study) {
   }
   if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells", "spring"});
   if (auto v = fields.optional("variant")) {
-    const std::string variant = v->choice({"nonlinear-orthotropic", "linear-orthotropic",
-                                           "nonlinear-isotropic", "linear-isotropic"});
+    const std::string variant = v->choice(
+        {"nonlinear-orthotropic", "linear-orthotropic", "nonlinear-isotropic", "linear-isotropic"});
     if (variant.starts_with("linear")) model.stiffness = CurveKind::constant;
     model.isotropic = variant.ends_with("-isotropic");
   }

@@ -69,8 +69,8 @@ struct ExperimentSpec {
   bool rested = false;
   InitialFriction initial_friction = InitialFriction::rest;
   RestLength rest_length = RestLength::known;
-  bool density_is_known = true;            ///< cantilever: else it is estimated along
-  BucklingSide side = BucklingSide::down;  ///< buckling-bend
+  bool density_is_known = true;             ///< cantilever: else it is estimated along
+  BucklingSide side = BucklingSide::down;   ///< buckling-bend
   std::optional<SheetObjective> objective;  ///< session; absent: what is usual for its test
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
@@ -89,10 +89,10 @@ struct ComponentModel {
 struct ModelOptions {
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
-  bool isotropic = false;           ///< weft and warp share their curves; fits of sheets
-  std::optional<double> mesh_edge;  ///< m, of the grid that sheets are simulated on; absent: 24
-                                    ///< cells on the longer side
-  bool measured_mesh = false;       ///< sheets are simulated on the meshes of their sessions
+  bool isotropic = false;              ///< weft and warp share their curves; fits of sheets
+  std::optional<double> mesh_edge;     ///< m, of the grid that sheets are simulated on; absent: 24
+                                       ///< cells on the longer side
+  bool measured_mesh = false;          ///< sheets are simulated on the meshes of their sessions
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
   FrictionChoice friction = FrictionChoice::automatic;
   std::map<std::string, ComponentModel> components;

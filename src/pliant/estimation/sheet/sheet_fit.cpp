@@ -15,15 +15,12 @@ namespace {
 
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kOutlierShare = 0.01;    // of strains, before the range is taken
-constexpr int kHingeRounds = 3;
-constexpr double kHingesSettled = 0.005;  // relative change of stiffness
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
 struct Solved {
   Eigen::VectorXd values;
-  double rms = 0;  // of the differences in units of the problem's scales
-  bool converged = false;
+  double rms = 0;  // of the differences (N or m)
 };
 
 class Fitter {
@@ -84,7 +81,8 @@ class Fitter {
         knots.push_back(largest * i / (points - 1));
         values.push_back(last.value(knots.back()));
       }
-      set_stiffness(fit_.material, group, ScalarCurve::hermite(knots, values, even));
+      set_stiffness(fit_.material, going_along({group}).front(),
+                    ScalarCurve::hermite(knots, values, even));
       const Solved solved = solve(stage);
       const bool worthwhile = solved.rms < (1 - kWorthwhileFall) * best.rms;
       record(stage, fmt::format("{} control points", points), solved.rms, worthwhile);
@@ -100,8 +98,9 @@ class Fitter {
   /// to soft.
   void guess(const SheetStage& stage, const ComponentGroup& group) {
     const bool even = is_even(group.front());
+    const ComponentGroup all = going_along({group}).front();
     const auto constant = [&](double value) {
-      set_stiffness(fit_.material, group, ScalarCurve::hermite({0.0}, {value}, even));
+      set_stiffness(fit_.material, all, ScalarCurve::hermite({0.0}, {value}, even));
     };
     constant(fit_.material.components.at(group.front()).stiffness->value(0));
     if (!is_bending(group.front())) return;
@@ -125,8 +124,8 @@ class Fitter {
     constant(best);
   }
 
-  /// Stiffnesses to try, stiff ones first: soft sheets fold, and take long. What bends diagonally is
-  /// not far from what bends along the threads.
+  /// Stiffnesses to try, stiff ones first: soft sheets fold, and take long. What bends diagonally
+  /// is not far from what bends along the threads.
   std::vector<double> first_bending(const ComponentGroup& group) const {
     const auto known = [&](const char* component) {
       return fit_.material.components.at(component).stiffness->value(0);
@@ -156,33 +155,35 @@ class Fitter {
     return true;
   }
 
-  /// The search of a stage, whose result the material gets. What hinges make of the stiffness of a
-  /// sheet depends on its ratios: where bending is fitted, hinges and stiffness are settled in
-  /// turns.
+  /// The search of a stage, whose result the material gets.
   Solved solve(const SheetStage& stage) {
-    const bool bends = std::ranges::any_of(stage.groups, [](const ComponentGroup& group) {
-      return is_bending(group.front());
-    });
-    Solved solved;
-    for (int round = 0; round < (bends ? kHingeRounds : 1); ++round) {
-      const SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
-      const Eigen::VectorXd start = problem.start();
-      const LeastSquaresSummary summary =
-          solve_least_squares(problem.least_squares(), start, kStageSearch, context_.stop);
-      add_counts(problem.counts());
-      if (!std::isfinite(summary.cost)) {
-        throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
-      }
-      solved.values = summary.parameters;
-      solved.converged = summary.converged;
-      solved.rms = std::sqrt(2 * summary.cost / problem.least_squares().residuals) *
-                   problem.scales().front();
-      fit_.material = problem.material_at(solved.values);
-      const double change = (solved.values - start).cwiseAbs().maxCoeff();
-      if (change <= kHingesSettled * solved.values.maxCoeff()) break;
+    const SheetProblem problem(stage.tests, fit_.material, going_along(stage.groups), context_);
+    const LeastSquaresProblem squares = problem.least_squares();
+    const LeastSquaresSummary summary =
+        solve_least_squares(squares, problem.start(), kStageSearch, context_.stop);
+    add_counts(problem.counts());
+    if (!std::isfinite(summary.cost)) {
+      throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
     }
-    fit_.converged = fit_.converged && solved.converged;
-    return solved;
+    fit_.converged = fit_.converged && summary.converged;
+    fit_.material = problem.material_at(summary.parameters);
+    return {summary.parameters,
+            std::sqrt(2 * summary.cost / squares.residuals) * problem.scales().front()};
+  }
+
+  /// Bending in the directions that are not fitted yet is taken to be like that of the first group
+  /// that is: a sheet does not bend along one thread alone.
+  std::vector<ComponentGroup> going_along(std::vector<ComponentGroup> groups) const {
+    if (groups.size() != 1 || !is_bending(groups.front().front())) return groups;
+    for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+      const bool known = std::ranges::any_of(fitted_, [&](const ComponentGroup& group) {
+        return std::ranges::find(group, component) != group.end();
+      });
+      ComponentGroup& group = groups.front();
+      const bool own = std::ranges::find(group, component) != group.end();
+      if (!known && !own) group.emplace_back(component);
+    }
+    return groups;
   }
 
   double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
@@ -205,8 +206,9 @@ class Fitter {
     if (is_even(group.front())) {
       for (double& strain : strains) strain = std::abs(strain);
     }
-    const auto at = strains.begin() + static_cast<std::ptrdiff_t>(
-                                          (1 - kOutlierShare) * static_cast<double>(strains.size()));
+    const auto at =
+        strains.begin() +
+        static_cast<std::ptrdiff_t>((1 - kOutlierShare) * static_cast<double>(strains.size()));
     std::ranges::nth_element(strains, at);
     return std::max(*at, 1e-9);
   }
@@ -255,6 +257,7 @@ Material first_sheet_material(const Study& study) {
   material.density = study.density;
   material.membrane = study.model.membrane;
   material.bending = study.model.bending;
+  material.bending_of = "hinges";
   const bool springs = material.bending == "spring";
   const auto give = [&](const char* component, double stiffness) {
     material.components[component].stiffness =

@@ -12,6 +12,9 @@ namespace {
 
 using Tests = std::vector<const SheetTest*>;
 
+/// How often shear and bending, which have a little influence on each other, are fitted again.
+constexpr int kPassesAgain = 2;
+
 Tests named(const Tests& tests, const std::vector<std::string>& names) {
   Tests found;
   for (const SheetTest* test : tests) {
@@ -46,15 +49,13 @@ void add_stage(const std::vector<std::string>& components, const Tests& tests, b
 }
 
 std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
-  const Tests shear = !named(tests, {"shear"}).empty() ? named(tests, {"shear"})
-                                                       : named(tests, {"bias-extension"});
+  const Tests shear =
+      !named(tests, {"shear"}).empty() ? named(tests, {"shear"}) : named(tests, {"bias-extension"});
   const Tests weft = named(tests, {"bend-weft"}), warp = named(tests, {"bend-warp"});
   const Tests bending = named(tests, {"bend-weft", "bend-warp"});
   std::vector<SheetStage> plan;
   const auto add = [&](const std::vector<std::string>& components, const Tests& data,
-                       bool grows = true) {
-    add_stage(components, data, isotropic, grows, plan);
-  };
+                       bool grows = true) { add_stage(components, data, isotropic, grows, plan); };
   if (isotropic) {
     add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}));
     add({"shear"}, shear);
@@ -67,12 +68,14 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
     add({"bend.warp"}, warp);
   }
   add({"bend.diagonal"}, bending);
-  if (!shear.empty() && !bending.empty()) add({"shear"}, shear, false);
   std::vector<std::string> bends;
   if (!weft.empty()) bends.emplace_back("bend.weft");
   if (!warp.empty()) bends.emplace_back("bend.warp");
   bends.emplace_back("bend.diagonal");
-  add(bends, bending, false);
+  for (int pass = 0; pass < kPassesAgain; ++pass) {
+    add(bends, bending, false);
+    if (!bending.empty()) add({"shear"}, shear, false);
+  }
   return plan;
 }
 
@@ -88,10 +91,10 @@ std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bo
       if (wanted) data.push_back(test);
     }
     if (data.empty()) {
-      throw InputError(asked.where,
-                       fmt::format("no session to be fitted is called {}",
-                                   fmt::join(asked.experiments, " or ")),
-                       "names or patterns of experiments of the type session");
+      throw InputError(
+          asked.where,
+          fmt::format("no session to be fitted is called {}", fmt::join(asked.experiments, " or ")),
+          "names or patterns of experiments of the type session");
     }
     const bool again = std::ranges::all_of(asked.components, [&](const std::string& component) {
       return std::ranges::find(seen, component) != seen.end();

@@ -18,7 +18,7 @@ struct SheetStage {
 
 /// The stages of a fit: what the study asks for, else the thesis' plan ([T] 3.4.2) as far as there
 /// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
-/// shear and bending once more.
+/// bending, all directions together, and shear, twice more.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @throws InputError where a stage of the study names no test, or a test that is not there

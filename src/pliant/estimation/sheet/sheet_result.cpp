@@ -134,8 +134,10 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   for (int frame = 0; frame < test.frame_count(); ++frame) {
     const SheetShape& shape = shapes[static_cast<std::size_t>(frame)];
     squares += (test.predicted(frame, shape) - test.measured(frame)).squaredNorm();
-    if (test.objective() == SheetObjective::positions) add_heights(test, frame, shape, rows);
-    else add_forces(test, frame, shape, rows);
+    if (test.objective() == SheetObjective::positions)
+      add_heights(test, frame, shape, rows);
+    else
+      add_forces(test, frame, shape, rows);
   }
   const auto as_vector = [](const std::vector<double>& values) -> Eigen::VectorXd {
     return Eigen::Map<const Eigen::VectorXd>(values.data(),
@@ -152,9 +154,8 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   result.specimens = {session.sample.id.empty() ? "1" : session.sample.id};
   result.noise = result.rms;
   result.noise_source = "from the residuals";
-  result.columns = {{"frame", rows.frame},
-                    {positions ? "place" : "clip", rows.what},
-                    {"axis", rows.axis}};
+  result.columns = {
+      {"frame", rows.frame}, {positions ? "place" : "clip", rows.what}, {"axis", rows.axis}};
   result.strain = rows.strain;
   result.strain_range = {*std::ranges::min_element(rows.strain),
                          *std::ranges::max_element(rows.strain)};

@@ -29,8 +29,8 @@ constexpr int kCells = 24;
 constexpr double kRectangle = 0.95;
 
 bool is_rectangle(const Session& session) {
-  const Eigen::Vector3d extent = session.rest.positions.rowwise().maxCoeff() -
-                                 session.rest.positions.rowwise().minCoeff();
+  const Eigen::Vector3d extent =
+      session.rest.positions.rowwise().maxCoeff() - session.rest.positions.rowwise().minCoeff();
   return rest_area(session.rest) > kRectangle * extent.x() * extent.y();
 }
 
@@ -48,8 +48,7 @@ Session on_fit_mesh(const Session& session, const ModelOptions& model) {
 }
 
 /// A control value is known where its interval leaves out zero.
-ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i,
-                              double degrees) {
+ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i, double degrees) {
   const auto index = static_cast<std::size_t>(i);
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
@@ -94,9 +93,8 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
   Eigen::Index first = 0;
   for (const ComponentGroup& group : fit.groups) {
     const Eigen::Index count = control_values(fit.material, group).size();
-    const ComponentLaw law{*fit.material.components.at(group.front()).stiffness,
-                           FrictionLaw::none,
-                           {}};
+    const ComponentLaw law{
+        *fit.material.components.at(group.front()).stiffness, FrictionLaw::none, {}};
     const auto strains = fit.strains.find(group.front());
     const double largest = strains == fit.strains.end() ? 0.01 : strains->second;
     const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
@@ -196,15 +194,17 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
       result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
     }
   }
+  result.assumptions.push_back(
+      fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",
+                  fit.counts.equilibria, fit.counts.iterations, fit.counts.factors));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 
 void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
                      StudyResult& result) {
-  const bool any = std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
-    return measures_sheets(spec.type);
-  });
+  const bool any = std::ranges::any_of(
+      study.experiments, [](const ExperimentSpec& spec) { return measures_sheets(spec.type); });
   if (!any) return;
   require_complete(material, sheet_component_names(), {study.file, 0, "experiments"});
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});

@@ -104,8 +104,10 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
       const double weight = 1 - static_cast<double>(l) / (lag + 1);
       const Eigen::MatrixXd product =
           parts.rightCols(frames - l) * parts.leftCols(frames - l).transpose();
-      if (l == 0) meat += product;
-      else meat += weight * (product + product.transpose());
+      if (l == 0)
+        meat += product;
+      else
+        meat += weight * (product + product.transpose());
     }
   }
 
@@ -114,7 +116,8 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
   for (Eigen::Index u = 0; u < n; ++u) {
     double largest = 0;
     for (Eigen::Index v = 0; v < n; ++v) {
-      const bool same = stage_of[static_cast<std::size_t>(v)] == stage_of[static_cast<std::size_t>(u)];
+      const bool same =
+          stage_of[static_cast<std::size_t>(v)] == stage_of[static_cast<std::size_t>(u)];
       if (same) largest = std::max(largest, slope(v, v));
     }
     if (slope(u, u) > kNoInformation * largest && slope(u, u) > 0) known.push_back(u);

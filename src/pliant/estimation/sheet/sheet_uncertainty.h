@@ -13,9 +13,9 @@ namespace pliant {
 struct SheetUncertainty {
   std::vector<SheetUnknown> unknowns;  ///< of all groups
   Eigen::VectorXd values;
-  Eigen::MatrixXd covariance;          ///< zero rows and columns where undetermined
+  Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined
   std::vector<char> determined;
-  std::vector<std::string> told_by;    ///< the tests, by their share of the information
+  std::vector<std::string> told_by;  ///< the tests, by their share of the information
 };
 
 /// Linearised uncertainty of stages that were fitted one after the other.

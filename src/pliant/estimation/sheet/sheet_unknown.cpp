@@ -42,8 +42,7 @@ std::vector<SheetUnknown> unknowns_of(const Material& material,
 
 Eigen::VectorXd control_values(const Material& material, const ComponentGroup& group) {
   const std::vector<double>& values = stiffness_of(material, group.front()).values();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                           static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 void set_stiffness(Material& material, const ComponentGroup& group, const ScalarCurve& curve) {

@@ -6,9 +6,12 @@ namespace pliant {
 
 std::string_view name_of(SheetObjective objective) {
   switch (objective) {
-    case SheetObjective::clip_forces: return "clip-forces";
-    case SheetObjective::parallel_clip_forces: return "parallel-clip-forces";
-    case SheetObjective::positions: return "positions";
+    case SheetObjective::clip_forces:
+      return "clip-forces";
+    case SheetObjective::parallel_clip_forces:
+      return "parallel-clip-forces";
+    case SheetObjective::positions:
+      return "positions";
   }
   return "";
 }

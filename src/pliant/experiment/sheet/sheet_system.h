@@ -33,7 +33,8 @@ class SheetSystem {
   const ParameterList& parameters() const { return parameters_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The strains of a component in all elements that measure it, the nodes being at `positions`.
-  std::vector<double> strains(const std::string& component, const Eigen::Matrix3Xd& positions) const;
+  std::vector<double> strains(const std::string& component,
+                              const Eigen::Matrix3Xd& positions) const;
 
   /// Largest force that an equilibrium leaves on a node: 10 uN ([T] 3.4.1), but never more than a
   /// thousandth of what a node weighs, without which a fine mesh would not notice gravity (N).

@@ -104,9 +104,10 @@ void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSe
   SheetSystem held(session, material, {}, held_nodes(session, std::nullopt));
   session.warnings.insert(session.warnings.end(), held.warnings().begin(), held.warnings().end());
   held.system().add_drive(drive_of(session, held.held()));
-  StaticPath path(held.system(), {.newton = {.tolerance = held.tolerance(), .reuse_factor = true}});
+  StaticPath path(
+      held.system(),
+      {.newton = {.tolerance = held.tolerance(), .reuse_factor = true, .stop = work.stop}});
   for (int f = 0; f < session.frame_count(); ++f) {
-    work.stop.throw_if_requested();
     const PathPoint point = step_to(f, path, work);
     SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
     frame.positions = path.state().configuration.positions;

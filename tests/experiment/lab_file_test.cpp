@@ -151,6 +151,23 @@ TEST(LabFile, ReadsASession) {
   EXPECT_FALSE(strip.nodes.has_value());
 }
 
+TEST(LabFile, NeedsAGridForASessionOfSprings) {
+  const TemporaryFolder folder;
+  std::string cloth = test::content_of(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json");
+  cloth.replace(cloth.find("stvk"), 4, "spring");
+  folder.write("cloth.json", cloth);
+  const auto lab_with = [&](const std::string& mesh) {
+    return folder.write("lab.yaml",
+                        "pliant: lab/1\nmaterial: cloth.json\nexperiments:\n"
+                        "  - {name: s, type: session, test: shear, mesh: {" +
+                            mesh + "}}\n");
+  };
+  EXPECT_EQ(read_lab(lab_with("nodes: 9x9")).experiments.size(), 1U);
+  const InputError error = test::input_error_of([&] { read_lab(lab_with("edge: 5 mm")); });
+  EXPECT_EQ(error.where().line, 4);
+  EXPECT_THAT(error.problem(), ::testing::HasSubstr("need a grid"));
+}
+
 // [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
 TEST(LabFile, RollsAroundThePublishedCylindersByDefault) {
   const VirtualLab lab = read_lab_text(kLab);

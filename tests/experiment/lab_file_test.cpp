@@ -120,6 +120,54 @@ TEST(LabFile, ReadsABuckledStripAndTheErrorsOfItsTester) {
   EXPECT_DOUBLE_EQ(down.slack, 4e-4);
 }
 
+TEST(LabFile, ReadsASession) {
+  const TemporaryFolder folder;
+  folder.write("cloth.json", test::content_of(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json"));
+  const VirtualLab lab = read_lab(folder.write(
+      "lab.yaml",
+      "pliant: lab/1\nmaterial: cloth.json\nexperiments:\n"
+      "  - {name: f, type: session, test: shear, size: 8 cm x 12 cm, frames: 21, cycles: 3,\n"
+      "     angle: 20 deg, initial_strain: 1 %, grip: 4 mm, clip_mass: 5 g, mesh: {nodes: 9x13},\n"
+      "     noise: {position: 75 um, force: 3 mN}, cord_friction: 0.1 N}\n"
+      "  - {name: b, type: session, test: bias-extension}\n"));
+  const VirtualSession& frame = lab.experiments[0].session;
+  EXPECT_EQ(frame.test, "shear");
+  EXPECT_DOUBLE_EQ(frame.width, 0.08);
+  EXPECT_DOUBLE_EQ(frame.height, 0.12);
+  EXPECT_EQ(frame.frames, 21);
+  EXPECT_EQ(frame.cycles, 3);
+  EXPECT_DOUBLE_EQ(frame.amplitude, std::numbers::pi / 9);
+  EXPECT_DOUBLE_EQ(frame.initial_strain, 0.01);
+  EXPECT_DOUBLE_EQ(frame.grip, 4e-3);
+  EXPECT_DOUBLE_EQ(frame.clip_mass, 5e-3);
+  EXPECT_EQ(frame.nodes, std::pair(9, 13));
+  EXPECT_DOUBLE_EQ(frame.noise.position, 75e-6);
+  EXPECT_DOUBLE_EQ(frame.noise.force, 3e-3);
+  EXPECT_DOUBLE_EQ(frame.noise.cord_friction, 0.1);
+  const VirtualSession& strip = lab.experiments[1].session;
+  EXPECT_DOUBLE_EQ(strip.height, 0.15);
+  EXPECT_DOUBLE_EQ(strip.amplitude, 0.1);
+  EXPECT_DOUBLE_EQ(strip.clip_mass, 10.1e-3) << "[T] Table 3.1";
+  EXPECT_FALSE(strip.nodes.has_value());
+}
+
+TEST(LabFile, NeedsAGridForASessionOfSprings) {
+  const TemporaryFolder folder;
+  std::string cloth = test::content_of(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json");
+  cloth.replace(cloth.find("stvk"), 4, "spring");
+  folder.write("cloth.json", cloth);
+  const auto lab_with = [&](const std::string& mesh) {
+    return folder.write("lab.yaml",
+                        "pliant: lab/1\nmaterial: cloth.json\nexperiments:\n"
+                        "  - {name: s, type: session, test: shear, mesh: {" +
+                            mesh + "}}\n");
+  };
+  EXPECT_EQ(read_lab(lab_with("nodes: 9x9")).experiments.size(), 1U);
+  const InputError error = test::input_error_of([&] { read_lab(lab_with("edge: 5 mm")); });
+  EXPECT_EQ(error.where().line, 4);
+  EXPECT_THAT(error.problem(), ::testing::HasSubstr("need a grid"));
+}
+
 // [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
 TEST(LabFile, RollsAroundThePublishedCylindersByDefault) {
   const VirtualLab lab = read_lab_text(kLab);
@@ -220,6 +268,28 @@ const Refusal kRefusals[] = {
      "experiments[0]", "does not have"},
     {"ANameThatIsNoFileName", with_experiments("{name: ../w, type: shear-cycles, peaks: [8 deg]}"),
      4, "experiments[0].name", "name"},
+    {"SessionWithoutTest", with_experiments("{name: s, type: session}"), 4, "experiments[0].test",
+     "is missing"},
+    {"SessionOfAnotherTestsAmplitude",
+     with_experiments("{name: s, type: session, test: shear, strain: 5 %}"), 4,
+     "experiments[0].strain", "unknown key"},
+    {"SessionWithFewerFramesThanTurns",
+     with_experiments("{name: s, type: session, test: corner-pull, cycles: 2, frames: 8}"), 4,
+     "experiments[0].frames", "at least 9"},
+    {"SessionBeyondItsTable",
+     with_experiments("{name: s, type: session, test: bend-weft, size: 8 cm x 20 cm,\n"
+                      "     overhang: 75 mm}"),
+     5, "experiments[0].overhang", "at most 72 mm"},
+    {"SessionWithTwoMeshes",
+     with_experiments("{name: s, type: session, test: shear, mesh: {edge: 2 mm, nodes: 20x20}}"), 4,
+     "experiments[0].mesh", "either `edge`"},
+    {"SessionWhoseNoiseLosesTheClips",
+     with_experiments("{name: s, type: session, test: shear, noise: {position: 1 mm}}"), 4,
+     "experiments[0].noise.position", "too much"},
+    {"SessionNamedAsAFile", with_experiments("{name: study.yaml, type: session, test: shear}"), 4,
+     "experiments[0].name", "file"},
+    {"SessionOfAStrip", with_experiments("{name: s, type: session, test: shear}"), 4,
+     "experiments[0]", "does not have: bend.weft"},
     {"TheSameNameTwice",
      with_experiments("{name: w, type: shear-cycles, peaks: [8 deg]}\n"
                       "  - {name: w, type: shear-cycles, peaks: [9 deg]}"),

@@ -120,6 +120,7 @@ DocumentFolder::DocumentFolder() {
   // Readers of scenes and sessions ask whether such files are there, and no more.
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply"}) write(name, "");
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
+  spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
   spandex["components"]["bend.warp"] = {{"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
   spandex["components"]["bend.weft"] = {
@@ -148,9 +149,12 @@ std::vector<NamedDocument> shipped_documents() {
   for (const fs::path& file : files_in(kSource / "materials")) {
     documents.push_back(named(file.filename().string(), read_json(file)));
   }
-  NamedDocument lab = named("demo's lab", read_yaml(kSource / "examples" / "demo" / "lab.yaml"));
-  lab.document.document["material"] = "spandex.json";  // where it stands while it is read here
-  documents.push_back(std::move(lab));
+  for (const char* folder : {"demo", "sheet-sessions"}) {
+    NamedDocument lab = named(std::string("lab of ") + folder,
+                              read_yaml(kSource / "examples" / folder / "lab.yaml"));
+    lab.document.document["material"] = "spandex.json";  // where it stands while it is read here
+    documents.push_back(std::move(lab));
+  }
   for (NamedDocument& example : examples()) documents.push_back(std::move(example));
   for (NamedDocument& example : fenced_documents(kSource / "docs" / "formats.md")) {
     documents.push_back(std::move(example));

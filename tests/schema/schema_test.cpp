@@ -85,7 +85,9 @@ std::set<std::string> words_of_readers() {
         "experiment/scene/holds.cpp", "experiment/scene/keyframe_fields.cpp",
         "experiment/scene/mesh_source.cpp", "experiment/scene/stepping.cpp",
         "experiment/scene/vector_fields.cpp", "experiment/scene/vertex_selection.cpp",
-        "experiment/session/document.cpp", "material/material_file.cpp", "material/material.cpp"}) {
+        "experiment/session/document.cpp", "experiment/virtual_session/fields.cpp",
+        "experiment/virtual_session/options.cpp", "material/material_file.cpp",
+        "material/material.cpp"}) {
     const std::string text = read_text_file(kSource / "src" / "pliant" / file);
     for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
       words.insert((*word)[1]);

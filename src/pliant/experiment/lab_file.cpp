@@ -174,6 +174,13 @@ void read_peaks(Fields& fields, LabExperiment& experiment) {
   if (experiment.peaks.empty()) peaks.fail("is empty", "at least one peak");
 }
 
+/// A session is a folder of its name, beside the lab's files.
+void require_folder_name(const std::string& name, const Value& node) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  if (extension != ".csv" && extension != ".yaml" && extension != ".json") return;
+  node.fail("is the name of a file", "the name of a folder for the session");
+}
+
 LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
   Fields fields = node.fields();
   LabExperiment experiment;
@@ -183,6 +190,7 @@ LabExperiment read_experiment(const Value& node, std::set<std::string>& names) {
       {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending", "cantilever",
        "rolled-strip", "bending-length", "buckling-bend", "session"});
   if (experiment.type == "session") {
+    require_folder_name(experiment.name, fields.require("name"));
     experiment.session = read_virtual_session(fields);
     fields.finish();
     return experiment;

@@ -14,7 +14,7 @@ namespace pliant {
 /// How the work of a session is followed.
 struct SessionWork {
   std::string name = "session";  ///< for messages
-  StopToken stop;
+  StopToken stop = {};
   std::function<void(int frames)> done = [](int) {};  ///< frames that have been found
 };
 

@@ -117,6 +117,7 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
   bool has_factor = false;
   double last_residual = INFINITY;
   for (;; ++summary.iterations) {
+    options.stop.throw_if_requested();
     Eigen::Matrix3Xd gradient;
     summary.energy = objective.evaluate(at, gradient);
     const Eigen::VectorXd force = -coordinates.reduce(at, gradient);

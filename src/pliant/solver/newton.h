@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pliant/base/progress.h"
 #include "pliant/math/linear_solver.h"
 #include "pliant/solver/objective.h"
 
@@ -14,6 +15,7 @@ struct NewtonOptions {
   /// Steps go on with a factorised Hessian of an earlier iteration while the forces fall: for
   /// solvers that factorise slowly and solve quickly.
   bool reuse_factor = false;
+  StopToken stop = {};  ///< asked before each iteration, which takes tenths of a second at most
 };
 
 struct NewtonSummary {
@@ -34,6 +36,7 @@ double largest_force(const Coordinates& coordinates, const Configuration& at,
 /// and, if need be, shifted until it is; a line search makes sure that the energy falls. Not
 /// converging is a result, not an error; what was reached is then in `at`.
 /// @param at  where to begin, then the minimum
+/// @throws Interrupted when a stop was requested
 NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
                        LinearSolver& solver, Hessian& hessian, Configuration& at);
 

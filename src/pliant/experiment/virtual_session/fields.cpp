@@ -64,19 +64,20 @@ void read_amplitude(Fields& fields, VirtualSession& session) {
 }
 
 void read_clips(Fields& fields, VirtualSession& session) {
-  const double most = kLargestGrip * shorter_side(session);
-  session.grip = std::min(session.grip, most);
+  const double deepest = kLargestGrip * shorter_side(session);
+  session.grip = std::min(session.grip, deepest);
   if (auto v = fields.optional("grip")) {
     session.grip = v->positive_quantity(Dimension::length);
-    require_at_most(*v, session.grip, most, up_to(most, Dimension::length));
+    require_at_most(*v, session.grip, deepest, up_to(deepest, Dimension::length));
   }
   if (auto v = fields.optional("clip_mass")) {
     session.clip_mass = v->quantity_from_zero(Dimension::mass);
   }
   if (auto v = fields.optional("initial_strain")) {
+    const bool strains = session_test_kind(session.test).dimension == Dimension::fraction;
+    const double largest = strains ? session.amplitude : kLargestStrain;
     session.initial_strain = v->quantity_from_zero(Dimension::fraction);
-    require_at_most(*v, session.initial_strain, kLargestStrain,
-                    up_to(kLargestStrain, Dimension::fraction));
+    require_at_most(*v, session.initial_strain, largest, up_to(largest, Dimension::fraction));
   }
   if (auto v = fields.optional("cord_friction")) {
     session.noise.cord_friction = v->quantity_from_zero(Dimension::force);
@@ -157,7 +158,13 @@ VirtualSession read_virtual_session(Fields& fields) {
 
 void require_sheet_material(const Material& material, const VirtualSession& options,
                             const Location& where) {
-  require_complete(material, sheet_component_names(), where);
+  for (const std::string& component : sheet_component_names()) {
+    if (is_known(material, component)) continue;
+    throw InputError(where,
+                     "needs a component that the material " + quoted_value(material.name) +
+                         " does not have: " + component,
+                     "a material with stretch, shear and bending in all directions");
+  }
   require_positive_stiffness(material, sheet_component_names(), where);
   if (!(material.density > 0)) {
     throw InputError(where,

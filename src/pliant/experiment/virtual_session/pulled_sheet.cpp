@@ -87,11 +87,9 @@ std::vector<CordForce> cords_of(const TestClip& clip, const Pose& placed, const 
   return {{"1", points[0], pulls[0]}, {"2", points[1], pulls[1]}};
 }
 
-}  // namespace
-
-void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSession& options,
-                const SessionWork& work, Session& session) {
-  const std::vector<TestClip> clips = test_clips(options);
+/// Adds the clips of a test, and frames with their poses alone.
+void add_clips(const std::vector<TestClip>& clips, const CutSheet& sheet,
+               const VirtualSession& options, Session& session) {
   for (const TestClip& clip : clips) {
     session.clips.push_back(session_clip(clip, sheet, options.clip_mass));
   }
@@ -100,13 +98,21 @@ void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSe
     for (const TestClip& clip : clips) frame.poses.push_back(pose_under(clip, sheet.placed, load));
     session.frames.push_back(std::move(frame));
   }
+}
 
+}  // namespace
+
+void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSession& options,
+                const SessionWork& work, Session& session) {
+  const std::vector<TestClip> clips = test_clips(options);
+  add_clips(clips, sheet, options, session);
   SheetSystem held(session, material, {}, held_nodes(session, std::nullopt));
   session.warnings.insert(session.warnings.end(), held.warnings().begin(), held.warnings().end());
   held.system().add_drive(drive_of(session, held.held()));
-  StaticPath path(held.system(), {.newton = {.tolerance = held.tolerance(), .reuse_factor = true}});
+  StaticPath path(
+      held.system(),
+      {.newton = {.tolerance = held.tolerance(), .reuse_factor = true, .stop = work.stop}});
   for (int f = 0; f < session.frame_count(); ++f) {
-    work.stop.throw_if_requested();
     const PathPoint point = step_to(f, path, work);
     SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
     frame.positions = path.state().configuration.positions;

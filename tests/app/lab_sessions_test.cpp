@@ -1,0 +1,56 @@
+// `pliant lab` makes full-field sessions.
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/run_program.h"
+
+namespace pliant::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kLab =
+    "pliant: lab/1\nmaterial: " PLIANT_SOURCE_DIR
+    "/examples/assumed-cloth.json\nexperiments:\n"
+    "  - {name: sheet, type: session, test: stretch-weft, frames: 3, mesh: {nodes: 9x9}}\n"
+    "  - {name: table, type: session, test: bend-warp, frames: 2, mesh: {nodes: 9x9}}\n";
+
+TEST(LabSessions, AreWrittenAsDirectoriesThatInfoAccepts) {
+  const TemporaryFolder folder;
+  const std::string lab = folder.write("lab.yaml", kLab).string();
+  const std::string study = (folder.path() / "study").string();
+  const ProgramRun made = run_program({"lab", lab, "-o", study, "--threads", "2"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("2 virtual measurements"));
+  EXPECT_THAT(made.err, HasSubstr("the friction of bend.warp is left out"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "study" / "truth.json"));
+  for (const char* session : {"sheet", "table"}) {
+    const ProgramRun info = run_program({"info", (folder.path() / "study" / session).string()});
+    EXPECT_EQ(info.status, 0) << info.err;
+    EXPECT_THAT(info.out, HasSubstr("session/1"));
+  }
+  const ProgramRun info = run_program({"info", lab});
+  EXPECT_THAT(info.out, HasSubstr("session, stretch-weft"));
+  EXPECT_EQ(run_program({"lab", lab, "-o", study}).status, 0) << "its own results are replaced";
+}
+
+TEST(LabSessions, LeaveNothingWhenTheyAreInterrupted) {
+  const TemporaryFolder folder;
+  const std::string lab =
+      folder
+          .write("lab.yaml", "pliant: lab/1\nmaterial: " PLIANT_SOURCE_DIR
+                             "/examples/assumed-cloth.json\nexperiments:\n"
+                             "  - {name: s, type: session, test: complex-shear, frames: 1000}\n")
+          .string();
+  const ProgramRun run =
+      run_program({"lab", lab, "-o", (folder.path() / "study").string()}, {.interrupt_after = 1});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.last_line(), HasSubstr("interrupted"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "study"));
+}
+
+}  // namespace
+}  // namespace pliant::test

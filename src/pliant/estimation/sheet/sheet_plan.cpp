@@ -43,9 +43,9 @@ std::vector<ComponentGroup> grouped(const std::vector<std::string>& components, 
 }
 
 void add_stage(const std::vector<std::string>& components, const Tests& tests, bool isotropic,
-               bool grows, std::vector<SheetStage>& plan) {
+               StageKind kind, std::vector<SheetStage>& plan) {
   if (tests.empty()) return;
-  plan.push_back({grouped(components, isotropic), tests, grows});
+  plan.push_back({grouped(components, isotropic), tests, kind});
 }
 
 std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
@@ -55,26 +55,36 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
   const Tests bending = named(tests, {"bend-weft", "bend-warp"});
   std::vector<SheetStage> plan;
   const auto add = [&](const std::vector<std::string>& components, const Tests& data,
-                       bool grows = true) { add_stage(components, data, isotropic, grows, plan); };
-  if (isotropic) {
-    add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}));
-    add({"shear"}, shear);
-    add({"bend.weft", "bend.warp"}, bending);
-  } else {
-    add({"stretch.weft"}, named(tests, {"stretch-weft"}));
-    add({"stretch.warp"}, named(tests, {"stretch-warp"}));
-    add({"shear"}, shear);
-    add({"bend.weft"}, weft);
-    add({"bend.warp"}, warp);
-  }
-  add({"bend.diagonal"}, bending);
+                       StageKind kind) {
+    add_stage(components, data, isotropic, kind, plan);
+  };
   std::vector<std::string> bends;
   if (!weft.empty()) bends.emplace_back("bend.weft");
   if (!warp.empty()) bends.emplace_back("bend.warp");
   bends.emplace_back("bend.diagonal");
+  const auto add_bending = [&](StageKind kind) {
+    if (isotropic) {
+      add({"bend.weft", "bend.warp"}, bending, kind);
+    } else {
+      add({"bend.weft"}, weft, kind);
+      add({"bend.warp"}, warp, kind);
+    }
+    add({"bend.diagonal"}, bending, kind);
+  };
+  if (isotropic) {
+    add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}),
+        StageKind::grow);
+  } else {
+    add({"stretch.weft"}, named(tests, {"stretch-weft"}), StageKind::grow);
+    add({"stretch.warp"}, named(tests, {"stretch-warp"}), StageKind::grow);
+  }
+  add({"shear"}, shear, StageKind::grow);
+  add_bending(StageKind::constant);
+  add(bends, bending, StageKind::again);
+  add_bending(StageKind::grow);
   for (int pass = 0; pass < kPassesAgain; ++pass) {
-    add(bends, bending, false);
-    if (!bending.empty()) add({"shear"}, shear, false);
+    add(bends, bending, StageKind::again);
+    if (!bending.empty()) add({"shear"}, shear, StageKind::again);
   }
   return plan;
 }
@@ -100,7 +110,8 @@ std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bo
       return std::ranges::find(seen, component) != seen.end();
     });
     seen.insert(seen.end(), asked.components.begin(), asked.components.end());
-    add_stage(asked.components, data, isotropic, !again, plan);
+    const bool grows = !again && grouped(asked.components, isotropic).size() == 1;
+    add_stage(asked.components, data, isotropic, grows ? StageKind::grow : StageKind::again, plan);
   }
   return plan;
 }

@@ -9,16 +9,24 @@
 
 namespace pliant {
 
+/// What a stage does with the control points of its curves.
+enum class StageKind {
+  constant,  ///< one for each
+  grow,      ///< of a single group: more of them, while the residual falls
+  again,     ///< as many as there are
+};
+
 /// One stage of an incremental fit: some curves, to some tests.
 struct SheetStage {
   std::vector<ComponentGroup> groups;
   std::vector<const SheetTest*> tests;
-  bool grows = true;  ///< control points are added; else those that are there are fitted once more
+  StageKind kind = StageKind::grow;
 };
 
 /// The stages of a fit: what the study asks for, else the thesis' plan ([T] 3.4.2) as far as there
 /// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
-/// bending, all directions together, and shear, twice more.
+/// bending, all directions together, and shear, twice more. Bending is constant in all directions
+/// first and its curves grow from there: what one direction lacks would bend the curve of another.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @throws InputError where a stage of the study names no test, or a test that is not there

@@ -59,6 +59,17 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
   }
 }
 
+void SheetProblem::begin_at(const SheetGuesses& guesses) {
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    const auto found = guesses.find(tests_[t]);
+    if (found != guesses.end()) equilibria_[t]->begin_at(found->second);
+  }
+}
+
+void SheetProblem::keep(SheetGuesses& guesses) const {
+  for (std::size_t t = 0; t < tests_.size(); ++t) guesses[tests_[t]] = equilibria_[t]->guesses();
+}
+
 Eigen::VectorXd SheetProblem::start() const {
   Eigen::VectorXd values(static_cast<Eigen::Index>(unknowns_.size()));
   Eigen::Index next = 0;

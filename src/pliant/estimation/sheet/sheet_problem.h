@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "pliant/experiment/sheet/sheet_test.h"
 
 namespace pliant {
+
+/// Shapes of the equilibria of tests, where searches for the next may begin.
+using SheetGuesses = std::map<const SheetTest*, std::vector<Eigen::Matrix3Xd>>;
 
 /// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
 /// of forces or positions of all frames, each test's in units of its own `scale`, at equilibria.
@@ -30,6 +34,11 @@ class SheetProblem {
   /// Weight of each test: what its differences are divided by (N or m).
   const std::vector<double>& scales() const { return scales_; }
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
+
+  /// Searches begin at these shapes instead of the measured ones, of tests that have any.
+  void begin_at(const SheetGuesses& guesses);
+  /// Adds the shapes that were found last.
+  void keep(SheetGuesses& guesses) const;
 
   /// Shapes of all frames of a test at some values of the unknowns; nothing where there is no
   /// equilibrium.

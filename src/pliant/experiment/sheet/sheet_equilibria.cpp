@@ -123,66 +123,87 @@ void SheetEquilibria::give_back(std::unique_ptr<Lane> lane) {
   pool_->idle[lane->sheet().held()].push_back(std::move(lane));
 }
 
+std::vector<Eigen::Matrix3Xd> SheetEquilibria::guesses() const {
+  std::vector<Eigen::Matrix3Xd> shapes;
+  for (const Reached& reached : reached_) {
+    shapes.push_back(reached.found ? reached.shape.positions : Eigen::Matrix3Xd());
+  }
+  return shapes;
+}
+
+std::vector<Eigen::Matrix3Xd> SheetEquilibria::starts(int state,
+                                                      const Eigen::VectorXd& parameters) const {
+  const auto s = static_cast<std::size_t>(state);
+  const Reached& reached = reached_[s];
+  std::vector<Eigen::Matrix3Xd> starts;
+  if (reached.found) {
+    starts.push_back(reached.shape.positions);
+    if (reached.differentiated) {
+      const Eigen::VectorXd change = parameters(reached.by) - reached.parameters(reached.by);
+      starts.back() +=
+          (reached.shape.positions_by_parameter * change).reshaped(3, starts.back().cols());
+    }
+  } else if (!guesses_.empty() && guesses_[s].size() > 0) {
+    starts.push_back(guesses_[s]);
+  }
+  starts.push_back(session_.frames[static_cast<std::size_t>(states_.states[s].frame)].positions);
+  // A neighbour's: of another frame, but in balance.
+  if (state > 0 && reached_[s - 1].found) starts.push_back(reached_[s - 1].shape.positions);
+  return starts;
+}
+
+bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& parameters,
+                           Eigen::Matrix3Xd start) {
+  const auto s = static_cast<std::size_t>(state);
+  Reached& reached = reached_[s];
+  Configuration at = lane.sheet().configuration(states_.states[s].frame, std::move(start));
+  const NewtonSummary newton = lane.relax(at);
+  reached.counts.iterations += newton.iterations;
+  reached.counts.factors += newton.factorizations;
+  reached.found = newton.converged;
+  reached.differentiated = false;
+  if (!reached.found) return false;
+  ++reached.counts.equilibria;
+  reached.parameters = parameters;
+  reached.shape = {at.positions, lane.clip_forces(at), {}, {}};
+  return true;
+}
+
+void SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int>& by) {
+  const auto s = static_cast<std::size_t>(state);
+  Reached& reached = reached_[s];
+  const Configuration at =
+      lane.sheet().configuration(states_.states[s].frame, reached.shape.positions);
+  EquilibriumDerivatives derivatives;
+  ++reached.counts.factors;
+  if (!lane.differentiate(at, derivatives)) ++reached.counts.unstable;
+  reached.shape.clip_forces_by_parameter =
+      lane.clip_forces_by_parameter(derivatives.forces, session_.clips);
+  reached.shape.positions_by_parameter = std::move(derivatives.positions);
+  reached.differentiated = true;
+  reached.by = by;
+}
+
 bool SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
                             const std::vector<int>& by) {
-  const SheetState& conditions = states_.states[static_cast<std::size_t>(state)];
   Reached& reached = reached_[static_cast<std::size_t>(state)];
   reached.counts = {};
   const bool here = reached.found && reached.parameters == parameters;
   if (here && (by.empty() || (reached.differentiated && reached.by == by))) return true;
 
-  std::unique_ptr<Lane> lane = borrow(conditions.held);
-  SheetSystem& sheet = lane->sheet();
-  sheet.system().set_parameters(parameters);
-  sheet.system().differentiate_by(by);
-  const Eigen::Matrix3Xd& measured =
-      session_.frames[static_cast<std::size_t>(conditions.frame)].positions;
-  Configuration at =
-      sheet.configuration(conditions.frame, here ? reached.shape.positions : measured);
+  std::unique_ptr<Lane> lane = borrow(states_.states[static_cast<std::size_t>(state)].held);
+  lane->sheet().system().set_parameters(parameters);
+  lane->sheet().system().differentiate_by(by);
+  bool found = here;
   if (!here) {
-    const auto search = [&](Configuration from) {
-      const NewtonSummary newton = lane->relax(from);
-      reached.counts.iterations += newton.iterations;
-      reached.counts.factors += newton.factorizations;
-      if (newton.converged) at = std::move(from);
-      return newton.converged;
-    };
-    bool found = false;
-    if (reached.found) {
-      Eigen::Matrix3Xd guess = reached.shape.positions;
-      if (reached.differentiated) {
-        Eigen::VectorXd change(static_cast<Eigen::Index>(reached.by.size()));
-        for (Eigen::Index k = 0; k < change.size(); ++k) {
-          const int p = reached.by[static_cast<std::size_t>(k)];
-          change(k) = parameters(p) - reached.parameters(p);
-        }
-        guess += (reached.shape.positions_by_parameter * change).reshaped(3, guess.cols());
-      }
-      found = search(sheet.configuration(conditions.frame, std::move(guess)));
+    for (Eigen::Matrix3Xd& start : starts(state, parameters)) {
+      found = find(state, *lane, parameters, std::move(start));
+      if (found) break;
     }
-    if (!found) found = search(sheet.configuration(conditions.frame, measured));
-    reached.found = found;
-    reached.differentiated = false;
-    if (!found) {
-      give_back(std::move(lane));
-      return false;
-    }
-    ++reached.counts.equilibria;
-    reached.parameters = parameters;
-    reached.shape = {at.positions, lane->clip_forces(at), {}, {}};
   }
-  if (!by.empty()) {
-    EquilibriumDerivatives derivatives;
-    ++reached.counts.factors;
-    if (!lane->differentiate(at, derivatives)) ++reached.counts.unstable;
-    reached.shape.clip_forces_by_parameter =
-        lane->clip_forces_by_parameter(derivatives.forces, session_.clips);
-    reached.shape.positions_by_parameter = std::move(derivatives.positions);
-    reached.differentiated = true;
-    reached.by = by;
-  }
+  if (found && !by.empty()) differentiate(state, *lane, by);
   give_back(std::move(lane));
-  return true;
+  return found;
 }
 
 SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {

@@ -53,6 +53,11 @@ class SheetEquilibria {
   const EquilibriumCounts& counts() const { return counts_; }
   int equilibria_each() const { return static_cast<int>(states_.states.size()); }
 
+  /// Where the search for each equilibrium begins when it has not been found before: nothing, for
+  /// the measured shape, or the positions of all nodes.
+  void begin_at(std::vector<Eigen::Matrix3Xd> guesses) { guesses_ = std::move(guesses); }
+  std::vector<Eigen::Matrix3Xd> guesses() const;
+
   /// All frames.
   /// @param parameters  one for each of `parameter_names()`
   /// @param by          those that derivatives are wanted by; empty: none are
@@ -67,6 +72,10 @@ class SheetEquilibria {
 
   std::unique_ptr<Lane> borrow(const std::vector<int>& held);
   void give_back(std::unique_ptr<Lane> lane);
+  /// Shapes to begin a search at, one after the other.
+  std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
+  bool find(int state, Lane& lane, const Eigen::VectorXd& parameters, Eigen::Matrix3Xd start);
+  void differentiate(int state, Lane& lane, const std::vector<int>& by);
   bool reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
   SheetShape blended(int frame, bool derivatives) const;
 
@@ -77,6 +86,7 @@ class SheetEquilibria {
   Eigen::VectorXd parameters_;
   std::vector<std::string> warnings_;
   std::vector<Reached> reached_;
+  std::vector<Eigen::Matrix3Xd> guesses_;  // one a state, or none at all
   struct Pool;
   std::unique_ptr<Pool> pool_;
   EquilibriumCounts counts_;

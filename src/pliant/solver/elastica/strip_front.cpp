@@ -154,6 +154,7 @@ void settle_fronts(const Elastica& strip, const ComponentLaw& law, double weight
   const GaussLine& line = strip.line();
   const std::vector<Front> fronts = fronts_of(line, shape.curvature, *snapping);
   if (fronts.empty()) return;
+  shape.jumps = true;
 
   const auto count = static_cast<Index>(fronts.size());
   Eigen::MatrixXd jump = Eigen::MatrixXd::Zero(line.size(), count), turns = jump;

@@ -17,7 +17,7 @@ namespace pliant {
 /// @param ends    with a free far end; otherwise nothing is done
 /// @param start   history before the release, the same at all points
 /// @param before  history before the last step of the release, which ended at `shape`
-/// @param shape   is changed; its derivatives too, where it has them
+/// @param shape   is changed where it jumps; its derivatives too, where it has them
 void settle_fronts(const Elastica& strip, const ComponentLaw& law, double weight,
                    const StripEnds& ends, const StripHistory& start, const StripHistory& before,
                    StripShape& shape);

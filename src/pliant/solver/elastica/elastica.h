@@ -38,7 +38,7 @@ struct StripShape {
   Eigen::MatrixXd curvature_by_parameter;
   Eigen::MatrixXd far_load_by_parameter;
   bool stable = false;  ///< a minimum of the energy, not a saddle
-  bool jumps = false;   ///< its curvature does somewhere (see settle_fronts)
+  bool jumps = false;   ///< its curvature does, at one front (see settle_fronts)
 };
 
 /// A strip bent in a plane under its own weight; everything is per width. The moment at a point is

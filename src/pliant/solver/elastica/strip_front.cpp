@@ -154,7 +154,6 @@ void settle_fronts(const Elastica& strip, const ComponentLaw& law, double weight
   const GaussLine& line = strip.line();
   const std::vector<Front> fronts = fronts_of(line, shape.curvature, *snapping);
   if (fronts.empty()) return;
-  shape.jumps = true;
 
   const auto count = static_cast<Index>(fronts.size());
   Eigen::MatrixXd jump = Eigen::MatrixXd::Zero(line.size(), count), turns = jump;
@@ -177,6 +176,7 @@ void settle_fronts(const Elastica& strip, const ComponentLaw& law, double weight
   const Eigen::PartialPivLU<Eigen::MatrixXd> by_front(gaps.by_front);
   const Eigen::VectorXd moves = by_front.solve(-gaps.value);
   if (!are_near(fronts, moves, line)) return;
+  settled.jumps = count == 1;
   settled.curvature += (jump + response) * moves;
   if (with_derivatives) {
     settled.curvature_by_parameter -= (jump + response) * by_front.solve(gaps.by_parameter);

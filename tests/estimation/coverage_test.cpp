@@ -184,22 +184,34 @@ int fewest_covered(int intervals) {
 
 // Fits of strips take a while: few seeds, and their parameters counted together. That all of them
 // are covered is no rare event, so that there is no bound from above.
-TEST(SlowStripCoverage, IntervalsOfRolledStripsHoldTheTruthAtTheStatedRate) {
-  constexpr int kFewSeeds = 20;
-  LabExperiment rolls = test::rolled_strips({0.004, 0.006, 0.008, 0.012});
-  rolls.instrument.length_noise = 0.1e-3;
+void expect_few_covered(const std::string& fabric, const LabExperiment& rolls, int seeds) {
   const auto table = coverage_over_seeds(
-      lab_of(test::published_bending_material("felt"), rolls), "bend.warp", [](VirtualStudy&) {},
-      kFewSeeds);
-  print_rates("felt, rolled strips, positions +- 0.1 mm", table, kFewSeeds);
+      lab_of(test::published_bending_material(fabric), rolls), "bend.warp", [](VirtualStudy&) {},
+      seeds);
+  print_rates(fabric + ", rolled strips, positions +- 0.1 mm", table, seeds);
   int intervals = 0, covered = 0;
   for (const Coverage& c : table) {
     intervals += c.with_interval;
     covered += c.covered;
   }
   // Nearly all, or the count says little: a parameter at its bound has no interval.
-  EXPECT_GE(intervals, 4 * kFewSeeds);
+  EXPECT_GE(intervals, 4 * seeds);
   EXPECT_GE(covered, fewest_covered(intervals)) << "of " << intervals;
+}
+
+TEST(SlowStripCoverage, IntervalsOfRolledStripsHoldTheTruthAtTheStatedRate) {
+  LabExperiment rolls = test::rolled_strips({0.004, 0.006, 0.008, 0.012});
+  rolls.instrument.length_noise = 0.1e-3;
+  expect_few_covered("felt", rolls, 20);
+}
+
+// Strips of the wider cylinders jump on their release.
+TEST(SlowStripCoverage, IntervalsOfStripsThatJumpHoldTheTruthAtTheStatedRate) {
+  LabExperiment rolls = test::rolled_strips(test::published_radii());
+  rolls.instrument.length_noise = 0.1e-3;
+  rolls.repeats = 3;
+  rolls.points = 20;
+  expect_few_covered("paper", rolls, 12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table52, SlowBendingCoverage,

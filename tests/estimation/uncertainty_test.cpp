@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
@@ -18,6 +20,9 @@ using test::lab_of;
 using test::published_fabric;
 using test::strip_cycles;
 using test::VirtualStudy;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(StudentQuantile, AgreesWithTheTable) {
   // Two-sided 95 %, e.g. Abramowitz and Stegun, table 26.10.
@@ -77,6 +82,34 @@ TEST(StandardErrors, StatedNoiseThatTheResidualsExceedDoesNotHideThem) {
   const StudyResult estimated = fit_affine(lab_of(fabric, noisy_strip(8e-3, 0)));
   const StudyResult stated = fit_affine(lab_of(fabric, noisy_strip(8e-3, 0)), "force: 1 mN");
   EXPECT_NEAR(*stated.parameters[0].std_error / *estimated.parameters[0].std_error, 1, 0.1);
+  EXPECT_THAT(stated.warnings, Contains(HasSubstr("times its stated noise")));
+  const StudyResult right = fit_affine(lab_of(fabric, noisy_strip(8e-3, 0)), "force: 8 mN");
+  EXPECT_THAT(right.warnings, Not(Contains(HasSubstr("stated noise"))));
+}
+
+// What is pushed to its bound by noise might be elsewhere, and the others with it.
+TEST(StandardErrors, OfTheOthersCountAParameterAtItsBound) {
+  const VirtualLab lab = lab_of(published_fabric("polyester"), noisy_strip(8e-3, 0));
+  const auto with = [&](const std::string& fit) {
+    VirtualStudy study(lab);
+    study.set_model("stiffness: affine");
+    study.add(fit);
+    return study.fit();
+  };
+  // Held where the data would have it, then kept there by a bound that is next to it.
+  const ParameterEstimate a = estimate_named(fit_affine(lab), "stretch.warp.friction.a");
+  const std::string least = fmt::format("{}", a.value + 0.01 * *a.std_error);
+  const StudyResult fixed = with("fit: {fix: {stretch.warp.friction.a: " + least + "}}");
+  const StudyResult bounded =
+      with("fit: {bounds: {stretch.warp.friction.a: [" + least + ", 1000]}}");
+  const ParameterEstimate at_bound = estimate_named(bounded, "stretch.warp.friction.a");
+  EXPECT_TRUE(at_bound.at_bound);
+  EXPECT_FALSE(at_bound.std_error);
+  const std::string b = "stretch.warp.friction.b";
+  // As in the free fit, from which it is hardly apart.
+  const double free = *estimate_named(fit_affine(lab), b).std_error;
+  EXPECT_NEAR(*estimate_named(bounded, b).std_error, free, 0.02 * free);
+  EXPECT_LT(*estimate_named(fixed, b).std_error, 0.8 * free);
 }
 
 // Errors in variables: noise of the length moves the force by the slope of the loop.

@@ -76,8 +76,12 @@ bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
 void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop) {
   for (int round = 0; round < kNoiseRounds; ++round) {
     const double change = problem.update_noise(fit.law, fit.nuisance);
+    if (!needs_noise_rounds(problem, fit)) {
+      fit = reweighed(problem, fit);
+      return;
+    }
     fit = refit(problem, fit, stop);  // its cost is in units of the new noise from here on
-    if (change < kNoiseSettled || !needs_noise_rounds(problem, fit)) return;
+    if (change < kNoiseSettled) return;
   }
 }
 

@@ -79,6 +79,18 @@ std::string unfitted_note(const ExperimentInfo& info) {
          "is slack";
 }
 
+// More than chance makes of as many rows. The standard errors count it as noise.
+void warn_of_noise(const ExperimentResult& row, StudyResult& result) {
+  constexpr double kNoticeable = 0.2, kDeviations = 3;
+  const double chance = kDeviations / std::sqrt(2.0 * std::max(row.points, 1));
+  const double times = row.rms / row.noise;
+  if (times < 1 + std::max(kNoticeable, chance)) return;
+  result.warnings.push_back(fmt::format(
+      "the residuals of {} are {:.2g} times its stated noise: the law or the noise is not what it "
+      "was taken for, and the standard errors are as much larger than the noise would have them",
+      row.name, times));
+}
+
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
@@ -89,6 +101,7 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const RowNoise& noise = work.problem->noise()[e];
     row.noise = noise.typical;
     row.noise_source = noise.stated ? "stated in the study" : "estimated from the residuals";
+    if (noise.stated) warn_of_noise(row, result);
     if (fit.elastic) {
       add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
     }

@@ -132,4 +132,15 @@ LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken
   return again;
 }
 
+LawFit reweighed(const ComponentProblem& problem, const LawFit& fit) {
+  LawFit again = fit;
+  const LeastSquaresProblem least_squares = problem.least_squares(fit.law, fit.limits);
+  Eigen::VectorXd residual(least_squares.residuals);
+  if (!least_squares.evaluate(fit.solution.parameters, residual, nullptr)) return again;
+  LeastSquaresSummary solution = fit.solution;
+  solution.cost = residual.squaredNorm() / 2;
+  take_solution(again, fit.law, solution, least_squares.residuals);
+  return again;
+}
+
 }  // namespace pliant

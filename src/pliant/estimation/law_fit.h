@@ -39,6 +39,10 @@ LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shap
 /// Fits again from the solution itself, after the problem's noise has changed.
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop);
 
+/// The same fit, its cost in units of the problem's new noise: for a noise that has changed by one
+/// factor, which moves no minimum.
+LawFit reweighed(const ComponentProblem& problem, const LawFit& fit);
+
 /// Component name that the problem's experiments share.
 const std::string& component_of(const ComponentProblem& problem);
 

@@ -48,36 +48,43 @@ class ScaledParameters {
   std::vector<Eigen::Index> free_;
 };
 
+// Of a step that is tried Ceres asks for the residual first and, where it is taken, for the
+// Jacobian then: one evaluation answers both.
 class Residuals : public ceres::CostFunction {
  public:
   Residuals(const LeastSquaresProblem& problem, const ScaledParameters& parameters)
-      : problem_(problem), parameters_(parameters) {
+      : problem_(problem), parameters_(parameters), residual_(problem.residuals) {
     set_num_residuals(problem.residuals);
     mutable_parameter_block_sizes()->push_back(parameters.size());
   }
 
   bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    Eigen::VectorXd residual(problem_.residuals);
-    Eigen::MatrixXd jacobian;
-    if (!problem_.evaluate(parameters_.unscaled(values[0]), residual,
-                           wanted ? &jacobian : nullptr)) {
-      return false;
-    }
-    if (!residual.allFinite() || (wanted && !jacobian.allFinite())) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = residual;
-    if (!wanted) return true;
+    if (!evaluate(parameters_.unscaled(values[0]))) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = residual_;
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+    if (!jacobian_.allFinite()) return false;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> scaled(jacobians[0], problem_.residuals, parameters_.size());
     for (int i = 0; i < parameters_.size(); ++i) {
-      scaled.col(i) = jacobian.col(parameters_.index(i)) * parameters_.scale(i);
+      scaled.col(i) = jacobian_.col(parameters_.index(i)) * parameters_.scale(i);
     }
     return true;
   }
 
  private:
+  bool evaluate(const Eigen::VectorXd& parameters) const {
+    if (last_.size() != parameters.size() || last_ != parameters) {
+      last_ = parameters;
+      found_ = problem_.evaluate(parameters, residual_, &jacobian_) && residual_.allFinite();
+    }
+    return found_;
+  }
+
   const LeastSquaresProblem& problem_;
   const ScaledParameters& parameters_;
+  mutable Eigen::VectorXd last_, residual_;
+  mutable Eigen::MatrixXd jacobian_;
+  mutable bool found_ = false;
 };
 
 class StopCallback : public ceres::IterationCallback {
@@ -102,6 +109,7 @@ ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
   solver.function_tolerance = options.function_tolerance;
   solver.gradient_tolerance = options.gradient_tolerance;
   solver.parameter_tolerance = options.parameter_tolerance;
+  solver.max_num_line_search_step_size_iterations = 0;  // the trust region alone shortens steps
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.logging_type = ceres::SILENT;
   solver.num_threads = 1;  // the same bits whatever else runs

@@ -73,14 +73,15 @@ Uncertainty nothing_known(Eigen::Index count) {
   return result;
 }
 
-// Unknowns that are neither fixed nor at a bound; those at a bound are marked.
+// Unknowns that are not fixed; those at a bound are marked. What the noise has pushed there might
+// be elsewhere, and the others with it.
 std::vector<Eigen::Index> free_unknowns(const LawFit& fit, Uncertainty& result) {
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < fit.solution.parameters.size(); ++i) {
     const auto index = static_cast<size_t>(i);
     if (fit.limits.fixed[index]) continue;
     result.at_bound[index] = is_at_bound(fit, i) ? 1 : 0;
-    if (!result.at_bound[index]) free.push_back(i);
+    free.push_back(i);
   }
   return free;
 }
@@ -162,7 +163,7 @@ Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
   for (size_t i = 0; i < free.size(); ++i) {
     const Eigen::Index unknown = free[i];
     const auto row = static_cast<Eigen::Index>(i);
-    if (is_unseen(svd, inverse, row)) continue;
+    if (result.at_bound[static_cast<size_t>(unknown)] || is_unseen(svd, inverse, row)) continue;
     result.std_error(unknown) = std::sqrt(result.covariance(unknown, unknown));
     result.half_width(unknown) = quantile * result.std_error(unknown);
     const double tolerated =

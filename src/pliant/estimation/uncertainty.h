@@ -10,7 +10,7 @@ namespace pliant {
 
 /// What the data says about the unknowns of a fit.
 struct Uncertainty {
-  Eigen::MatrixXd covariance;  ///< zero rows and columns for fixed parameters and those at a bound
+  Eigen::MatrixXd covariance;  ///< zero rows and columns for fixed parameters
   Eigen::VectorXd std_error;   ///< NaN for fixed parameters and those at a bound
   Eigen::VectorXd half_width;  ///< of the 95 % interval; NaN likewise
   std::vector<char> at_bound;
@@ -25,7 +25,8 @@ struct Uncertainty {
 ///
 /// The covariance is s^2 L (J^T J)^-1: s^2 the residual variance (never below 1 where all noise is
 /// stated), L the integrated autocorrelation of the residuals along the path, so that densely
-/// sampled model error does not count as independent noise. Intervals use Student's t.
+/// sampled model error does not count as independent noise. Intervals use Student's t. A parameter
+/// at a bound has no interval, but the others' are as wide as if it could leave it.
 ///
 /// Without a stated noise, as many rows as unknowns determine nothing: all standard errors are NaN.
 ///

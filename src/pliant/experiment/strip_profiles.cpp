@@ -24,6 +24,8 @@ int element_count(double length, double curvature) {
                     kMost);
 }
 
+constexpr int kFineElements = 24;
+
 constexpr double kDensityChange = 0.05;  // that matters
 
 // Moment per width of what hangs beyond each point of a measured profile ([P] Eq. 7), about it.
@@ -132,7 +134,10 @@ void StripProfiles::add_strip(const ProfileRows& rows, double length, double rol
     return strip.rolled == rolled && strip.elastica.line().length() == length;
   });
   if (same == strips_.end()) {
-    strips_.push_back({{rows}, Elastica(length, element_count(length, rolled)), rolled});
+    strips_.push_back({{rows},
+                       Elastica(length, element_count(length, rolled)),
+                       Elastica(length, kFineElements),
+                       rolled});
   } else {
     same->profiles.push_back(rows);
   }
@@ -161,17 +166,23 @@ Eigen::VectorXd StripProfiles::unfitted_nuisance(const ComponentLaw&) const {
   return Eigen::VectorXd::Constant(1, nuisance_.front().start);
 }
 
-std::optional<StripShape> StripProfiles::shape_of(const Strip& strip, const ComponentLaw& law,
-                                                  double weight, bool with_derivatives,
-                                                  StripHistory& history) {
-  history = strip.elastica.rolled(law, strip.rolled);
-  return released(strip.elastica, law, weight, {}, with_derivatives, history);
+std::optional<StripProfiles::Hanging> StripProfiles::hang(const Strip& strip,
+                                                          const ComponentLaw& law, double weight,
+                                                          bool with_derivatives) {
+  for (const Elastica* elastica : {&strip.elastica, &strip.finer}) {
+    StripHistory history = elastica->rolled(law, strip.rolled);
+    const auto shape = released(*elastica, law, weight, {}, with_derivatives, history);
+    if (!shape) return std::nullopt;
+    if (!shape->jumps || elastica == &strip.finer) return Hanging{*elastica, history, *shape};
+  }
+  return std::nullopt;
 }
 
 // Whether the strip, pushed from its shape, stays in another.
-bool StripProfiles::is_ambiguous(const Strip& strip, const ComponentLaw& law, double weight,
-                                 const StripHistory& history, const StripShape& shape) {
-  return equilibria_near(strip.elastica, law, weight, {}, history, shape, kPushedBy).size() > 1;
+bool StripProfiles::is_ambiguous(const Hanging& hanging, const ComponentLaw& law, double weight) {
+  return equilibria_near(hanging.elastica, law, weight, {}, hanging.history, hanging.shape,
+                         kPushedBy)
+             .size() > 1;
 }
 
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
@@ -204,13 +215,12 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
     if (!found) return;
     const Strip& strip = strips_[static_cast<size_t>(i)];
-    StripHistory history;
-    const std::optional<StripShape> shape = shape_of(strip, law, weight, with_jacobian, history);
-    if (!shape) {
+    const std::optional<Hanging> hanging = hang(strip, law, weight, with_jacobian);
+    if (!hanging) {
       found = false;
       return;
     }
-    const StripProfile predicted = strip.elastica.profile({}, *shape);
+    const StripProfile predicted = hanging->elastica.profile({}, hanging->shape);
     for (const ProfileRows& measured : strip.profiles) {
       compare(measured, predicted, strip.elastica.line().length(), prediction);
     }
@@ -232,17 +242,16 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
   StripShapes shapes;
   shapes.setting_name = setting_;
   for (const Strip& strip : strips_) {
-    StripHistory history;
-    const std::optional<StripShape> shape = shape_of(strip, law, weight, false, history);
-    if (!shape) return std::nullopt;
+    const std::optional<Hanging> hanging = hang(strip, law, weight, false);
+    if (!hanging) return std::nullopt;
     const double length = strip.elastica.line().length();
     const double setting = strip.profiles.front().setting;
     for (const ProfileRows& rows : strip.profiles) {
       shapes.measured.push_back(measured_line(rows, length, weight));
     }
     shapes.predicted.push_back(
-        predicted_line(strip.elastica.profile({}, *shape), setting, length, weight));
-    if (is_ambiguous(strip, law, weight, history, *shape)) shapes.ambiguous.push_back(setting);
+        predicted_line(hanging->elastica.profile({}, hanging->shape), setting, length, weight));
+    if (is_ambiguous(*hanging, law, weight)) shapes.ambiguous.push_back(setting);
     if (strip.rolled != 0) shapes.bent.push_back(bent_and_released(law, setting, strip.rolled));
   }
   return shapes;

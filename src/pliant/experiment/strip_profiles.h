@@ -25,6 +25,7 @@ class StripProfiles : public Experiment {
   struct Strip {
     std::vector<ProfileRows> profiles;
     Elastica elastica;
+    Elastica finer;     ///< of a shape whose curvature jumps
     double rolled = 0;  ///< curvature that the strip was bent to before (1/m)
   };
 
@@ -40,11 +41,16 @@ class StripProfiles : public Experiment {
   const std::vector<ProfileRows>& profiles() const { return profiles_; }
 
  private:
-  static std::optional<StripShape> shape_of(const Strip& strip, const ComponentLaw& law,
-                                            double weight, bool with_derivatives,
-                                            StripHistory& history);
-  static bool is_ambiguous(const Strip& strip, const ComponentLaw& law, double weight,
-                           const StripHistory& history, const StripShape& shape);
+  /// How a strip hangs, on the line that it took.
+  struct Hanging {
+    const Elastica& elastica;
+    StripHistory history;
+    StripShape shape;
+  };
+
+  static std::optional<Hanging> hang(const Strip& strip, const ComponentLaw& law, double weight,
+                                     bool with_derivatives);
+  static bool is_ambiguous(const Hanging& hanging, const ComponentLaw& law, double weight);
   /// Stated, or what the nuisance parameter says (N/m^2).
   double weight_by(const Eigen::VectorXd& nuisance) const;
   static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,

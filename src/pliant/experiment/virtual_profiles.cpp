@@ -12,7 +12,7 @@ namespace pliant {
 namespace {
 
 // Finer than a fit takes them.
-constexpr int kElements = 24;
+constexpr int kElements = 48;
 constexpr double kAccuracy = 1e-6;  // of a release (rad)
 
 using Points = std::vector<Eigen::Vector2d>;

@@ -294,8 +294,10 @@ Eigen::VectorXd Elastica::holding_moments(const ComponentLaw& law, double weight
 }
 
 void Elastica::differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
-                             const StripHistory& history, StripShape& shape) const {
-  const Balance b = balance(law, weight, ends, history, {}, shape);
+                             const StripHistory& history, StripShape& shape,
+                             const Eigen::VectorXd& least_tangent) const {
+  Balance b = balance(law, weight, ends, history, {}, shape);
+  if (least_tangent.size() > 0) b.tangent = b.tangent.cwiseMax(least_tangent);
   const Eigen::VectorXd& w = line_.weights();
   const Eigen::Index n = line_.size(), parameters = law.parameter_count() + 1;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + b.gap.size(), parameters);
@@ -333,6 +335,21 @@ Eigen::Vector2d Elastica::tip_by_length(const ComponentLaw& law, double weight,
   const Eigen::VectorXd turn = turned + line_.integrals(bend);
   return {w.dot(b.cosine / line_.length() - b.sine.cwiseProduct(turn)),
           w.dot(b.sine / line_.length() + b.cosine.cwiseProduct(turn))};
+}
+
+Eigen::MatrixXd Elastica::response_to_turns(const ComponentLaw& law, double weight,
+                                            const StripEnds& ends, const StripHistory& history,
+                                            const StripShape& shape, const Eigen::MatrixXd& turns,
+                                            const Eigen::VectorXd& least_tangent) const {
+  PLIANT_ASSERT(constraint_count(ends) == 0, "the far end is free");
+  Balance b = balance(law, weight, ends, history, {}, shape);
+  b.tangent = b.tangent.cwiseMax(least_tangent);
+  Eigen::MatrixXd right(line_.size(), turns.cols());
+  for (Eigen::Index i = 0; i < turns.cols(); ++i) {
+    right.col(i) = line_.transposed_integrals(
+        line_.weights().cwiseProduct(b.force.cwiseProduct(b.sine).cwiseProduct(turns.col(i))));
+  }
+  return respond(b, right);
 }
 
 StripHistory Elastica::accepted(const ComponentLaw& law, const StripHistory& history,

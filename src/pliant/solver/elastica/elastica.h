@@ -38,6 +38,7 @@ struct StripShape {
   Eigen::MatrixXd curvature_by_parameter;
   Eigen::MatrixXd far_load_by_parameter;
   bool stable = false;  ///< a minimum of the energy, not a saddle
+  bool jumps = false;   ///< its curvature does, at one front (see settle_fronts)
 };
 
 /// A strip bent in a plane under its own weight; everything is per width. The moment at a point is
@@ -73,13 +74,24 @@ class Elastica {
                                   const StripHistory& history) const;
 
   /// Fills in the derivatives of an equilibrium by the parameters of the law and by the weight.
+  /// @param least_tangent  of d moment / d curvature (N m) at the points; empty for that of the law
   void differentiate(const ComponentLaw& law, double weight, const StripEnds& ends,
-                     const StripHistory& history, StripShape& shape) const;
+                     const StripHistory& history, StripShape& shape,
+                     const Eigen::VectorXd& least_tangent = {}) const;
 
   /// d position of the free end / d length, of a strip that came to its equilibrium in one stretch
   /// from a history that is the same at all points.
   Eigen::Vector2d tip_by_length(const ComponentLaw& law, double weight, const StripEnds& ends,
                                 const StripHistory& history, const StripShape& shape) const;
+
+  /// Changes of the curvatures (1/m) of a strip with a free far end that balance it again where its
+  /// points are turned by small angles.
+  /// @param turns          rad, a column each
+  /// @param least_tangent  as above
+  Eigen::MatrixXd response_to_turns(const ComponentLaw& law, double weight, const StripEnds& ends,
+                                    const StripHistory& history, const StripShape& shape,
+                                    const Eigen::MatrixXd& turns,
+                                    const Eigen::VectorXd& least_tangent) const;
 
   /// What the material remembers after a step that ended at `shape`, with derivatives where the
   /// shape has them.

@@ -3,6 +3,8 @@
 #include <tuple>
 #include <utility>
 
+#include "pliant/solver/elastica/strip_front.h"
+
 namespace pliant {
 namespace {
 
@@ -31,6 +33,8 @@ class Release {
   // Where it has come to.
   const StripShape& shape() const { return shape_; }
   const StripHistory& history() const { return history_; }
+  // Before the last step.
+  const StripHistory& before() const { return before_; }
 
   // Goes on from a share of the moments to another.
   bool follow(double from, double to) { return follow(from, to, at(to), kMostHalvings); }
@@ -72,7 +76,7 @@ class Release {
 
   void accept(StripShape shape) {
     if (with_derivatives_) strip_.differentiate(law_, weight_, ends_, history_, shape);
-    history_ = strip_.accepted(law_, history_, shape);
+    before_ = std::exchange(history_, strip_.accepted(law_, history_, shape));
     shape_ = std::move(shape);
   }
 
@@ -84,7 +88,7 @@ class Release {
   bool with_derivatives_;
   double accuracy_;
   StripShape shape_;
-  StripHistory history_;
+  StripHistory history_, before_;
   int shapes_ = 0;  // tried
 };
 
@@ -99,8 +103,10 @@ std::optional<StripShape> released(const Elastica& strip, const ComponentLaw& la
     const double from = 1 - static_cast<double>(step) / steps;
     if (!release.follow(from, from - 1.0 / steps)) return std::nullopt;
   }
+  StripShape shape = release.shape();
+  settle_fronts(strip, law, weight, ends, history, release.before(), shape);
   history = release.history();
-  return release.shape();
+  return shape;
 }
 
 }  // namespace pliant

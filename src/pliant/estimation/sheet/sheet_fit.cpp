@@ -172,8 +172,6 @@ class Fitter {
     const LeastSquaresSummary summary =
         solve_least_squares(squares, problem.start(), kStageSearch, context_.stop);
     add_counts(problem.counts());
-    const auto c = problem.counts();
-    fprintf(stderr, "DBG %s n=%d its=%d cost=%g eq=%d newton=%d fac=%d unst=%d %s\n", stage.groups.front().front().c_str(), (int)summary.parameters.size(), summary.iterations, summary.cost, c.equilibria, c.iterations, c.factors, c.unstable, summary.message.c_str());
     if (!std::isfinite(summary.cost)) {
       throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
     }

@@ -55,9 +55,7 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
   const Tests bending = named(tests, {"bend-weft", "bend-warp"});
   std::vector<SheetStage> plan;
   const auto add = [&](const std::vector<std::string>& components, const Tests& data,
-                       StageKind kind) {
-    add_stage(components, data, isotropic, kind, plan);
-  };
+                       StageKind kind) { add_stage(components, data, isotropic, kind, plan); };
   std::vector<std::string> bends;
   if (!weft.empty()) bends.emplace_back("bend.weft");
   if (!warp.empty()) bends.emplace_back("bend.warp");

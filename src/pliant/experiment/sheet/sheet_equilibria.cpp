@@ -1,6 +1,8 @@
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 
 #include <atomic>
+#include <cmath>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -76,6 +78,8 @@ class SheetEquilibria::Lane {
 
 struct SheetEquilibria::Reached {
   bool found = false, differentiated = false;
+  double distance = 0;                                       // from the measured shape (m, RMS)
+  double nearest = std::numeric_limits<double>::infinity();  // of all that were found
   Eigen::VectorXd parameters;
   std::vector<int> by;
   SheetShape shape;
@@ -166,6 +170,10 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   ++reached.counts.equilibria;
   reached.parameters = parameters;
   reached.shape = {at.positions, lane.clip_forces(at), {}, {}};
+  const auto frame = static_cast<std::size_t>(states_.states[s].frame);
+  const Eigen::Matrix3Xd& measured = session_.frames[frame].positions;
+  reached.distance = (at.positions - measured).norm() /
+                     std::sqrt(static_cast<double>(std::max<Eigen::Index>(measured.cols(), 1)));
   return true;
 }
 
@@ -184,6 +192,33 @@ void SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int
   reached.by = by;
 }
 
+// A sheet has many equilibria, and a search may fall into one that others then begin at: where it
+// has gone far from the measured shape, the search from there counts if it stays nearer.
+bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters) {
+  constexpr double kFarther = 1.5, kSmall = 0.01;
+  const auto s = static_cast<std::size_t>(state);
+  Reached& reached = reached_[s];
+  bool found = false;
+  for (Eigen::Matrix3Xd& start : starts(state, parameters)) {
+    found = find(state, lane, parameters, std::move(start));
+    if (found) break;
+  }
+  if (!found) return false;
+  const double side = std::max(session_.sample.width, session_.sample.height);
+  if (reached.distance > kFarther * reached.nearest + kSmall * side) {
+    const Reached farther = reached;
+    const auto frame = static_cast<std::size_t>(states_.states[s].frame);
+    const bool again = find(state, lane, parameters, session_.frames[frame].positions);
+    if (!again || reached.distance > farther.distance) {
+      const EquilibriumCounts counts = reached.counts;
+      reached = farther;
+      reached.counts = counts;
+    }
+  }
+  reached.nearest = std::min(reached.nearest, reached.distance);
+  return true;
+}
+
 bool SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
                             const std::vector<int>& by) {
   Reached& reached = reached_[static_cast<std::size_t>(state)];
@@ -194,13 +229,7 @@ bool SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
   std::unique_ptr<Lane> lane = borrow(states_.states[static_cast<std::size_t>(state)].held);
   lane->sheet().system().set_parameters(parameters);
   lane->sheet().system().differentiate_by(by);
-  bool found = here;
-  if (!here) {
-    for (Eigen::Matrix3Xd& start : starts(state, parameters)) {
-      found = find(state, *lane, parameters, std::move(start));
-      if (found) break;
-    }
-  }
+  const bool found = here || find_near_measured(state, *lane, parameters);
   if (found && !by.empty()) differentiate(state, *lane, by);
   give_back(std::move(lane));
   return found;

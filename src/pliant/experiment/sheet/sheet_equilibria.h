@@ -75,6 +75,7 @@ class SheetEquilibria {
   /// Shapes to begin a search at, one after the other.
   std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
   bool find(int state, Lane& lane, const Eigen::VectorXd& parameters, Eigen::Matrix3Xd start);
+  bool find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
   void differentiate(int state, Lane& lane, const std::vector<int>& by);
   bool reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
   SheetShape blended(int frame, bool derivatives) const;

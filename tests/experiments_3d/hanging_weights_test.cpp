@@ -76,7 +76,7 @@ TEST_P(HangingWeights3d, HasTheLengthsOfTheOneDimensionalModelOverTheWholePath) 
   const auto first = std::find(names.begin(), names.end(), "stretch.warp.k1") - names.begin();
   ASSERT_LT(first, std::ssize(names));
   for (Eigen::Index i = 0; i < std::ssize(weights); ++i) {
-    const PathPoint point = path.step(static_cast<double>(i + 1));
+    const PathEquilibrium point = path.step(static_cast<double>(i + 1));
     const double y = path.state().configuration.positions(1, sheet.clip.front());
     EXPECT_NEAR(kLength - y, expected->length(i), 1e-6 * expected->length(i)) << i;
 

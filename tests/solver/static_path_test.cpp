@@ -60,7 +60,7 @@ struct LoadedSheet : ClothSheet {
 
 struct Walk {
   std::vector<Eigen::VectorXd> positions, forces;  // at each time of the schedule
-  std::vector<PathPoint> points;
+  std::vector<PathEquilibrium> points;
 };
 
 Walk walk(LoadedSheet& sheet, const Eigen::VectorXd& parameters, bool sensitivities) {
@@ -145,7 +145,7 @@ TEST(StaticPath, SensitivitiesFollowSubsteps) {
   options.substeps = 2;
   StaticPath fine(sheet.system, options);
   fine.step(1);
-  const PathPoint point = fine.step(2);
+  const PathEquilibrium point = fine.step(2);
   EXPECT_EQ(point.equilibria, 2);
   EXPECT_EQ(fine.state().configuration.positions, coarse.state().configuration.positions);
   EXPECT_EQ(fine.history_by_parameter(), coarse.history_by_parameter());
@@ -175,7 +175,7 @@ TEST(StaticPath, AStepThatDoesNotConvergeIsHalved) {
 
   options.newton.max_iterations = iterations - 1;
   StaticPath halved(sheet.system, options, start);
-  const PathPoint point = halved.step(2);
+  const PathEquilibrium point = halved.step(2);
   EXPECT_TRUE(point.newton.converged);
   EXPECT_GT(point.equilibria, 1);
   EXPECT_EQ(point.time, 2);
@@ -238,7 +238,7 @@ TEST(StaticPath, AClipOnItsOwnLineOfPointsHasSensitivities) {
   options.newton = tight();
   options.sensitivities = true;
   StaticPath path(sheet.system, options);
-  const PathPoint point = path.step(1);
+  const PathEquilibrium point = path.step(1);
 
   // Uniform stretch: width k (s^3 - s) / 2 = force, so ds/dk = -(s^3 - s) / (k (3 s^2 - 1)).
   const double length = 0.1 - path.state().configuration.positions(1, low[0]);

@@ -111,7 +111,7 @@ class Simulation::Equilibria : public Simulation::Stepper {
 
   StepResult advance(State& state) override {
     path_.go_on_from(state);
-    const PathPoint point = path_.step(state.time + step_);
+    const PathEquilibrium point = path_.step(state.time + step_);
     state = path_.state();
     return {point.equilibria, point.newton.iterations, point.newton.linear_iterations, point.work};
   }

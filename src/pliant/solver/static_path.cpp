@@ -37,10 +37,10 @@ void StaticPath::go_on_from(const State& state) {
   if (options_.sensitivities) history_by_parameter_.setZero();
 }
 
-PathPoint StaticPath::step(double time) {
+PathEquilibrium StaticPath::step(double time) {
   PLIANT_ASSERT(time >= state_.time, "a path goes forward in time");
   const double start = state_.time;
-  PathPoint point;
+  PathEquilibrium point;
   for (int i = 1; i <= options_.substeps; ++i) {
     const double part = static_cast<double>(i) / options_.substeps;
     reach(i == options_.substeps ? time : start + part * (time - start), 0, point);
@@ -48,7 +48,7 @@ PathPoint StaticPath::step(double time) {
   return point;
 }
 
-void StaticPath::reach(double time, int halvings, PathPoint& point) {
+void StaticPath::reach(double time, int halvings, PathEquilibrium& point) {
   Configuration at;
   if (find_equilibrium(time, point, at)) {
     accept(time, std::move(at), point);
@@ -63,7 +63,7 @@ void StaticPath::reach(double time, int halvings, PathPoint& point) {
   reach(time, halvings + 1, point);
 }
 
-bool StaticPath::find_equilibrium(double time, PathPoint& point, Configuration& at) {
+bool StaticPath::find_equilibrium(double time, PathEquilibrium& point, Configuration& at) {
   at = state_.configuration;
   system_.drive(time, at);
   const NewtonSummary found =
@@ -76,14 +76,19 @@ bool StaticPath::find_equilibrium(double time, PathPoint& point, Configuration& 
   return found.converged;
 }
 
-void StaticPath::accept(double time, Configuration at, PathPoint& point) {
+void StaticPath::accept(double time, Configuration at, PathEquilibrium& point) {
   point.time = time;
   ++point.equilibria;
   if (options_.sensitivities) {
     // Newton's own factor belongs to the iterate before the last, and may be shifted.
     const Objective objective(system_, state_);
     objective.linearize(at, Curvature::exact, point.forces, hessian_);
-    if (!solver_.factorize(hessian_.matrix)) {
+    bool factorized = solver_.factorize(hessian_.matrix);
+    if (!factorized && options_.convex_sensitivities) {
+      objective.linearize(at, Curvature::convex, point.forces, hessian_);
+      factorized = solver_.factorize(hessian_.matrix);
+    }
+    if (!factorized) {
       throw SolverError("the sensitivity of the equilibrium" + at_time(time) +
                             ", which is not stable (its Hessian is not positive definite)",
                         point.newton.iterations, point.newton.residual);

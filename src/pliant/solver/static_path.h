@@ -11,10 +11,13 @@ struct StaticPathOptions {
   int substeps = 1;            ///< equilibria per step of the schedule, at equal times, >= 1
   int max_halvings = 6;        ///< of a step whose equilibrium is not found
   bool sensitivities = false;  ///< derivatives by the parameters of the material
+  /// Where an equilibrium is not stable its derivatives are those of a convex stand-in of the
+  /// Hessian ([T] 3.4.1 modifies it likewise), instead of an error.
+  bool convex_sensitivities = false;
 };
 
 /// An equilibrium of a quasi-static path.
-struct PathPoint {
+struct PathEquilibrium {
   double time = 0;          ///< s
   NewtonSummary newton;     ///< of the last equilibrium; iterations are those of the whole step
   int equilibria = 0;       ///< found during the step
@@ -43,7 +46,7 @@ class StaticPath {
   /// @throws SolverError when an equilibrium is not found, even of the smallest step, or when
   ///         sensitivities are asked for and it is not stable; the path then stands at the last
   ///         one accepted, which may lie between two times of the schedule
-  PathPoint step(double time);
+  PathEquilibrium step(double time);
 
   const State& state() const { return state_; }
   /// Goes on from another state of the system, on whose history no parameter has an influence yet.
@@ -52,9 +55,9 @@ class StaticPath {
   const Eigen::MatrixXd& history_by_parameter() const { return history_by_parameter_; }
 
  private:
-  void reach(double time, int halvings, PathPoint& point);
-  bool find_equilibrium(double time, PathPoint& point, Configuration& at);
-  void accept(double time, Configuration at, PathPoint& point);
+  void reach(double time, int halvings, PathEquilibrium& point);
+  bool find_equilibrium(double time, PathEquilibrium& point, Configuration& at);
+  void accept(double time, Configuration at, PathEquilibrium& point);
 
   const System& system_;
   StaticPathOptions options_;

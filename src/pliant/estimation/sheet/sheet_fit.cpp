@@ -1,6 +1,7 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ class Fitter {
   void run_stage(const SheetStage& stage) {
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) guess(stage, group);
+      if (stage.kind == StageKind::friction && !guess_friction(stage, group)) return;
     }
     Solved solved = solve(stage);
     // Without a test of its own shear follows stretch.
@@ -76,8 +78,7 @@ class Fitter {
         knots.push_back(largest * i / (points - 1));
         values.push_back(last.value(knots.back()));
       }
-      set_stiffness(fit_.material, going_along({group}).front(),
-                    ScalarCurve::hermite(knots, values, even));
+      give_stiffness(going_along({group}).front(), ScalarCurve::hermite(knots, values, even));
       const Solved solved = solve(stage);
       const bool worthwhile = solved.rms < (1 - kWorthwhileFall) * best.rms;
       record(stage, solved.rms, worthwhile);
@@ -87,6 +88,60 @@ class Fitter {
       accepted = fit_.material;
     }
     fit_.material = accepted;
+  }
+
+  /// Friction of a tenth of the largest stress, spread over the strain that fits best.
+  /// @return false where the sequence has no path of equilibria to begin with
+  bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
+    const double strain = strain_of(group);
+    const ComponentLaw elastic = law_of(fit_.material, group);
+    ComponentLaw law = elastic;
+    law.friction_law = FrictionLaw::dahl;
+    double least = INFINITY;
+    std::array<double, 3> best{};
+    for (const double share : {0.02, 0.06, 0.2}) {
+      law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
+      set_law(fit_.material, group, law);
+      const SheetProblem problem = problem_of(stage);
+      const LeastSquaresProblem squares = problem.least_squares();
+      Eigen::VectorXd residual(squares.residuals);
+      const bool found = squares.evaluate(problem.start(), residual, nullptr);
+      fit_.counts += problem.counts();
+      const double cost = found ? residual.squaredNorm() : INFINITY;
+      if (cost >= least) continue;
+      least = cost;
+      best = law.friction;
+    }
+    if (!std::isfinite(least)) {
+      fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
+                              names(stage.tests) + " have no path of equilibria with it");
+      set_law(fit_.material, group, elastic);
+      return false;
+    }
+    law.friction = best;
+    set_law(fit_.material, group, law);
+    return true;
+  }
+
+  double strain_of(const ComponentGroup& group) const {
+    const auto known = fit_.strains.find(group.front());
+    return known == fit_.strains.end() ? 0.01 : known->second;
+  }
+
+  SheetProblem problem_of(const SheetStage& stage) {
+    std::vector<ComponentGroup> groups = going_along(stage.groups);
+    std::vector<double> strains;
+    for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
+    SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
+                         context_);
+    problem.begin_at(shapes_);
+    return problem;
+  }
+
+  void give_stiffness(const ComponentGroup& group, const ScalarCurve& stiffness) {
+    for (const std::string& component : group) {
+      fit_.material.components[component].stiffness = stiffness;
+    }
   }
 
   const ScalarCurve& stiffness_of(const ComponentGroup& group) const {
@@ -109,7 +164,7 @@ class Fitter {
     const bool even = is_even(group.front());
     const ComponentGroup all = going_along({group}).front();
     const auto constant = [&](double value) {
-      set_stiffness(fit_.material, all, ScalarCurve::hermite({0.0}, {value}, even));
+      give_stiffness(all, ScalarCurve::hermite({0.0}, {value}, even));
     };
     constant(stiffness_of(group).value(0));
     if (!is_bending(group.front())) return;
@@ -117,11 +172,12 @@ class Fitter {
     int worse = 0;
     for (const double value : first_bending(group)) {
       constant(value);
-      const SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
+      const SheetProblem problem(stage.tests, fit_.material, stage.groups,
+                                 std::vector<double>(stage.groups.size(), 0.01), context_);
       const LeastSquaresProblem squares = problem.least_squares();
       Eigen::VectorXd residual(squares.residuals);
       const bool found = squares.evaluate(problem.start(), residual, nullptr);
-      add_counts(problem.counts());
+      fit_.counts += problem.counts();
       const double cost = found ? residual.squaredNorm() : INFINITY;
       worse = cost < least ? 0 : worse + 1;
       if (cost < least) {
@@ -166,12 +222,11 @@ class Fitter {
 
   /// The search of a stage, whose result the material gets.
   Solved solve(const SheetStage& stage) {
-    SheetProblem problem(stage.tests, fit_.material, going_along(stage.groups), context_);
-    problem.begin_at(shapes_);
+    const SheetProblem problem = problem_of(stage);
     const LeastSquaresProblem squares = problem.least_squares();
     const LeastSquaresSummary summary =
         solve_least_squares(squares, problem.start(), kStageSearch, context_.stop);
-    add_counts(problem.counts());
+    fit_.counts += problem.counts();
     if (!std::isfinite(summary.cost)) {
       throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
     }
@@ -199,11 +254,10 @@ class Fitter {
 
   double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
     std::vector<double> strains;
-    SheetProblem problem(stage.tests, fit_.material, stage.groups, context_);
-    problem.begin_at(shapes_);
+    const SheetProblem problem = problem_of(stage);
     for (std::size_t t = 0; t < stage.tests.size(); ++t) {
       const SheetTest& test = *stage.tests[t];
-      const auto shapes = problem.predict(t, problem.start(), false);
+      const auto shapes = problem.predict(t, problem.start(), false, context_.threads);
       if (!shapes) continue;
       const SheetSystem sheet(test.session(), fit_.material, {.friction = false}, {});
       for (const SheetShape& shape : *shapes) {
@@ -214,7 +268,7 @@ class Fitter {
         }
       }
     }
-    add_counts(problem.counts());
+    fit_.counts += problem.counts();
     if (is_even(group.front())) {
       for (double& strain : strains) strain = std::abs(strain);
     }
@@ -239,9 +293,9 @@ class Fitter {
     std::vector<std::string> components;
     for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
     const int points = stiffness_of(stage.groups.front()).size();
-    const std::string what =
-        stage.groups.size() > 1 ? "together"
-                                : fmt::format("{} control point{}", points, points == 1 ? "" : "s");
+    std::string what = fmt::format("{} control point{}", points, points == 1 ? "" : "s");
+    if (stage.groups.size() > 1) what = "together";
+    if (stage.kind == StageKind::friction) what += " and friction";
     fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what,
                            positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
   }
@@ -250,13 +304,6 @@ class Fitter {
     std::vector<std::string> list;
     for (const SheetTest* test : tests) list.push_back(test->name());
     return fmt::format("{}", fmt::join(list, ", "));
-  }
-
-  void add_counts(const EquilibriumCounts& counts) {
-    fit_.counts.equilibria += counts.equilibria;
-    fit_.counts.iterations += counts.iterations;
-    fit_.counts.factors += counts.factors;
-    fit_.counts.unstable += counts.unstable;
   }
 
   const Study& study_;

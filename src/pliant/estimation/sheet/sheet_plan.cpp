@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/session/frame_measures.h"
 
 namespace pliant {
 namespace {
@@ -87,6 +88,23 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
   return plan;
 }
 
+/// Friction of what is pulled by clips, from sequences that return.
+void add_friction(std::vector<SheetStage>& plan) {
+  std::vector<SheetStage> stages;
+  for (const ComponentGroup& group : groups_of(plan)) {
+    if (is_bending(group.front())) continue;
+    Tests data;
+    for (const SheetStage& stage : plan) {
+      if (stage.groups == std::vector<ComponentGroup>{group}) data = stage.tests;
+    }
+    std::erase_if(data, [](const SheetTest* test) {
+      return test->session().table || !returns(test->session());
+    });
+    if (!data.empty()) stages.push_back({{group}, data, StageKind::friction});
+  }
+  plan.insert(plan.end(), stages.begin(), stages.end());
+}
+
 std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bool isotropic) {
   std::vector<SheetStage> plan;
   std::vector<std::string> seen;
@@ -126,6 +144,7 @@ std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const S
                      "sessions of the tests stretch-weft, stretch-warp, shear, bias-extension, "
                      "bend-weft, bend-warp, or a plan under fit");
   }
+  if (study.model.friction != FrictionChoice::none) add_friction(plan);
   return plan;
 }
 

@@ -14,6 +14,7 @@ enum class StageKind {
   constant,  ///< one for each
   grow,      ///< of a single group: more of them, while the residual falls
   again,     ///< as many as there are
+  friction,  ///< as many as there are, and internal friction beside them
 };
 
 /// One stage of an incremental fit: some curves, to some tests.
@@ -27,6 +28,9 @@ struct SheetStage {
 /// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
 /// bending, all directions together, and shear, twice more. Bending is constant in all directions
 /// first and its curves grow from there: what one direction lacks would bend the curve of another.
+///
+/// Last comes friction, of what clips pull, where sequences load and unload and the study does not
+/// say no: the prediction then follows the loop and not its middle.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @throws InputError where a stage of the study names no test, or a test that is not there

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "pliant/base/assert.h"
+#include "pliant/base/parallel.h"
+#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/sheet_path.h"
 
 namespace pliant {
 namespace {
@@ -36,50 +39,61 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
 
 }  // namespace
 
+std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material) {
+  const bool friction = std::ranges::any_of(material.components, [](const auto& component) {
+    return component.second.friction.has_value();
+  });
+  if (friction && !test.session().table) {
+    return std::make_unique<SheetPath>(test.session(), material);
+  }
+  return std::make_unique<SheetEquilibria>(test.session(), material);
+}
+
 SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
-                           std::vector<ComponentGroup> groups, const RunContext& context)
+                           std::vector<ComponentGroup> groups, std::vector<double> strains,
+                           const RunContext& context)
     : tests_(std::move(tests)),
       material_(material),
       groups_(std::move(groups)),
-      unknowns_(unknowns_of(material, groups_)),
+      unknowns_(unknowns_of(material, groups_, strains)),
       scales_(first_scales(tests_)),
       context_(context) {
   PLIANT_ASSERT(!tests_.empty(), "a fit has data");
   for (const SheetTest* test : tests_) {
-    equilibria_.push_back(std::make_unique<SheetEquilibria>(test->session(), material));
+    predictors_.push_back(make_predictor(*test, material));
+    places_.push_back(places_in(*predictors_.back()));
   }
-  const std::vector<std::string>& names = equilibria_.front()->parameter_names();
+}
+
+SheetProblem::Places SheetProblem::places_in(const SheetPredictor& predictor) const {
+  const std::vector<std::string>& names = predictor.parameter_names();
+  Places places;
   for (std::size_t u = 0; u < unknowns_.size(); ++u) {
     for (const std::string& parameter : unknowns_[u].parameters) {
       const auto found = std::ranges::find(names, parameter);
-      PLIANT_ASSERT(found != names.end(), "an unknown is a parameter of the sheet");
-      parameters_.push_back(static_cast<int>(found - names.begin()));
-      unknown_of_.push_back(static_cast<int>(u));
+      if (found == names.end()) continue;  // friction, where frames are equilibria of their own
+      places.parameters.push_back(static_cast<int>(found - names.begin()));
+      places.unknowns.push_back(static_cast<int>(u));
     }
   }
+  return places;
 }
 
 void SheetProblem::begin_at(const SheetGuesses& guesses) {
   for (std::size_t t = 0; t < tests_.size(); ++t) {
     const auto found = guesses.find(tests_[t]);
-    if (found != guesses.end()) equilibria_[t]->begin_at(found->second);
+    if (found != guesses.end()) predictors_[t]->begin_at(found->second);
   }
 }
 
 void SheetProblem::keep(SheetGuesses& guesses) const {
-  for (std::size_t t = 0; t < tests_.size(); ++t) guesses[tests_[t]] = equilibria_[t]->guesses();
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    std::vector<Eigen::Matrix3Xd> own = predictors_[t]->guesses();
+    if (!own.empty()) guesses[tests_[t]] = std::move(own);
+  }
 }
 
-Eigen::VectorXd SheetProblem::start() const {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(unknowns_.size()));
-  Eigen::Index next = 0;
-  for (const ComponentGroup& group : groups_) {
-    const Eigen::VectorXd own = control_values(material_, group);
-    values.segment(next, own.size()) = own;
-    next += own.size();
-  }
-  return values;
-}
+Eigen::VectorXd SheetProblem::start() const { return values_of(material_, groups_); }
 
 Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
   Material material = material_;
@@ -89,33 +103,38 @@ Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
 
 std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
                                                              const Eigen::VectorXd& values,
-                                                             bool derivatives) const {
-  SheetEquilibria& equilibria = *equilibria_[test];
-  Eigen::VectorXd parameters = equilibria.parameters();
-  for (std::size_t k = 0; k < parameters_.size(); ++k) {
-    parameters(parameters_[k]) = values(unknown_of_[k]);
-  }
-  return equilibria.predict(parameters, derivatives ? parameters_ : std::vector<int>{},
-                            context_.threads, context_.stop);
+                                                             bool derivatives, int threads) const {
+  SheetPredictor& predictor = *predictors_[test];
+  const Places& places = places_[test];
+  Eigen::VectorXd parameters = predictor.parameters();
+  parameters(places.parameters) = values(places.unknowns);
+  return predictor.predict(parameters, derivatives ? places.parameters : std::vector<int>{},
+                           threads, context_.stop);
 }
 
 bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                             Eigen::MatrixXd* jacobian) const {
+  const int count = static_cast<int>(tests_.size());
+  std::vector<std::optional<std::vector<SheetShape>>> shapes(tests_.size());
+  parallel_for(count, context_.threads, [&](int t) {
+    const auto test = static_cast<std::size_t>(t);
+    shapes[test] =
+        predict(test, values, jacobian != nullptr, std::max(context_.threads / count, 1));
+  });
   Eigen::Index row = 0;
   if (jacobian) jacobian->setZero(residual.size(), values.size());
   for (std::size_t t = 0; t < tests_.size(); ++t) {
+    if (!shapes[t]) return false;
     const SheetTest& test = *tests_[t];
-    const auto shapes = predict(t, values, jacobian != nullptr);
-    if (!shapes) return false;
     for (int frame = 0; frame < test.frame_count(); ++frame) {
-      const SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
+      const SheetShape& shape = (*shapes[t])[static_cast<std::size_t>(frame)];
       const int rows = test.rows(frame);
       residual.segment(row, rows) =
           (test.predicted(frame, shape) - test.measured(frame)) / scales_[t];
       if (jacobian) {
         const Eigen::MatrixXd by_parameter = test.jacobian(frame, shape) / scales_[t];
-        for (std::size_t k = 0; k < parameters_.size(); ++k) {
-          jacobian->block(row, unknown_of_[k], rows, 1) +=
+        for (std::size_t k = 0; k < places_[t].unknowns.size(); ++k) {
+          jacobian->block(row, places_[t].unknowns[k], rows, 1) +=
               by_parameter.col(static_cast<Eigen::Index>(k));
         }
       }
@@ -132,22 +151,22 @@ LeastSquaresProblem SheetProblem::least_squares() const {
     return evaluate(values, residual, jacobian);
   };
   for (const SheetTest* test : tests_) problem.residuals += test->rows();
-  const Eigen::VectorXd values = start();
-  problem.lower = Eigen::VectorXd::Zero(values.size());
-  problem.upper = Eigen::VectorXd::Constant(values.size(), 1e12);
-  problem.scale = Eigen::VectorXd::Constant(values.size(), std::max(values.maxCoeff(), 1e-12));
+  const auto count = static_cast<Eigen::Index>(unknowns_.size());
+  problem.lower.resize(count);
+  problem.upper.resize(count);
+  problem.scale.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const SheetUnknown& unknown = unknowns_[static_cast<std::size_t>(i)];
+    problem.lower(i) = unknown.lower;
+    problem.upper(i) = unknown.upper;
+    problem.scale(i) = unknown.scale;
+  }
   return problem;
 }
 
 EquilibriumCounts SheetProblem::counts() const {
   EquilibriumCounts sum;
-  for (const auto& equilibria : equilibria_) {
-    const EquilibriumCounts& own = equilibria->counts();
-    sum.equilibria += own.equilibria;
-    sum.iterations += own.iterations;
-    sum.factors += own.factors;
-    sum.unstable += own.unstable;
-  }
+  for (const auto& predictor : predictors_) sum += predictor->counts();
   return sum;
 }
 

@@ -9,7 +9,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/least_squares.h"
 #include "pliant/estimation/sheet/sheet_unknown.h"
-#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/sheet_predictor.h"
 #include "pliant/experiment/sheet/sheet_test.h"
 
 namespace pliant {
@@ -17,14 +17,20 @@ namespace pliant {
 /// Shapes of the equilibria of tests, where searches for the next may begin.
 using SheetGuesses = std::map<const SheetTest*, std::vector<Eigen::Matrix3Xd>>;
 
+/// How a session is predicted: as a path where its sheet has friction and no table, else frame by
+/// frame.
+std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material);
+
 /// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
 /// of forces or positions of all frames, each test's in units of its own `scale`, at equilibria.
 class SheetProblem {
  public:
   /// @param tests     outlive the problem
   /// @param material  complete; says where a search begins
+  /// @param strains   largest strain of each group, for bounds and scales of friction
   SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
-               std::vector<ComponentGroup> groups, const RunContext& context);
+               std::vector<ComponentGroup> groups, std::vector<double> strains,
+               const RunContext& context);
 
   const std::vector<const SheetTest*>& tests() const { return tests_; }
   const std::vector<SheetUnknown>& unknowns() const { return unknowns_; }
@@ -43,14 +49,19 @@ class SheetProblem {
   /// Shapes of all frames of a test at some values of the unknowns; nothing where there is no
   /// equilibrium.
   std::optional<std::vector<SheetShape>> predict(std::size_t test, const Eigen::VectorXd& values,
-                                                 bool derivatives) const;
+                                                 bool derivatives, int threads) const;
 
-  /// Non-negative unknowns; `evaluate` keeps the equilibria of the last values for the next.
+  /// `evaluate` keeps the equilibria of the last values for the next.
   LeastSquaresProblem least_squares() const;
 
   EquilibriumCounts counts() const;
 
  private:
+  /// The parameters of a test's prediction that unknowns set, and which.
+  struct Places {
+    std::vector<int> parameters, unknowns;
+  };
+  Places places_in(const SheetPredictor& predictor) const;
   bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* jacobian) const;
 
@@ -59,9 +70,8 @@ class SheetProblem {
   std::vector<ComponentGroup> groups_;
   std::vector<SheetUnknown> unknowns_;
   std::vector<double> scales_;
-  std::vector<int> parameters_;  // of the equilibria that an unknown sets, one after the other
-  std::vector<int> unknown_of_;  // each of them
-  std::vector<std::unique_ptr<SheetEquilibria>> equilibria_;
+  std::vector<std::unique_ptr<SheetPredictor>> predictors_;
+  std::vector<Places> places_;  // of each test
   const RunContext& context_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
 
@@ -26,22 +27,9 @@ struct Rows {
   }
 };
 
-/// How far the clips have moved from their places at rest, over the sheet's longer side; on a table
-/// how much of the sheet hangs over.
-double travel(const Session& session, int frame) {
-  const double side = std::max(session.sample.width, session.sample.height);
-  const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
-  if (session.table && now.table_edge) {
-    const Eigen::RowVectorXd along = session.rest.positions.row(static_cast<int>(*session.table));
-    return (along.maxCoeff() - *now.table_edge) / side;
-  }
-  double sum = 0;
-  for (std::size_t c = 0; c < session.clips.size(); ++c) {
-    const Eigen::Vector3d middle =
-        session.rest.positions(Eigen::all, session.clips[c].clamped).rowwise().mean();
-    sum += (now.poses[c].apply(middle) - middle).norm();
-  }
-  return sum / side;
+/// How far a test has gone, as a strain.
+double relative_travel(const Session& session, int frame) {
+  return travel(session, frame) / std::max(session.sample.width, session.sample.height);
 }
 
 /// Free nodes along the middle of a sheet that hangs over a table, or of any other along weft.
@@ -65,7 +53,7 @@ void add_heights(const SheetTest& test, int frame, const SheetShape& shape, Rows
   const int along = session.table ? static_cast<int>(*session.table) : 0;
   for (const int node : middle_nodes(session, frame)) {
     const double place = 1e3 * session.rest.positions(along, node);
-    rows.add(frame, fmt::format("{:.4g} mm", place), "z", travel(session, frame),
+    rows.add(frame, fmt::format("{:.4g} mm", place), "z", relative_travel(session, frame),
              session.frames[static_cast<std::size_t>(frame)].positions(2, node),
              shape.positions(2, node));
   }
@@ -79,8 +67,8 @@ void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows&
   for (std::size_t c = 0; c < session.clips.size(); ++c) {
     if (session.frames[static_cast<std::size_t>(frame)].cords[c].empty()) continue;
     for (const char* axis : {"x", "y", "z"}) {
-      rows.add(frame, session.clips[c].name, parallel ? "parallel" : axis, travel(session, frame),
-               seen(row), found(row));
+      rows.add(frame, session.clips[c].name, parallel ? "parallel" : axis,
+               relative_travel(session, frame), seen(row), found(row));
       ++row;
       if (parallel) break;
     }

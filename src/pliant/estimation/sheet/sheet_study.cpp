@@ -10,6 +10,7 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
+#include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/study_experiments.h"
@@ -53,11 +54,11 @@ ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index 
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
   estimate.name = unknown.name;
-  estimate.owner = unknown.name.substr(0, unknown.name.rfind(".k"));
+  estimate.owner = unknown.component;
   estimate.unit = unknown.unit;
   estimate.value = uncertainty.values(i);
-  estimate.note = fmt::format("at strain {:.3g}", unknown.strain);
-  if (!uncertainty.told_by[index].empty()) estimate.note += "; " + uncertainty.told_by[index];
+  if (!unknown.of_friction) estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
+  estimate.note += uncertainty.told_by[index];
   estimate.at_bound = estimate.value <= 0;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
@@ -92,9 +93,8 @@ void set_status(SheetFit& fit) {
 void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyResult& result) {
   Eigen::Index first = 0;
   for (const ComponentGroup& group : fit.groups) {
-    const Eigen::Index count = control_values(fit.material, group).size();
-    const ComponentLaw law{
-        *fit.material.components.at(group.front()).stiffness, FrictionLaw::none, {}};
+    const ComponentLaw law = law_of(fit.material, group);
+    const Eigen::Index count = law.parameter_count();
     const auto strains = fit.strains.find(group.front());
     const double largest = strains == fit.strains.end() ? 0.01 : strains->second;
     const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
@@ -109,11 +109,11 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
                                 const RunContext& context) {
-  SheetEquilibria equilibria(test.session(), material);
-  auto shapes = equilibria.predict(equilibria.parameters(), {}, context.threads, context.stop);
+  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
+  auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
   if (!shapes) {
     throw SolverError("the equilibrium of every frame of " + test.name(),
-                      equilibria.counts().iterations, 0);
+                      predictor->counts().iterations, 0);
   }
   return std::move(*shapes);
 }

@@ -22,9 +22,9 @@ struct Linearised {
   Eigen::VectorXd information;  // of each unknown, in units of the test's residual variance
 };
 
-Linearised linearise(const SheetTest& test, const Material& material,
-                     const std::vector<ComponentGroup>& groups, const RunContext& context) {
-  const SheetProblem problem({&test}, material, groups, context);
+Linearised linearise(const SheetTest& test, const SheetFit& fit, const RunContext& context) {
+  const SheetProblem problem({&test}, fit.material, fit.groups,
+                             std::vector<double>(fit.groups.size(), 1), context);
   const LeastSquaresProblem squares = problem.least_squares();
   Eigen::VectorXd residual(squares.residuals);
   Eigen::MatrixXd jacobian;
@@ -52,20 +52,17 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
                                    const RunContext& context) {
   SheetUncertainty result;
   std::vector<const SheetStage*> stage_of;  // the last of each unknown
-  Eigen::VectorXd values;
   for (const ComponentGroup& group : fit.groups) {
     const SheetStage* last = nullptr;
     for (const SheetStage& stage : plan) {
       if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
     }
-    const Eigen::VectorXd own = control_values(fit.material, group);
-    values.conservativeResize(values.size() + own.size());
-    values.tail(own.size()) = own;
-    for (const SheetUnknown& unknown : unknowns_of(fit.material, {group})) {
+    for (const SheetUnknown& unknown : unknowns_of(fit.material, {group}, {1.0})) {
       result.unknowns.push_back(unknown);
       stage_of.push_back(last);
     }
   }
+  const Eigen::VectorXd values = values_of(fit.material, fit.groups);
   result.values = values;
   const Eigen::Index n = values.size();
 
@@ -73,13 +70,16 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
   for (const SheetStage* stage : stage_of) {
     for (const SheetTest* test : stage->tests) {
       if (!tests.contains(test)) {
-        tests.emplace(test, linearise(*test, fit.material, fit.groups, context));
+        tests.emplace(test, linearise(*test, fit, context));
       }
     }
   }
 
   // In units of the values: g_i and p_i are both of the size of 1.
-  const Eigen::VectorXd unit = values.cwiseMax(1e-6 * values.cwiseAbs().maxCoeff());
+  Eigen::VectorXd unit = values.cwiseAbs();
+  for (Eigen::Index u = 0; u < n; ++u) {
+    if (unit(u) == 0) unit(u) = result.unknowns[static_cast<std::size_t>(u)].scale;
+  }
   Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n), meat = Eigen::MatrixXd::Zero(n, n);
   const auto takes = [&](Eigen::Index unknown, const SheetTest* test) {
     const auto& used = stage_of[static_cast<std::size_t>(unknown)]->tests;

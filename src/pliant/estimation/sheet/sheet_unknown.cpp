@@ -1,62 +1,90 @@
 #include "pliant/estimation/sheet/sheet_unknown.h"
 
+#include <algorithm>
+
 #include "pliant/base/assert.h"
 
 namespace pliant {
 namespace {
 
-const ScalarCurve& stiffness_of(const Material& material, const std::string& component) {
-  const auto found = material.components.find(component);
-  PLIANT_ASSERT(found != material.components.end() && found->second.stiffness,
-                "a fit begins with a complete material");
-  return *found->second.stiffness;
-}
+constexpr double kNoLimit = 1e12;
 
-std::vector<std::string> names_of(const Material& material, const std::string& component) {
-  return parameter_names({stiffness_of(material, component), FrictionLaw::none, {}}, component);
+void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double strain,
+                  std::vector<SheetUnknown>& unknowns) {
+  const std::vector<std::string> names = parameter_names(law, group.front());
+  const std::vector<std::string> units = parameter_units(law, is_bending(group.front()));
+  const std::vector<double>& knots = law.stiffness.knots();
+  const std::vector<double>& values = law.stiffness.values();
+  const double stiffness = std::max(*std::ranges::max_element(values), 1e-12);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    SheetUnknown unknown;
+    unknown.name = names[i];
+    unknown.component = group.front();
+    unknown.unit = units[i];
+    unknown.upper = kNoLimit;
+    unknown.scale = stiffness;
+    unknown.of_friction = i >= values.size();
+    if (i < knots.size()) unknown.strain = knots[i];
+    if (names[i].ends_with(".a")) unknown.scale = stiffness * strain / 10;
+    if (names[i].ends_with(".tau")) {
+      unknown.scale = strain / 10;
+      unknown.lower = strain / 1000;
+      unknown.upper = 3 * strain;
+    }
+    for (const std::string& component : group) {
+      unknown.parameters.push_back(component + names[i].substr(group.front().size()));
+    }
+    unknowns.push_back(std::move(unknown));
+  }
 }
 
 }  // namespace
 
+ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
+  const std::optional<ComponentLaw> law = law_of(material, group.front());
+  PLIANT_ASSERT(law.has_value(), "a fit begins with a complete material");
+  return *law;
+}
+
+void set_law(Material& material, const ComponentGroup& group, const ComponentLaw& law) {
+  for (const std::string& name : group) {
+    MaterialComponent& component = material.components[name];
+    component.stiffness = law.stiffness;
+    component.friction.reset();
+    if (law.friction_law == FrictionLaw::none) continue;
+    component.friction =
+        ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, std::nullopt};
+  }
+}
+
 std::vector<SheetUnknown> unknowns_of(const Material& material,
-                                      const std::vector<ComponentGroup>& groups) {
+                                      const std::vector<ComponentGroup>& groups,
+                                      const std::vector<double>& strains) {
+  PLIANT_ASSERT(strains.size() == groups.size(), "a strain for each group");
   std::vector<SheetUnknown> unknowns;
-  for (const ComponentGroup& group : groups) {
-    const std::size_t first = unknowns.size();
-    const std::string unit = is_bending(group.front()) ? "N m" : "N/m";
-    const std::vector<std::string> own = names_of(material, group.front());
-    const std::vector<double>& knots = stiffness_of(material, group.front()).knots();
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      unknowns.push_back({own[i], {}, unit, i < knots.size() ? knots[i] : 0});
-    }
-    for (const std::string& component : group) {
-      const std::vector<std::string> names = names_of(material, component);
-      PLIANT_ASSERT(first + names.size() == unknowns.size(), "a group shares one curve");
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        unknowns[first + i].parameters.push_back(names[i]);
-      }
-    }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    add_unknowns(law_of(material, groups[g]), groups[g], strains[g], unknowns);
   }
   return unknowns;
 }
 
-Eigen::VectorXd control_values(const Material& material, const ComponentGroup& group) {
-  const std::vector<double>& values = stiffness_of(material, group.front()).values();
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-void set_stiffness(Material& material, const ComponentGroup& group, const ScalarCurve& curve) {
-  for (const std::string& component : group) material.components[component].stiffness = curve;
+Eigen::VectorXd values_of(const Material& material, const std::vector<ComponentGroup>& groups) {
+  Eigen::VectorXd values;
+  for (const ComponentGroup& group : groups) {
+    const Eigen::VectorXd own = law_of(material, group).parameters();
+    values.conservativeResize(values.size() + own.size());
+    values.tail(own.size()) = own;
+  }
+  return values;
 }
 
 void set_values(Material& material, const std::vector<ComponentGroup>& groups,
                 const Eigen::VectorXd& values) {
   Eigen::Index next = 0;
   for (const ComponentGroup& group : groups) {
-    const ScalarCurve& curve = stiffness_of(material, group.front());
-    const ScalarCurve changed = curve.with_values(values.data() + next);
-    next += changed.size();
-    set_stiffness(material, group, changed);
+    const ComponentLaw law = law_of(material, group);
+    set_law(material, group, law.with_parameters(values.segment(next, law.parameter_count())));
+    next += law.parameter_count();
   }
 }
 

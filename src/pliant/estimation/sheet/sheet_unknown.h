@@ -9,29 +9,39 @@
 
 namespace pliant {
 
-/// Components that share one curve: one in an orthotropic material, weft and warp in an isotropic
+/// Components that share one law: one in an orthotropic material, weft and warp in an isotropic
 /// one. The first names them.
 using ComponentGroup = std::vector<std::string>;
 
-/// A number that a fit of sheets looks for: a control value of the stiffness of a group.
+/// A number that a fit of sheets looks for: a parameter of the law of a group.
 struct SheetUnknown {
   std::string name;                     ///< of the first component's parameter
+  std::string component;                ///< the first
   std::vector<std::string> parameters;  ///< of all components of the group
   std::string unit;
-  double strain = 0;  ///< of the control point
+  double strain = 0;  ///< of a control point
+  bool of_friction = false;
+  double lower = 0, upper = 0, scale = 1;
 };
 
-/// The control values of some groups of a material, group by group.
+/// The law that a group shares: that of its first component.
+ComponentLaw law_of(const Material& material, const ComponentGroup& group);
+
+/// Gives all components of a group a law.
+void set_law(Material& material, const ComponentGroup& group, const ComponentLaw& law);
+
+/// The parameters of some groups of a material, group by group: control values of the stiffness,
+/// then those of friction. None is negative; tau lies between a thousandth of the largest strain
+/// and three times it.
+/// @param strains  largest strain of each group
 std::vector<SheetUnknown> unknowns_of(const Material& material,
-                                      const std::vector<ComponentGroup>& groups);
+                                      const std::vector<ComponentGroup>& groups,
+                                      const std::vector<double>& strains);
 
-/// Values of all parameters of the stiffness of a group's first component.
-Eigen::VectorXd control_values(const Material& material, const ComponentGroup& group);
+/// Their values.
+Eigen::VectorXd values_of(const Material& material, const std::vector<ComponentGroup>& groups);
 
-/// Gives all components of a group a curve.
-void set_stiffness(Material& material, const ComponentGroup& group, const ScalarCurve& curve);
-
-/// Gives the groups their control values, one after the other.
+/// Gives the groups their values.
 void set_values(Material& material, const std::vector<ComponentGroup>& groups,
                 const Eigen::VectorXd& values);
 

@@ -99,6 +99,32 @@ double tension(const Session& session, int frame, int from, int to) {
 
 }  // namespace
 
+double travel(const Session& session, int frame) {
+  const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
+  if (session.table && now.table_edge) {
+    const Eigen::RowVectorXd along = session.rest.positions.row(static_cast<int>(*session.table));
+    return along.maxCoeff() - *now.table_edge;
+  }
+  double sum = 0;
+  for (std::size_t c = 0; c < session.clips.size(); ++c) {
+    const Eigen::Vector3d middle =
+        session.rest.positions(Eigen::all, session.clips[c].clamped).rowwise().mean();
+    sum += (now.poses[c].apply(middle) - middle).norm();
+  }
+  return sum;
+}
+
+bool returns(const Session& session) {
+  constexpr double kShare = 0.1;
+  double most = 0, back = 0;
+  for (int frame = 0; frame < session.frame_count(); ++frame) {
+    const double now = travel(session, frame);
+    most = std::max(most, now);
+    back = std::max(back, most - now);
+  }
+  return back > kShare * most;
+}
+
 std::optional<double> effective_shear(const Session& session, int frame) {
   const std::vector<int> clamped = clamped_vertices(session);
   if (clamped.empty()) return std::nullopt;

@@ -8,6 +8,13 @@ namespace pliant {
 
 // What [T] Fig. 3.6 plots forces of a frame over, and against.
 
+/// How far the clips of a frame have moved from their places at rest together; of a session with a
+/// table how much of the sheet hangs over its edge (m).
+double travel(const Session& session, int frame);
+
+/// Whether the clips return by a tenth of their travel at least, so that friction shows.
+bool returns(const Session& session);
+
 /// Effective shear of a frame (rad): the shear angle of the affine map that fits the motion of all
 /// clamped vertices from the rest plane best. It is the angle by which the images of weft and warp
 /// are nearer to each other than a right angle.

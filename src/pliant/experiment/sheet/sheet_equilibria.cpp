@@ -30,8 +30,9 @@ class SheetEquilibria::Lane {
   SheetSystem& sheet() { return sheet_; }
   const SheetSystem& sheet() const { return sheet_; }
 
-  NewtonSummary relax(Configuration& at) {
-    return minimize(objective(), {.tolerance = sheet_.tolerance(), .reuse_factor = true}, solver_,
+  NewtonSummary relax(Configuration& at, const StopToken& stop) {
+    return minimize(objective(),
+                    {.tolerance = sheet_.tolerance(), .reuse_factor = true, .stop = stop}, solver_,
                     hessian_, at);
   }
 
@@ -53,18 +54,6 @@ class SheetEquilibria::Lane {
 
   Eigen::Matrix3Xd clip_forces(const Configuration& at) const {
     return sheet_.clip_forces(objective().gradient(at));
-  }
-
-  Eigen::MatrixXd clip_forces_by_parameter(const Eigen::MatrixXd& forces,
-                                           const std::vector<SessionClip>& clips) const {
-    Eigen::MatrixXd sums =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * clips.size()), forces.cols());
-    for (std::size_t c = 0; c < clips.size(); ++c) {
-      for (const int node : clips[c].clamped) {
-        sums.middleRows<3>(static_cast<Eigen::Index>(3 * c)) += forces.middleRows<3>(3 * node);
-      }
-    }
-    return sums;
   }
 
  private:
@@ -99,10 +88,7 @@ SheetEquilibria::SheetEquilibria(const Session& session, const Material& materia
       reached_(states_.states.size()),
       pool_(std::make_unique<Pool>()) {
   std::unique_ptr<Lane> lane = borrow(states_.states.front().held);
-  const ParameterList& list = lane->sheet().parameters();
-  names_ = list.names;
-  parameters_ = Eigen::Map<const Eigen::VectorXd>(list.values.data(),
-                                                  static_cast<Eigen::Index>(list.values.size()));
+  parameters_ = lane->sheet().parameters();
   warnings_ = lane->sheet().warnings();
   give_back(std::move(lane));
 }
@@ -161,7 +147,7 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
   Configuration at = lane.sheet().configuration(states_.states[s].frame, std::move(start));
-  const NewtonSummary newton = lane.relax(at);
+  const NewtonSummary newton = lane.relax(at, stop_);
   reached.counts.iterations += newton.iterations;
   reached.counts.factors += newton.factorizations;
   reached.found = newton.converged;
@@ -186,7 +172,7 @@ void SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int
   ++reached.counts.factors;
   if (!lane.differentiate(at, derivatives)) ++reached.counts.unstable;
   reached.shape.clip_forces_by_parameter =
-      lane.clip_forces_by_parameter(derivatives.forces, session_.clips);
+      lane.sheet().clip_forces_by_parameter(derivatives.forces);
   reached.shape.positions_by_parameter = std::move(derivatives.positions);
   reached.differentiated = true;
   reached.by = by;
@@ -258,17 +244,13 @@ std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::Vec
                                                                 const std::vector<int>& by,
                                                                 int threads,
                                                                 const StopToken& stop) {
+  stop_ = stop;
   std::atomic<bool> all_found = true;
   parallel_for(equilibria_each(), threads, [&](int state) {
     stop.throw_if_requested();
     if (!reach(state, parameters, by)) all_found = false;
   });
-  for (const Reached& reached : reached_) {
-    counts_.equilibria += reached.counts.equilibria;
-    counts_.iterations += reached.counts.iterations;
-    counts_.factors += reached.counts.factors;
-    counts_.unstable += reached.counts.unstable;
-  }
+  for (const Reached& reached : reached_) counts_ += reached.counts;
   if (!all_found) return std::nullopt;
   std::vector<SheetShape> shapes;
   for (int frame = 0; frame < session_.frame_count(); ++frame) {

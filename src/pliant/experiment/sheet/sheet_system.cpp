@@ -1,6 +1,7 @@
 #include "pliant/experiment/sheet/sheet_system.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "pliant/experiment/session/balance.h"
@@ -46,6 +47,22 @@ Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::ve
     if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
   }
   return positions;
+}
+
+System::Drive held_drive(const Session& session, const std::vector<int>& held) {
+  return [&session, &held](double time, Configuration& at) {
+    const int frame =
+        std::clamp(static_cast<int>(std::ceil(time)) - 1, 0, session.frame_count() - 1);
+    const double share = time - frame;
+    Eigen::Matrix3Xd places = held_positions(session, frame, held);
+    if (share < 1) {
+      const Eigen::Matrix3Xd before =
+          frame == 0 ? Eigen::Matrix3Xd(session.rest.positions(Eigen::all, held))
+                     : held_positions(session, frame - 1, held);
+      places = before + share * (places - before);
+    }
+    at.positions(Eigen::all, held) = places;
+  };
 }
 
 SheetSystem::SheetSystem(const Session& session, const Material& material,
@@ -97,6 +114,17 @@ Eigen::Matrix3Xd SheetSystem::clip_forces(const Eigen::Matrix3Xd& gradient) cons
         gradient(Eigen::all, clip.clamped).rowwise().sum() - clip.mass * session_.gravity;
   }
   return forces;
+}
+
+Eigen::MatrixXd SheetSystem::clip_forces_by_parameter(const Eigen::MatrixXd& forces) const {
+  Eigen::MatrixXd sums =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * session_.clips.size()), forces.cols());
+  for (std::size_t c = 0; c < session_.clips.size(); ++c) {
+    for (const int node : session_.clips[c].clamped) {
+      sums.middleRows<3>(static_cast<Eigen::Index>(3 * c)) += forces.middleRows<3>(3 * node);
+    }
+  }
+  return sums;
 }
 
 }  // namespace pliant

@@ -18,6 +18,11 @@ std::vector<int> held_nodes(const Session& session, const std::optional<double>&
 /// the table where they rest (m, one column a node of `held`).
 Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held);
 
+/// Moves held nodes evenly from frame to frame. Frame f is at the time f + 1; at the time 0 the
+/// sheet lies at rest.
+/// @param session, held  outlive the drive
+System::Drive held_drive(const Session& session, const std::vector<int>& held);
+
 /// The sheet of a session as a mechanical system: its material and its weight on the rest mesh,
 /// with some nodes held. The session's frames say where those are ([T] 3.4.1).
 class SheetSystem {
@@ -47,6 +52,8 @@ class SheetSystem {
   /// them (N, one column a clip).
   /// @param gradient  dE / d points at an equilibrium
   Eigen::Matrix3Xd clip_forces(const Eigen::Matrix3Xd& gradient) const;
+  /// Their derivatives (3 clips x parameters) from those of the forces (3 points x parameters).
+  Eigen::MatrixXd clip_forces_by_parameter(const Eigen::MatrixXd& forces) const;
 
  private:
   const Session& session_;

@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "pliant/experiment/session.h"
-#include "pliant/experiment/sheet/sheet_equilibria.h"
 #include "pliant/experiment/sheet/sheet_objective.h"
+#include "pliant/experiment/sheet/sheet_predictor.h"
 
 namespace pliant {
 

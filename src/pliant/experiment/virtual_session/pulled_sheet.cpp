@@ -37,26 +37,8 @@ Pose pose_under(const TestClip& clip, const Pose& placed, double load) {
   return {turn, pivot + shift - turn * pivot};
 }
 
-/// Moves held points evenly from frame to frame. Frame f is at the time f + 1; at the time 0 the
-/// sheet lies at rest.
-System::Drive drive_of(const Session& session, const std::vector<int>& held) {
-  return [&session, &held](double time, Configuration& at) {
-    const int frame =
-        std::clamp(static_cast<int>(std::ceil(time)) - 1, 0, session.frame_count() - 1);
-    const double share = time - frame;
-    Eigen::Matrix3Xd places = held_positions(session, frame, held);
-    if (share < 1) {
-      const Eigen::Matrix3Xd before =
-          frame == 0 ? Eigen::Matrix3Xd(session.rest.positions(Eigen::all, held))
-                     : held_positions(session, frame - 1, held);
-      places = before + share * (places - before);
-    }
-    at.positions(Eigen::all, held) = places;
-  };
-}
-
 /// What holds a clip about the middle of its vertices, where its weight acts.
-Wrench holding_wrench(const Session& session, int frame, int clip, const PathPoint& point,
+Wrench holding_wrench(const Session& session, int frame, int clip, const PathEquilibrium& point,
                       const Eigen::Vector3d& force) {
   const Eigen::Vector3d centre = clip_middle(session, frame, clip);
   Wrench wrench{force, Eigen::Vector3d::Zero()};
@@ -68,7 +50,7 @@ Wrench holding_wrench(const Session& session, int frame, int clip, const PathPoi
   return wrench;
 }
 
-PathPoint step_to(int frame, StaticPath& path, const SessionWork& work) {
+PathEquilibrium step_to(int frame, StaticPath& path, const SessionWork& work) {
   try {
     return path.step(frame + 1);
   } catch (const SolverError& error) {
@@ -108,12 +90,12 @@ void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSe
   add_clips(clips, sheet, options, session);
   SheetSystem held(session, material, {}, held_nodes(session, std::nullopt));
   session.warnings.insert(session.warnings.end(), held.warnings().begin(), held.warnings().end());
-  held.system().add_drive(drive_of(session, held.held()));
+  held.system().add_drive(held_drive(session, held.held()));
   StaticPath path(
       held.system(),
       {.newton = {.tolerance = held.tolerance(), .reuse_factor = true, .stop = work.stop}});
   for (int f = 0; f < session.frame_count(); ++f) {
-    const PathPoint point = step_to(f, path, work);
+    const PathEquilibrium point = step_to(f, path, work);
     SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
     frame.positions = path.state().configuration.positions;
     const Eigen::Matrix3Xd forces = held.clip_forces(point.forces);

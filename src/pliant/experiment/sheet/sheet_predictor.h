@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/base/progress.h"
+#include "pliant/mechanics/cloth.h"
+
+namespace pliant {
+
+/// A frame of a session as a material predicts it.
+struct SheetShape {
+  Eigen::Matrix3Xd positions;    ///< of the nodes (m)
+  Eigen::Matrix3Xd clip_forces;  ///< that the cords of each clip pull with (N)
+
+  /// @name Derivatives by chosen parameters: 3 nodes and 3 clips x parameters; empty unless asked
+  /// for
+  /// @{
+  Eigen::MatrixXd positions_by_parameter;
+  Eigen::MatrixXd clip_forces_by_parameter;
+  /// @}
+};
+
+/// What equilibria have cost.
+struct EquilibriumCounts {
+  int equilibria = 0;  ///< found
+  int iterations = 0;  ///< of Newton's method
+  int factors = 0;     ///< of Hessians, derivatives included
+  int unstable = 0;    ///< differentiated with a convex stand-in of their Hessian
+
+  EquilibriumCounts& operator+=(const EquilibriumCounts& other) {
+    equilibria += other.equilibria;
+    iterations += other.iterations;
+    factors += other.factors;
+    unstable += other.unstable;
+    return *this;
+  }
+};
+
+/// Predicts the frames of a session with a material whose parameters change, for estimation.
+class SheetPredictor {
+ public:
+  virtual ~SheetPredictor() = default;
+
+  const std::vector<std::string>& parameter_names() const { return parameters_.names; }
+  /// Those of the material that it was made with.
+  Eigen::VectorXd parameters() const {
+    return Eigen::Map<const Eigen::VectorXd>(parameters_.values.data(),
+                                             static_cast<Eigen::Index>(parameters_.values.size()));
+  }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Of all predictions until now.
+  const EquilibriumCounts& counts() const { return counts_; }
+
+  /// All frames.
+  /// @param parameters  one for each of `parameter_names()`
+  /// @param by          those that derivatives are wanted by; empty: none are
+  /// @return nothing where a frame has no equilibrium
+  virtual std::optional<std::vector<SheetShape>> predict(const Eigen::VectorXd& parameters,
+                                                         const std::vector<int>& by, int threads,
+                                                         const StopToken& stop) = 0;
+
+  /// Where the search for each equilibrium begins when it has not been found before: the positions
+  /// of all nodes, or nothing for the measured shape.
+  virtual void begin_at(std::vector<Eigen::Matrix3Xd> guesses) { static_cast<void>(guesses); }
+  virtual std::vector<Eigen::Matrix3Xd> guesses() const { return {}; }
+
+ protected:
+  ParameterList parameters_;
+  std::vector<std::string> warnings_;
+  EquilibriumCounts counts_;
+};
+
+}  // namespace pliant

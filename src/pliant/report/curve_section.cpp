@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/material/material.h"
 #include "pliant/report/curve_figures.h"
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
@@ -20,17 +21,29 @@ double drawn_strain(const std::string& component, double strain) {
   return component.starts_with("bend") ? std::abs(strain) : strain;
 }
 
+/// The curve of a component that is not even begins at zero, and what is below is not drawn.
+void add_strains_of_sheets(const ComponentStrains& sheets, std::vector<double>& strains) {
+  const bool even = is_even(sheets.component);
+  for (const double strain : sheets.strains) {
+    if (even || strain >= 0) strains.push_back(even ? std::abs(strain) : strain);
+  }
+}
+
 /// Strains of the rows that shaped the component: of fitted experiments, or of all that are
 /// compared in an evaluation.
 std::vector<double> data_strains(const ReportData& data, const std::string& component) {
   std::vector<double> strains;
   for (std::size_t i = 0; i < data.predictions.size(); ++i) {
     const ResultExperiment& e = data.results.experiments[i];
+    if (e.measures_sheets()) continue;  // their rows are not of one strain
     if (e.component != component || (e.validation && !data.results.evaluation)) continue;
     const Prediction& p = data.predictions[i];
     for (std::size_t row = 0; row < p.rows(); ++row) {
       if (p.used[row]) strains.push_back(drawn_strain(component, p.strain[row]));
     }
+  }
+  for (const ComponentStrains& sheets : data.sheet_strains) {
+    if (sheets.component == component) add_strains_of_sheets(sheets, strains);
   }
   return strains;
 }
@@ -52,6 +65,19 @@ std::string captioned(std::string_view caption, Figure figure, FigureSheet& figu
   figure.print_size = kCurveSize;
   return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption,
                      figures.add(figure, "figure-tall"));
+}
+
+/// Sheets are fitted without friction: one line, and the strains of the sheets under it.
+std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve,
+                             FigureSheet& figures) {
+  const std::string caption = fmt::format(
+      "<strong>{}</strong>{}; below, how often elements of the fitted sheets have each strain",
+      escape_html(component_title(curve.component)),
+      any_undetermined(data.results, curve.component, false)
+          ? ": part of its stiffness is not determined by the data"
+          : "");
+  return captioned(caption, elastic_curve_figure(curve, data_strains(data, curve.component)),
+                   figures);
 }
 
 std::string curve_part(const ReportData& data, const ComponentCurve& curve, FigureSheet& figures) {
@@ -87,10 +113,22 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
   return html + "</div></article>\n";
 }
 
+std::string sheet_curves(const ReportData& data, FigureSheet& figures) {
+  std::string html =
+      "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
+      "<p>The material at strains up to the largest in the fitted sheets, with the 95 % band of "
+      "its "
+      "stiffness. Where few elements stand below, the curve leans on few of them.</p>\n"
+      "<div class=\"pair\">\n";
+  for (const ComponentCurve& curve : data.curves) html += sheet_curve_part(data, curve, figures);
+  return html + "</div></section>\n";
+}
+
 }  // namespace
 
 std::string curve_section(const ReportData& data, FigureSheet& figures) {
   if (data.curves.empty()) return {};
+  if (data.is_of_sheets()) return sheet_curves(data, figures);
   std::string html =
       "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
       "<p>The material without its test: one cycle from rest to the largest strain and back. Where "

@@ -31,7 +31,7 @@ int view_frames(const ReportData& data) {
 
 std::string description(const ResultExperiment& e, const SheetData& sheet, bool evaluation) {
   std::vector<std::string> facts;
-  if (!e.direction.empty()) facts.push_back(e.direction);
+  if (e.direction != e.name && !e.direction.empty()) facts.push_back(e.direction);
   facts.push_back(evaluation || e.validation ? "predicted, not fitted" : "fitted");
   facts.push_back(fmt::format("{} frames", sheet.session.frame_count()));
   if (sheet.rms_clip_force) {
@@ -103,10 +103,10 @@ std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figur
 std::string sheet_section(const ReportData& data, FigureSheet& figures) {
   std::string html =
       "<section id=\"experiments\"><h2>Sessions</h2>\n"
-      "<p>A residual that is the same all over the sheet is one of where it was held; one that "
-      "changes from frame to frame is what the material model cannot follow. Measured forces go a "
-      "loop, for cloth and cords rub; an elastic material passes through its middle. Drag to turn, "
-      "hold Ctrl and roll the wheel to come nearer.</p>\n";
+      "<p>Measured forces go a loop, for cloth and cords rub; an elastic material passes through "
+      "its "
+      "middle. Residuals that change from frame to frame are what the material cannot follow. Drag "
+      "a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
   for (std::size_t i = 0; i < data.sheets.size(); ++i) html += sheet_part(data, i, figures);
   return html + "</section>\n";
 }

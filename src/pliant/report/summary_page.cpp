@@ -66,7 +66,7 @@ std::string specimens(const Results& results) {
 std::string sessions(const ReportData& data) {
   int frames = 0;
   for (const auto& sheet : data.sheets) frames += sheet->session.frame_count();
-  return fmt::format("{} of {} frames", data.sheets.size(), frames);
+  return fmt::format("{} with {} frames together", data.sheets.size(), frames);
 }
 
 std::string facts(const ReportData& data) {

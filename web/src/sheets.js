@@ -161,13 +161,13 @@ function element(tag, properties, ...children) {
 
 /** A session: two sheets in one canvas, and what changes them. */
 class View {
-  constructor(place, data) {
+  /** One renderer draws all views: browsers allow a page few of them. */
+  constructor(place, data, renderer) {
     this.place = place;
+    this.renderer = renderer;
     this.data = decode(data);
     this.scale = colourScale(data.colours, data.largest_mm);
     this.canvas = element('canvas', {});
-    // Throws where the browser has no WebGL: the picture stays then.
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.makeControls();
     this.sheets = ['measured', 'predicted'].map((side) => new Sheet(this, side));
     this.aim();
@@ -270,8 +270,8 @@ class View {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(window.devicePixelRatio);
-    this.renderer.setSize(width, height, false);
+    this.canvas.width = width * window.devicePixelRatio;
+    this.canvas.height = height * window.devicePixelRatio;
     const shape = width / 2 / height;
     const half = (MARGIN / 2) * Math.max(this.room.height, this.room.width / shape);
     Object.assign(this.camera, {
@@ -293,25 +293,35 @@ class View {
   }
 
   render() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const { width, height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setScissorTest(true);
+    this.renderer.setSize(width, height, false);
     this.sheets.forEach((sheet, i) => {
       const box = [(i * width) / 2, 0, width / 2, height];
       this.renderer.setViewport(...box);
       this.renderer.setScissor(...box);
-      this.renderer.setClearColor('#fff');
       this.renderer.render(sheet.scene, this.camera);
     });
+    this.canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
   }
 }
 
+/** Throws where the browser has no WebGL. */
+function makeRenderer() {
+  const renderer = new WebGLRenderer({ antialias: true });
+  renderer.setClearColor('#fff');
+  renderer.setScissorTest(true);
+  return renderer;
+}
+
 function drawViews() {
+  let renderer;
   const views = JSON.parse(document.getElementById('sheet-views').textContent);
   for (const [id, data] of Object.entries(views)) {
     const place = document.getElementById(id);
     try {
-      new View(place, data);
+      renderer ??= makeRenderer();
+      new View(place, data, renderer);
     } catch (error) {
       // The picture stays.
       place.dataset.drawn = 'picture';

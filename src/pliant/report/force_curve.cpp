@@ -52,7 +52,7 @@ Eigen::Vector3d apart(const Session& session, int frame, ClipPair pair) {
 }
 
 ForceCurve pull_curve(const Session& session, ClipPair pair) {
-  ForceCurve curve{"", {"Extension", "mm"}, {"Mean pull of opposite clips", "N"}, {}, {}};
+  ForceCurve curve{"", {"Extension", "mm"}, {"Mean pull", "N"}, {}, {}};
   const double at_rest = (rest_middle(session, pair.to) - rest_middle(session, pair.from)).norm();
   for (int frame = 0; frame < session.frame_count(); ++frame) {
     const Eigen::Vector3d now = apart(session, frame, pair);
@@ -64,7 +64,7 @@ ForceCurve pull_curve(const Session& session, ClipPair pair) {
 
 /// Across the line between the clips at rest, in the plane of the sheet.
 ForceCurve slide_curve(const Session& session, ClipPair pair) {
-  ForceCurve curve{"", {"Slide of opposite clips", "mm"}, {"Mean pull along it", "N"}, {}, {}};
+  ForceCurve curve{"", {"Slide of opposite clips", "mm"}, {"Mean pull", "N"}, {}, {}};
   const Eigen::Vector3d at_rest = rest_middle(session, pair.to) - rest_middle(session, pair.from);
   const Eigen::Vector3d along = at_rest.cross(Eigen::Vector3d::UnitZ()).normalized();
   for (int frame = 0; frame < session.frame_count(); ++frame) {

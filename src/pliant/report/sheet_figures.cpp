@@ -56,15 +56,18 @@ void add_profile(const Session& session, int frame, const std::vector<int>& node
 Figure sheet_force_figure(const SheetSession& sheet, bool compact) {
   const std::vector<ForceCurve> measured = force_curves(sheet.measured);
   const std::vector<ForceCurve> predicted = force_curves(sheet.predicted);
-  Figure figure = empty_figure(measured.front().over, measured.front().of, compact);
+  // The name of a force is longer than a small figure is high.
+  const QuantityLabel& force = measured.front().of;
+  const QuantityLabel shown = compact ? QuantityLabel{force.unit, ""} : force;
+  Figure figure = empty_figure(measured.front().over, shown, compact);
   for (const ForceCurve& curve : predicted) {
     figure.traces.push_back(trace(kPredictedSheet, curve.displacement, curve.force, compact));
   }
   for (const ForceCurve& curve : measured) {
     figure.traces.push_back(trace(kMeasuredSheet, curve.displacement, curve.force, compact));
   }
-  figure.description = measured.front().of.name + " against " + measured.front().over.name + ", " +
-                       sheet.measured.test;
+  figure.description =
+      force.name + " against " + measured.front().over.name + ", " + sheet.measured.test;
   return figure;
 }
 

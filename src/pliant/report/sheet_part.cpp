@@ -20,7 +20,7 @@ constexpr PrintSize kFigureSize = {345, 276};
 /// characters in it.
 int view_frames(const ReportData& data) {
   constexpr int kMost = 40, kFewest = 6;
-  constexpr long kCharacters = 3'000'000, kEach = 16;
+  constexpr long kCharacters = 2'400'000, kEach = 16;
   long nodes = 0;
   for (const auto& sheet : data.sheets) {
     if (sheet) nodes += sheet->session.measured.rest.vertex_count();

@@ -20,7 +20,7 @@ namespace {
 using Align = HtmlTable::Align;
 
 constexpr std::size_t kMostFigures = 6;  // two rows of a printed page
-constexpr PrintSize kFigureSize = {226, 150};
+constexpr PrintSize kFigureSize = {226, 112};
 constexpr double kMicro = 1e-6;
 
 bool is_fitted(const ReportData& data, std::size_t i) {

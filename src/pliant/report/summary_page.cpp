@@ -66,7 +66,7 @@ std::string specimens(const Results& results) {
 std::string sessions(const ReportData& data) {
   int frames = 0;
   for (const auto& sheet : data.sheets) frames += sheet->session.frame_count();
-  return fmt::format("{} with {} frames together", data.sheets.size(), frames);
+  return fmt::format("{}, {} frames", data.sheets.size(), frames);
 }
 
 std::string facts(const ReportData& data) {
@@ -349,8 +349,11 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html += facts(data);
   html += data.is_of_sheets() ? sheet_findings(data, figures)
                               : loops(data, figures) + experiment_table(results);
-  html += "<div class=\"columns\">\n" + validity(data) + not_determined(results) + "</div>\n";
-  html += warnings(results);
+  // Sessions have no range of one strain; the warnings take its place.
+  const std::string last = warnings(results);
+  html += "<div class=\"columns\">\n" + (data.is_of_sheets() ? last : validity(data)) +
+          not_determined(results) + "</div>\n";
+  if (!data.is_of_sheets()) html += last;
   html += kSignature;
   html += fmt::format("<p class=\"small\">Pliant {}{}{}</p>\n", escape_html(results.version),
                       results.created.empty() ? "" : ", ", escape_html(results.created));

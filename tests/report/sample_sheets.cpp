@@ -66,6 +66,13 @@ std::string fit_json() {
       .dump(1);
 }
 
+std::string evaluation_json() {
+  return json{{"pliant", "evaluation/1"},
+              {"name", "two sheets"},
+              {"experiments", {experiment("stretch-weft", true), experiment("bend-weft", false)}}}
+      .dump(1);
+}
+
 /// Both clips, along x.
 std::string force_rows(const report::SheetSession& sheet) {
   std::string csv =
@@ -144,16 +151,21 @@ report::SheetSession with_residuals(const Session& measured, double offset, doub
   return sheet;
 }
 
-void write_sample_sheets(const std::filesystem::path& directory) {
+void write_sample_sheets(const std::filesystem::path& directory, bool evaluation) {
   const report::SheetSession stretch = with_residuals(stretched_sheet(5, 5e-3, 100), 1e-3, 0.02);
   const report::SheetSession bend = with_residuals(hanging_sheet(4), 2e-3, 0);
   write_sheet(directory, stretch);
   write_sheet(directory, bend);
-  write_text(directory / "fit.json", fit_json());
-  write_text(directory / "material.json", material_text(test::sheet_cloth(true)));
-  write_text(directory / "curves.csv",
-             "component,strain,load,unload,low,high,elastic,friction_max\n"
-             "stretch.weft,0,0,0,0,0,0,0\nstretch.weft,0.1,8,8,7,9,8,0\n");
+  const std::string header = "component,strain,load,unload,low,high,elastic,friction_max\n";
+  if (evaluation) {
+    write_text(directory / "evaluation.json", evaluation_json());
+    write_text(directory / "curves.csv", header);
+  } else {
+    write_text(directory / "fit.json", fit_json());
+    write_text(directory / "material.json", material_text(test::sheet_cloth(true)));
+    write_text(directory / "curves.csv",
+               header + "stretch.weft,0,0,0,0,0,0,0\nstretch.weft,0.1,8,8,7,9,8,0\n");
+  }
   write_text(directory / "predictions/stretch-weft.csv", force_rows(stretch));
   write_text(directory / "predictions/bend-weft.csv",
              "frame,place,axis,specimen,strain,branch,used,measured_height_mm,predicted_height_mm\n"

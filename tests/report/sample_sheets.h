@@ -22,8 +22,8 @@ Session hanging_sheet(int frames);
 /// pull as much more, each away from the other, as `force` says (N).
 report::SheetSession with_residuals(const Session& measured, double offset, double force);
 
-/// A results directory of a fit to a stretch, whose forces are 0.02 N too large, and a bend, whose
-/// free nodes are 2 mm too high.
-void write_sample_sheets(const std::filesystem::path& directory);
+/// A results directory of a fit to, or an evaluation on, a stretch, whose forces are 0.02 N too
+/// large, and a bend, whose free nodes are 2 mm too high.
+void write_sample_sheets(const std::filesystem::path& directory, bool evaluation = false);
 
 }  // namespace pliant::testing

@@ -15,9 +15,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::TemporaryFolder;
 
-std::string sheet_report() {
+std::string sheet_report(bool evaluation = false) {
   const TemporaryFolder folder;
-  testing::write_sample_sheets(folder.path());
+  testing::write_sample_sheets(folder.path(), evaluation);
   return make_report(folder.path());
 }
 
@@ -58,13 +58,22 @@ TEST(SheetReport, SaysNothingOfFrictionThatWasNotFitted) {
 }
 
 TEST(SheetReport, HasPicturesForReadersWithoutScript) {
-  EXPECT_THAT(sheet_report(), HasSubstr("<div class=\"sheet-view\" id=\"view-1\" role=\"img\" "
-                                        "aria-label=\"Measured and fitted sheet of stretch-weft\">"
-                                        "<svg class=\"sheet-picture\""));
+  EXPECT_THAT(sheet_report(),
+              HasSubstr("<div class=\"sheet-view\" id=\"view-1\" role=\"img\" "
+                        "aria-label=\"Measured and predicted sheet of stretch-weft\">"
+                        "<svg class=\"sheet-picture\""));
 }
 
 TEST(SheetReport, CountsElementsOfTheFittedSheetsUnderACurve) {
   EXPECT_THAT(sheet_report(), HasSubstr("elements of sheets"));
+}
+
+TEST(SheetReport, OfAnEvaluationPredictsWithoutStiffnesses) {
+  const std::string html = sheet_report(/*evaluation=*/true);
+  EXPECT_THAT(html, HasSubstr("The material predicts the forces of clips in 1 session with RMS "
+                              "errors up to 0.020 N"));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Stiffness</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("fitted</small>")));
 }
 
 TEST(SheetReport, OthersHaveNoViews) {

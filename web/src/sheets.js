@@ -1,4 +1,4 @@
-// Draws the three-dimensional views of a report: a measured sheet and its fitted one side by side,
+// Draws the three-dimensional views of a report: a measured sheet and its predicted one side by side,
 // with one camera and one slider of frames (JSON: id -> data, see src/pliant/report/sheet_view.h).
 import {
   ArrowHelper,
@@ -199,7 +199,7 @@ class View {
         { className: 'sheet-scene' },
         this.canvas,
         element('span', { className: 'sheet-title' }, 'measured'),
-        element('span', { className: 'sheet-title sheet-title-right' }, 'fitted'),
+        element('span', { className: 'sheet-title sheet-title-right' }, 'predicted'),
       ),
       element('div', { className: 'sheet-controls' }, this.slider, this.text),
       element(

@@ -10,6 +10,7 @@
 #include "pliant/report/labels.h"
 #include "pliant/report/plot_style.h"
 #include "pliant/report/sections.h"
+#include "pliant/report/sheet_strains.h"
 
 namespace pliant::report {
 namespace {
@@ -19,14 +20,6 @@ constexpr PrintSize kCurveSize = {345, 300};
 /// Bending is drawn to one side: what bends to the other counts alike.
 double drawn_strain(const std::string& component, double strain) {
   return component.starts_with("bend") ? std::abs(strain) : strain;
-}
-
-/// The curve of a component that is not even begins at zero, and what is below is not drawn.
-void add_strains_of_sheets(const ComponentStrains& sheets, std::vector<double>& strains) {
-  const bool even = is_even(sheets.component);
-  for (const double strain : sheets.strains) {
-    if (even || strain >= 0) strains.push_back(even ? std::abs(strain) : strain);
-  }
 }
 
 /// Strains of the rows that shaped the component: of fitted experiments, or of all that are
@@ -41,9 +34,6 @@ std::vector<double> data_strains(const ReportData& data, const std::string& comp
     for (std::size_t row = 0; row < p.rows(); ++row) {
       if (p.used[row]) strains.push_back(drawn_strain(component, p.strain[row]));
     }
-  }
-  for (const ComponentStrains& sheets : data.sheet_strains) {
-    if (sheets.component == component) add_strains_of_sheets(sheets, strains);
   }
   return strains;
 }
@@ -67,16 +57,48 @@ std::string captioned(std::string_view caption, Figure figure, FigureSheet& figu
                      figures.add(figure, "figure-tall"));
 }
 
+std::string_view kind_of(std::string_view component) {
+  return component.substr(0, component.find('.'));
+}
+
+/// The fitted sessions of the test that tells a component, or of those that tell its kind: diagonal
+/// bending shows in the bends along weft and warp.
+std::vector<const Session*> telling_sessions(const ReportData& data, const std::string& component) {
+  std::vector<const Session*> of_component, of_kind;
+  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
+    const ResultExperiment& e = data.results.experiments[i];
+    if (e.validation) continue;
+    const Session* predicted = &data.sheets[i]->session.predicted;
+    if (e.component == component) of_component.push_back(predicted);
+    if (kind_of(e.component) == kind_of(component)) of_kind.push_back(predicted);
+  }
+  return of_component.empty() ? of_kind : of_component;
+}
+
+/// Strains of the fitted sheets. The curve of a component that is not even begins at zero: what is
+/// below is not drawn.
+std::vector<double> strains_of_sheets(const ReportData& data, const std::string& component) {
+  std::vector<double> strains;
+  if (!data.material || !data.material->components.contains(component)) return strains;
+  const bool even = is_even(component);
+  for (const Session* session : telling_sessions(data, component)) {
+    for (const double strain : sheet_strains(*session, *data.material, component)) {
+      if (even || strain >= 0) strains.push_back(std::abs(strain));
+    }
+  }
+  return strains;
+}
+
 /// Sheets are fitted without friction: one line, and the strains of the sheets under it.
 std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve,
                              FigureSheet& figures) {
   const std::string caption = fmt::format(
-      "<strong>{}</strong>{}; below, how often elements of the fitted sheets have each strain",
+      "<strong>{}</strong>{}; below, how many elements of the sheets fitted to it have each strain",
       escape_html(component_title(curve.component)),
       any_undetermined(data.results, curve.component, false)
           ? ": part of its stiffness is not determined by the data"
           : "");
-  return captioned(caption, elastic_curve_figure(curve, data_strains(data, curve.component)),
+  return captioned(caption, elastic_curve_figure(curve, strains_of_sheets(data, curve.component)),
                    figures);
 }
 

@@ -35,17 +35,6 @@ std::optional<SheetData> read_sheet(const std::filesystem::path& directory,
   return sheet;
 }
 
-/// Strains of all predicted sheets that the fit, or the evaluation, is about.
-std::vector<ComponentStrains> strains_of_sheets(const ReportData& data) {
-  std::vector<const Session*> sessions;
-  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
-    if (!data.sheets[i]) continue;
-    const bool counts = data.results.evaluation || !data.results.experiments[i].validation;
-    if (counts) sessions.push_back(&data.sheets[i]->session.predicted);
-  }
-  return data.material ? sheet_strains(sessions, *data.material) : std::vector<ComponentStrains>{};
-}
-
 }  // namespace
 
 bool ReportData::is_of_sheets() const {
@@ -71,7 +60,6 @@ ReportData read_report_data(const std::filesystem::path& directory) {
   const bool any_sheet =
       std::ranges::any_of(data.sheets, [](const auto& sheet) { return sheet.has_value(); });
   if (any_sheet && std::filesystem::exists(material)) data.material = read_material(material);
-  data.sheet_strains = strains_of_sheets(data);
   data.membrane = membrane_measure(material);
   return data;
 }

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "pliant/material/material.h"
 #include "pliant/report/curves.h"
 #include "pliant/report/prediction.h"
 #include "pliant/report/results.h"
 #include "pliant/report/sheet_session.h"
-#include "pliant/report/sheet_strains.h"
 #include "pliant/report/strip_shapes.h"
 
 namespace pliant::report {
@@ -29,7 +29,6 @@ struct ReportData {
   std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
   std::vector<std::optional<SheetData>> sheets;    ///< alike; none where there are no sessions
   std::optional<Material> material;                ///< of sessions, where its file is there
-  std::vector<ComponentStrains> sheet_strains;     ///< of the sessions' predicted sheets
   /// `stvk`, ... where the directory's material file names it: decides how strains are explained.
   std::string membrane;
 

@@ -53,21 +53,23 @@ std::string view(const ReportData& data, const ResultExperiment& e, const SheetS
                  int frame, FigureSheet& figures) {
   const double largest = largest_residual(session);
   const std::string caption = fmt::format(
-      "Measured and fitted sheet{}, coloured by the position residual: light none, dark {} mm. On "
+      "Measured and predicted sheet{}, coloured by the position residual: light none, dark {} mm. "
+      "On "
       "paper frame {}, the most distorted one.",
       session.measured.clips.empty() ? "" : " with the forces of the clips",
       format_significant(1e3 * largest, 2), frame + 1);
   return captioned(caption, figures.add_view(sheet_view(session, view_frames(data)),
-                                             "Measured and fitted sheet of " + e.name,
+                                             "Measured and predicted sheet of " + e.name,
                                              sheet_picture(session, frame, largest)));
 }
 
 std::string residuals(const SheetSession& session, int frame) {
   return captioned(
-      fmt::format("Position residual of frame {}, fitted less measured, {:g} times as long: {} mm "
-                  "(RMS of free nodes)",
-                  frame + 1, kResidualMagnification,
-                  format_significant(1e3 * rms_distance(session, frame), 2)),
+      fmt::format(
+          "Position residual of frame {}, predicted less measured, {:g} times as long: {} mm "
+          "(RMS of free nodes)",
+          frame + 1, kResidualMagnification,
+          format_significant(1e3 * rms_distance(session, frame), 2)),
       residual_picture(session, frame));
 }
 

@@ -150,7 +150,7 @@ std::string sheet_picture(const SheetSession& sheet, int frame, double largest_r
       2, kPanelHeight + 40,
       panel(0, "measured",
             triangles(mesh, measured, part, projection) + arrow_lines(seen, projection)) +
-          panel(1, "fitted",
+          panel(1, "predicted",
                 triangles(mesh, predicted, part, projection) + arrow_lines(found, projection)));
 }
 

@@ -8,16 +8,10 @@
 
 namespace pliant::report {
 
-/// Strains of one component of a material in elements of sheets.
-struct ComponentStrains {
-  std::string component;
-  std::vector<double> strains;
-};
-
-/// The strains in all frames of sessions, element by element, as the measures of a material see
-/// them.
-/// @param material  that predicts the sessions
-std::vector<ComponentStrains> sheet_strains(const std::vector<const Session*>& sessions,
-                                            const Material& material);
+/// The strains of a component in all frames of a session, element by element, as the measures of a
+/// material see them.
+/// @param material  complete, with that component
+std::vector<double> sheet_strains(const Session& session, const Material& material,
+                                  const std::string& component);
 
 }  // namespace pliant::report

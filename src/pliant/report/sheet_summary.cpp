@@ -170,6 +170,7 @@ std::string small_figures(const ReportData& data, FigureSheet& figures) {
 }
 
 std::string search(const Results& results) {
+  if (results.evaluation) return {};
   std::vector<std::string> lines;
   for (const std::string& text : results.assumptions) {
     if (text.starts_with("search: ")) lines.push_back(text.substr(8));

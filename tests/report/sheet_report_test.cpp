@@ -59,7 +59,7 @@ TEST(SheetReport, SaysNothingOfFrictionThatWasNotFitted) {
 
 TEST(SheetReport, HasPicturesForReadersWithoutScript) {
   EXPECT_THAT(sheet_report(),
-              HasSubstr("<div class=\"sheet-view\" id=\"view-1\" role=\"img\" "
+              HasSubstr("<div class=\"sheet-view\" id=\"view-1\" role=\"group\" "
                         "aria-label=\"Measured and predicted sheet of stretch-weft\">"
                         "<svg class=\"sheet-picture\""));
 }

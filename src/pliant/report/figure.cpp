@@ -51,7 +51,7 @@ std::string FigureSheet::add_view(const nlohmann::json& data, const std::string&
   const std::string id = fmt::format("view-{}", views_.size() + 1);
   views_.push_back(fmt::format("\"{}\":{}", id, dump(data)));
   return fmt::format(
-      "<div class=\"sheet-view\" id=\"{}\" role=\"img\" aria-label=\"{}\">{}</div>\n", id,
+      "<div class=\"sheet-view\" id=\"{}\" role=\"group\" aria-label=\"{}\">{}</div>\n", id,
       escape_html(description), picture);
 }
 

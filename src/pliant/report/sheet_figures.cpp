@@ -51,6 +51,14 @@ void add_profile(const Session& session, int frame, const std::vector<int>& node
   figure.traces.push_back(trace(style, x, z, compact));
 }
 
+void add_curves(const std::vector<ForceCurve>& curves, const SeriesStyle& style, bool compact,
+                Figure& figure) {
+  for (const ForceCurve& curve : curves) {
+    figure.traces.push_back(trace(style, curve.displacement, curve.force, compact));
+    if (!curve.clip.empty()) figure.traces.back()["name"] = curve.clip + ", " + style.name;
+  }
+}
+
 }  // namespace
 
 Figure sheet_force_figure(const SheetSession& sheet, bool compact) {
@@ -60,12 +68,8 @@ Figure sheet_force_figure(const SheetSession& sheet, bool compact) {
   const QuantityLabel& force = measured.front().of;
   const QuantityLabel shown = compact ? QuantityLabel{force.unit, ""} : force;
   Figure figure = empty_figure(measured.front().over, shown, compact);
-  for (const ForceCurve& curve : predicted) {
-    figure.traces.push_back(trace(kPredictedSheet, curve.displacement, curve.force, compact));
-  }
-  for (const ForceCurve& curve : measured) {
-    figure.traces.push_back(trace(kMeasuredSheet, curve.displacement, curve.force, compact));
-  }
+  add_curves(predicted, kPredictedSheet, compact, figure);
+  add_curves(measured, kMeasuredSheet, compact, figure);
   figure.description =
       force.name + " against " + measured.front().over.name + ", " + sheet.measured.test;
   return figure;

@@ -107,8 +107,11 @@ std::string sheet_section(const ReportData& data, FigureSheet& figures) {
       "<section id=\"experiments\"><h2>Sessions</h2>\n"
       "<p>Measured forces go a loop, for cloth and cords rub; an elastic material passes through "
       "its "
-      "middle. Residuals that change from frame to frame are what the material cannot follow. Drag "
-      "a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
+      "middle. Residuals that change from frame to frame are what the material cannot "
+      "follow.</p>\n";
+  if (figures.can_draw()) {
+    html += "<p>Drag a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
+  }
   for (std::size_t i = 0; i < data.sheets.size(); ++i) html += sheet_part(data, i, figures);
   return html + "</section>\n";
 }

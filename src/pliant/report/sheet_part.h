@@ -8,8 +8,8 @@
 
 namespace pliant::report {
 
-/// One full-field session, as a row of [T] Fig. 3.6: measured and predicted sheet, residuals, forces
-/// or profiles. An `<article>`.
+/// One full-field session, as a row of [T] Fig. 3.6: measured and predicted sheet, residuals,
+/// forces or profiles. An `<article>`.
 /// @param i  of the experiment
 std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figures);
 

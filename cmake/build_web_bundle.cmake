@@ -1,7 +1,7 @@
 # cmake -DSTEP=packages|bundle -DNPM=program -DWEB=source-folder -DWORK=build-folder -P this
 #
 # Works on a copy of web/ so that the source tree stays clean. When npm fails (a machine without
-# network), the script is empty and the build goes on: reports then show tables and text, and say
+# network), the scripts are empty and the build goes on: reports then show tables and text, and say
 # that this build draws no figures.
 
 function(run_npm result)
@@ -34,7 +34,7 @@ function(build_bundle)
   set(status 1)
   if(EXISTS "${WORK}/node_modules")
     run_npm(status run build)
-    foreach(file IN ITEMS report.js report.css)
+    foreach(file IN ITEMS report.js sheets.js report.css)
       if(NOT status EQUAL 0 OR NOT EXISTS "${WORK}/dist/${file}")
         message(FATAL_ERROR "`npm run build` in ${WORK} made no dist/${file}")
       endif()
@@ -42,6 +42,7 @@ function(build_bundle)
   endif()
   if(NOT status EQUAL 0)
     file(WRITE "${WORK}/dist/report.js" "")
+    file(WRITE "${WORK}/dist/sheets.js" "")
     file(COPY_FILE "${WEB}/src/report.css" "${WORK}/dist/report.css")
   endif()
 endfunction()

@@ -13,6 +13,7 @@
 #include "pliant/report/simulation_report.h"
 
 #include "report/sample_results.h"
+#include "report/sample_sheets.h"
 #include "report/sample_simulation.h"
 
 namespace pliant {
@@ -67,7 +68,8 @@ class BrowserReport : public ::testing::Test {
     const std::string home = (folder_.path() / "home").string();
     const std::string command =
         "HOME='" + home + "' '" + chromium_ +
-        "' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+        "' --headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader --disable-quic "
+        "--no-first-run"
         " --disable-background-networking --disable-component-update --disable-sync"
         " --user-data-dir='" +
         home + "/profile' --virtual-time-budget=20000 --dump-dom 'file://" + file.string() +
@@ -165,6 +167,24 @@ TEST_F(BrowserReport, TakesThePrintedSizeOnPaperAndGivesItUpAfterwards) {
   const std::string document = without_script(document_of(html));
   EXPECT_THAT(document, HasSubstr("data-fits=\"true\""));
   EXPECT_THAT(document, HasSubstr("data-restored=\"true\""));
+}
+
+TEST_F(BrowserReport, ShowsTheFrameOfASheetThatTheSliderChooses) {
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path());
+  const std::string html = when_drawn(make_report(folder.path()), R"(
+      const slider = document.querySelector('#view-1 input[type=range]');
+      if (slider === null) return;
+      slider.value = 1;
+      slider.dispatchEvent(new Event('input'));
+      document.body.dataset.shown = document.querySelector('#view-1 .sheet-frame').textContent;)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("data-ready=\"true\""));
+  EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
+  EXPECT_THAT(document, Not(HasSubstr("data-violation")));
+  if (count(document, "data-drawn=\"picture\"") == 2) GTEST_SKIP() << "Chromium has no WebGL here";
+  EXPECT_THAT(document,
+              HasSubstr("data-shown=\"frame 2 of 5: RMS of free nodes 1 mm, largest 1 mm\""));
 }
 
 /// Shows that the check above would see a request: the policy stops it and marks the document.

@@ -13,6 +13,8 @@ using nlohmann::json;
 
 constexpr int kHistogramBins = 40;
 
+constexpr SeriesStyle kElasticMaterial = {"material", "material", "#00538a", "solid", nullptr, 2.0};
+
 std::vector<double> scaled(std::span<const double> values, double factor) {
   std::vector<double> result(values.begin(), values.end());
   for (double& value : result) value *= factor;
@@ -70,6 +72,26 @@ Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double>
   }
   if (!x.empty() && !data_strains.empty()) {
     add_histogram(figure, x, scaled(data_strains, scale.factor));
+  }
+  figure.description = "Stress against strain of " + curve.component;
+  figure.data_file = "curves.csv";
+  return figure;
+}
+
+Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains) {
+  const StrainScale scale = strain_scale(curve.component);
+  const std::vector<double> x = scaled(curve.strain, scale.factor);
+  Figure figure;
+  figure.layout = base_layout();
+  figure.layout["xaxis"] = axis(scale.label);
+  figure.layout["yaxis"] = axis(stress_label(curve.component));
+  if (!curve.low.empty() && !curve.high.empty()) add_band(figure.traces, x, curve);
+  figure.traces.push_back(trace(kElasticMaterial, x, curve.elastic));
+  if (!x.empty() && !sheet_strains.empty()) {
+    add_histogram(figure, x, scaled(sheet_strains, scale.factor));
+    figure.traces.back()["name"] = "elements of sheets";
+    figure.traces.back()["hovertemplate"] = "%{y} elements<extra></extra>";
+    figure.layout["yaxis2"]["title"]["text"] = "Elements";
   }
   figure.description = "Stress against strain of " + curve.component;
   figure.data_file = "curves.csv";

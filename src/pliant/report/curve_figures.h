@@ -14,6 +14,10 @@ namespace pliant::report {
 Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
                             bool show_friction);
 
+/// Stress against strain of a component without friction with its 95 % band; below it how many
+/// elements of sheets have each strain.
+Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains);
+
 /// The friction stress of the same cycle between the bounds +- sigma_max(strain).
 /// The curve must have its elastic part and its friction bound.
 Figure friction_figure(const ComponentCurve& curve);

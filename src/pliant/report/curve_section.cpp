@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "pliant/material/material.h"
 #include "pliant/report/curve_figures.h"
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
 #include "pliant/report/plot_style.h"
 #include "pliant/report/sections.h"
+#include "pliant/report/sheet_strains.h"
 
 namespace pliant::report {
 namespace {
@@ -26,6 +28,7 @@ std::vector<double> data_strains(const ReportData& data, const std::string& comp
   std::vector<double> strains;
   for (std::size_t i = 0; i < data.predictions.size(); ++i) {
     const ResultExperiment& e = data.results.experiments[i];
+    if (e.measures_sheets()) continue;  // their rows are not of one strain
     if (e.component != component || (e.validation && !data.results.evaluation)) continue;
     const Prediction& p = data.predictions[i];
     for (std::size_t row = 0; row < p.rows(); ++row) {
@@ -52,6 +55,51 @@ std::string captioned(std::string_view caption, Figure figure, FigureSheet& figu
   figure.print_size = kCurveSize;
   return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption,
                      figures.add(figure, "figure-tall"));
+}
+
+std::string_view kind_of(std::string_view component) {
+  return component.substr(0, component.find('.'));
+}
+
+/// The fitted sessions of the test that tells a component, or of those that tell its kind: diagonal
+/// bending shows in the bends along weft and warp.
+std::vector<const Session*> telling_sessions(const ReportData& data, const std::string& component) {
+  std::vector<const Session*> of_component, of_kind;
+  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
+    const ResultExperiment& e = data.results.experiments[i];
+    if (e.validation) continue;
+    const Session* predicted = &data.sheets[i]->session.predicted;
+    if (e.component == component) of_component.push_back(predicted);
+    if (kind_of(e.component) == kind_of(component)) of_kind.push_back(predicted);
+  }
+  return of_component.empty() ? of_kind : of_component;
+}
+
+/// Strains of the fitted sheets. The curve of a component that is not even begins at zero: what is
+/// below is not drawn.
+std::vector<double> strains_of_sheets(const ReportData& data, const std::string& component) {
+  std::vector<double> strains;
+  if (!data.material || !data.material->components.contains(component)) return strains;
+  const bool even = is_even(component);
+  for (const Session* session : telling_sessions(data, component)) {
+    for (const double strain : sheet_strains(*session, *data.material, component)) {
+      if (even || strain >= 0) strains.push_back(std::abs(strain));
+    }
+  }
+  return strains;
+}
+
+/// Sheets are fitted without friction: one line, and the strains of the sheets under it.
+std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve,
+                             FigureSheet& figures) {
+  const std::string caption = fmt::format(
+      "<strong>{}</strong>{}; below, how many elements of the sheets fitted to it have each strain",
+      escape_html(component_title(curve.component)),
+      any_undetermined(data.results, curve.component, false)
+          ? ": part of its stiffness is not determined by the data"
+          : "");
+  return captioned(caption, elastic_curve_figure(curve, strains_of_sheets(data, curve.component)),
+                   figures);
 }
 
 std::string curve_part(const ReportData& data, const ComponentCurve& curve, FigureSheet& figures) {
@@ -87,10 +135,22 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
   return html + "</div></article>\n";
 }
 
+std::string sheet_curves(const ReportData& data, FigureSheet& figures) {
+  std::string html =
+      "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
+      "<p>The material at strains up to the largest in the fitted sheets, with the 95 % band of "
+      "its "
+      "stiffness. Where few elements stand below, the curve leans on few of them.</p>\n"
+      "<div class=\"pair\">\n";
+  for (const ComponentCurve& curve : data.curves) html += sheet_curve_part(data, curve, figures);
+  return html + "</div></section>\n";
+}
+
 }  // namespace
 
 std::string curve_section(const ReportData& data, FigureSheet& figures) {
   if (data.curves.empty()) return {};
+  if (data.is_of_sheets()) return sheet_curves(data, figures);
   std::string html =
       "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
       "<p>The material without its test: one cycle from rest to the largest strain and back. Where "

@@ -41,7 +41,9 @@ std::vector<ComponentCurve> read_curves(const std::filesystem::path& file) {
                                  {"high", &ComponentCurve::high, false},
                                  {"elastic", &ComponentCurve::elastic, false},
                                  {"friction_max", &ComponentCurve::max_friction, false}};
-  const CsvTable table = read_csv(file, CsvOptions{});
+  CsvOptions options;
+  options.rows_optional = true;  // an evaluation of sessions has no curves
+  const CsvTable table = read_csv(file, options);
   const std::vector<std::string> components = table.texts("component");
   std::vector<ComponentCurve> curves;
   for (const Column& column : kColumns) {

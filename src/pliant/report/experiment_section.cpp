@@ -8,6 +8,7 @@
 #include "pliant/report/residual_figure.h"
 #include "pliant/report/sections.h"
 #include "pliant/report/shape_part.h"
+#include "pliant/report/sheet_part.h"
 
 namespace pliant::report {
 namespace {
@@ -124,6 +125,7 @@ std::string loop_part(const ResultExperiment& e, const Prediction& prediction, s
 std::string experiment_part(const ReportData& data, std::size_t i, std::size_t budget,
                             FigureSheet& figures) {
   const ResultExperiment& e = data.results.experiments[i];
+  if (data.sheets[i]) return sheet_part(data, i, figures);
   std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
   html += fmt::format("<p class=\"description\">{}</p>\n",
                       escape_html(description(e, data.results.evaluation)));
@@ -137,6 +139,7 @@ std::string experiment_part(const ReportData& data, std::size_t i, std::size_t b
 std::string experiment_section(const ReportData& data, FigureSheet& figures) {
   const std::vector<ResultExperiment>& experiments = data.results.experiments;
   if (experiments.empty()) return {};
+  if (data.is_of_sheets()) return sheet_section(data, figures);
   std::string html =
       "<section id=\"experiments\"><h2>Experiments</h2>\n"
       "<p>Residuals without a pattern are noise of the measurement; a pattern against strain is "

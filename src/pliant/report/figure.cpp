@@ -25,6 +25,11 @@ std::string escape_for_script(std::string_view json) {
   return escaped;
 }
 
+std::string block(std::string_view id, const std::vector<std::string>& entries) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{{{}}}</script>\n", id,
+                     escape_for_script(fmt::format("{}", fmt::join(entries, ",\n"))));
+}
+
 }  // namespace
 
 std::string FigureSheet::add(const Figure& figure, std::string_view css_class) {
@@ -41,9 +46,19 @@ std::string FigureSheet::add(const Figure& figure, std::string_view css_class) {
       figure.print_size.height, reason, escape_html(figure.data_file));
 }
 
+std::string FigureSheet::add_view(const nlohmann::json& data, const std::string& description,
+                                  const std::string& picture) {
+  const std::string id = fmt::format("view-{}", views_.size() + 1);
+  views_.push_back(fmt::format("\"{}\":{}", id, dump(data)));
+  return fmt::format(
+      "<div class=\"sheet-view\" id=\"{}\" role=\"group\" aria-label=\"{}\">{}</div>\n", id,
+      escape_html(description), picture);
+}
+
 std::string FigureSheet::data_block() const {
-  return fmt::format("<script type=\"application/json\" id=\"figures\">{{{}}}</script>\n",
-                     escape_for_script(fmt::format("{}", fmt::join(entries_, ",\n"))));
+  std::string html = block("figures", entries_);
+  if (has_views()) html += block("sheet-views", views_);
+  return html;
 }
 
 }  // namespace pliant::report

@@ -33,14 +33,22 @@ class FigureSheet {
   /// @param css_class  decides the height on the screen
   std::string add(const Figure& figure, std::string_view css_class);
 
-  bool can_draw() const { return can_draw_; }
+  /// Takes the data of a three-dimensional view and returns the HTML that holds its place, with a
+  /// picture that stands there for readers without script, and on paper.
+  /// @param picture  HTML
+  std::string add_view(const nlohmann::json& data, const std::string& description,
+                       const std::string& picture);
 
-  /// The JSON block, safe inside a script element.
+  bool can_draw() const { return can_draw_; }
+  bool has_views() const { return !views_.empty(); }
+
+  /// The JSON blocks, safe inside script elements.
   std::string data_block() const;
 
  private:
   bool can_draw_;
   std::vector<std::string> entries_;
+  std::vector<std::string> views_;
 };
 
 }  // namespace pliant::report

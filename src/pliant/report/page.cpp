@@ -24,6 +24,13 @@ std::string head(const std::string& title) {
   return html + "</style>\n";
 }
 
+std::string script_element(std::string_view script) {
+  if (script.empty()) return {};
+  std::string html = "<script>\n";
+  html += script;
+  return html + "</script>\n";
+}
+
 }  // namespace
 
 FigureSheet page_figures() { return FigureSheet(!embedded_report_script().empty()); }
@@ -31,12 +38,8 @@ FigureSheet page_figures() { return FigureSheet(!embedded_report_script().empty(
 std::string page(const std::string& title, const std::string& body, const FigureSheet& figures) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n" + head(title) + "</head>\n";
   html += "<body>\n<main>\n" + body + "</main>\n" + figures.data_block();
-  const std::string_view script = embedded_report_script();
-  if (!script.empty()) {
-    html += "<script>\n";
-    html += script;
-    html += "</script>\n";
-  }
+  html += script_element(embedded_report_script());
+  if (figures.has_views()) html += script_element(embedded_sheet_script());
   return html + "</body>\n</html>\n";
 }
 

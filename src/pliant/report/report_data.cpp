@@ -1,9 +1,12 @@
 #include "pliant/report/report_data.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
 #include "pliant/io/text_file.h"
+#include "pliant/material/material_file.h"
 #include "pliant/report/json_reader.h"
 
 namespace pliant::report {
@@ -20,7 +23,24 @@ std::string membrane_measure(const std::filesystem::path& file) {
   return JsonReader(document, file.string(), "").text_or("membrane", "");
 }
 
+std::optional<SheetData> read_sheet(const std::filesystem::path& directory,
+                                    const ResultExperiment& e) {
+  if (!e.measures_sheets()) return std::nullopt;
+  SheetData sheet;
+  sheet.session = read_sheet_session(directory / e.sheet_folder);
+  sheet.rms_distance = rms_distance(sheet.session);
+  if (e.quantity == "force_N") {
+    sheet.rms_clip_force = rms_clip_force(directory / e.prediction_file);
+  }
+  return sheet;
+}
+
 }  // namespace
+
+bool ReportData::is_of_sheets() const {
+  return !sheets.empty() &&
+         std::ranges::all_of(sheets, [](const auto& sheet) { return sheet.has_value(); });
+}
 
 ReportData read_report_data(const std::filesystem::path& directory) {
   ReportData data;
@@ -31,11 +51,16 @@ ReportData read_report_data(const std::filesystem::path& directory) {
   for (const ResultExperiment& experiment : data.results.experiments) {
     data.predictions.push_back(
         read_prediction(directory / experiment.prediction_file, experiment.quantity));
+    data.sheets.push_back(read_sheet(directory, experiment));
     data.shapes.emplace_back();
     if (experiment.shape_file.empty()) continue;
     data.shapes.back() = read_strip_shapes(directory / experiment.shape_file);
   }
-  data.membrane = membrane_measure(directory / "material.json");
+  const std::filesystem::path material = directory / "material.json";
+  const bool any_sheet =
+      std::ranges::any_of(data.sheets, [](const auto& sheet) { return sheet.has_value(); });
+  if (any_sheet && std::filesystem::exists(material)) data.material = read_material(material);
+  data.membrane = membrane_measure(material);
   return data;
 }
 

@@ -5,12 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "pliant/material/material.h"
 #include "pliant/report/curves.h"
 #include "pliant/report/prediction.h"
 #include "pliant/report/results.h"
+#include "pliant/report/sheet_session.h"
 #include "pliant/report/strip_shapes.h"
 
 namespace pliant::report {
+
+/// A full-field session of the results.
+struct SheetData {
+  SheetSession session;
+  double rms_distance = 0;               ///< of all free nodes (m)
+  std::optional<double> rms_clip_force;  ///< N; where forces are compared
+};
 
 /// Everything a report is made from.
 struct ReportData {
@@ -18,8 +27,13 @@ struct ReportData {
   std::vector<ComponentCurve> curves;
   std::vector<Prediction> predictions;  ///< one an experiment, in the order of the results
   std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
+  std::vector<std::optional<SheetData>> sheets;    ///< alike; none where there are no sessions
+  std::optional<Material> material;                ///< of sessions, where its file is there
   /// `stvk`, ... where the directory's material file names it: decides how strains are explained.
   std::string membrane;
+
+  /// Whether there is nothing but full-field sessions.
+  bool is_of_sheets() const;
 };
 
 /// @throws InputError where a file of the directory is missing or not what its format says

@@ -94,6 +94,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   }
   e.unloads = json.flag_or("unloads", false);
   if (json.has("shape_file")) e.shape_file = json.relative_file_or("shape_file", "");
+  if (json.has("sheets")) e.sheet_folder = json.relative_file_or("sheets", "");
   e.handled = json.texts("handled");
   return e;
 }

@@ -37,9 +37,11 @@ struct ResultExperiment {
   std::string name, type, direction, component;
   std::string quantity;  ///< what is measured and predicted, with its unit: `force_N`
   std::string prediction_file;
-  std::string shape_file;  ///< of strips whose profiles are measured; empty otherwise
+  std::string shape_file;    ///< of strips whose profiles are measured; empty otherwise
+  std::string sheet_folder;  ///< of full-field sessions; empty otherwise
   bool validation = false;
 
+  bool measures_sheets() const { return !sheet_folder.empty(); }
   bool measures_lengths() const { return quantity.starts_with("length"); }
   bool measures_overhangs() const { return quantity.starts_with("overhang"); }
 

@@ -9,6 +9,8 @@
 #include "pliant/report/number_format.h"
 #include "pliant/report/sections.h"
 #include "pliant/report/shape_figures.h"
+#include "pliant/report/sheet_figures.h"
+#include "pliant/report/sheet_summary.h"
 #include "pliant/report/verdict.h"
 
 namespace pliant::report {
@@ -61,13 +63,24 @@ std::string specimens(const Results& results) {
   return fmt::format("{} per test, {} points", count, points);
 }
 
-std::string facts(const Results& results) {
+std::string sessions(const ReportData& data) {
+  int frames = 0;
+  for (const auto& sheet : data.sheets) frames += sheet->session.frame_count();
+  return fmt::format("{}, {} frames", data.sheets.size(), frames);
+}
+
+std::string facts(const ReportData& data) {
+  const Results& results = data.results;
   std::vector<std::pair<std::string, std::string>> all;
   if (results.density) {
     all.emplace_back("Area density", format_significant(1000.0 * *results.density, 3) + " g/m²");
   }
   if (!results.material.empty()) all.emplace_back("Material file", results.material);
-  all.emplace_back("Specimens", specimens(results));
+  if (data.is_of_sheets()) {
+    all.emplace_back("Sessions", sessions(data));
+  } else {
+    all.emplace_back("Specimens", specimens(results));
+  }
   all.insert(all.end(), results.conditions.begin(), results.conditions.end());
   all.insert(all.end(), results.info.begin(), results.info.end());
   all.resize(std::min(all.size(), kMaxFacts));
@@ -109,6 +122,13 @@ PrintSize loop_print_size(std::size_t count) {
 /// The small picture of an experiment: its loop, or its strips from the side.
 LoopFigure small_figure(const ReportData& data, std::size_t i) {
   const ResultExperiment& e = data.results.experiments[i];
+  if (data.sheets[i]) {
+    LoopFigure sheet;
+    sheet.figure = sheet_figure(data.sheets[i]->session, /*compact=*/true);
+    sheet.figure.data_file = e.sheet_folder;
+    sheet.legend = {kMeasuredSheet, kPredictedSheet};
+    return sheet;
+  }
   if (!data.shapes[i]) {
     return loop_figure(e, data.predictions[i], {.budget = kLoopBudget, .compact = true});
   }
@@ -250,7 +270,7 @@ struct StrainRange {
 std::vector<StrainRange> strain_ranges(const Results& results) {
   std::vector<StrainRange> ranges;
   for (const ResultExperiment& e : results.experiments) {
-    if (!e.strain_range || (e.validation && !results.evaluation)) continue;
+    if (!e.strain_range || e.measures_sheets() || (e.validation && !results.evaluation)) continue;
     const auto [low, high] = *e.strain_range;
     const auto known = std::find_if(ranges.begin(), ranges.end(), [&](const StrainRange& range) {
       return range.component == e.component;
@@ -323,13 +343,17 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html +=
       results.evaluation ? " <span>evaluation of a material</span>" : " <span>material fit</span>";
   html += "</h1></header>\n";
-  html +=
-      fmt::format("<p class=\"verdict\">{}</p>\n", escape_html(shortened(verdict(results), 480)));
-  html += facts(results);
-  html += loops(data, figures);
-  html += experiment_table(results);
-  html += "<div class=\"columns\">\n" + validity(data) + not_determined(results) + "</div>\n";
-  html += warnings(results);
+  html += fmt::format(
+      "<p class=\"verdict\">{}</p>\n",
+      escape_html(shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(results), 480)));
+  html += facts(data);
+  html += data.is_of_sheets() ? sheet_findings(data, figures)
+                              : loops(data, figures) + experiment_table(results);
+  // Sessions have no range of one strain; the warnings take its place.
+  const std::string last = warnings(results);
+  html += "<div class=\"columns\">\n" + (data.is_of_sheets() ? last : validity(data)) +
+          not_determined(results) + "</div>\n";
+  if (!data.is_of_sheets()) html += last;
   html += kSignature;
   html += fmt::format("<p class=\"small\">Pliant {}{}{}</p>\n", escape_html(results.version),
                       results.created.empty() ? "" : ", ", escape_html(results.created));

@@ -134,7 +134,7 @@ std::string position_sentence(const std::vector<ResultExperiment>& experiments) 
   std::size_t lengths = 0, profiles = 0;
   double largest_length = 0.0, largest_distance = 0.0;
   for (const ResultExperiment& e : experiments) {
-    if (e.rms_percent_of_peak || !e.rms_position_mm) continue;
+    if (e.rms_percent_of_peak || !e.rms_position_mm || e.measures_sheets()) continue;
     const bool profile = e.rms_percent_of_length.has_value();
     double& largest = profile ? largest_distance : largest_length;
     largest = std::max(largest, *e.rms_position_mm);
@@ -180,6 +180,7 @@ std::vector<std::string> loading_only_components(const Results& results) {
   std::vector<std::pair<std::string, bool>> unloads;  // in the order of the experiments
   for (const ResultExperiment& e : results.experiments) {
     if (e.validation && !results.evaluation) continue;
+    if (e.measures_sheets()) continue;  // fitted as elastic: friction is out of the question
     auto known = std::find_if(unloads.begin(), unloads.end(),
                               [&](const auto& entry) { return entry.first == e.component; });
     if (known == unloads.end()) known = unloads.insert(known, {e.component, false});

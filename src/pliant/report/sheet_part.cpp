@@ -1,0 +1,119 @@
+#include "pliant/report/sheet_part.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/sheet_figures.h"
+#include "pliant/report/sheet_picture.h"
+#include "pliant/report/sheet_view.h"
+
+namespace pliant::report {
+namespace {
+
+constexpr PrintSize kFigureSize = {345, 276};
+
+/// Frames of each three-dimensional view, so that a page stays light: a node of a frame takes 16
+/// characters in it.
+int view_frames(const ReportData& data) {
+  constexpr int kMost = 40, kFewest = 6;
+  constexpr long kCharacters = 2'400'000, kEach = 16;
+  long nodes = 0;
+  for (const auto& sheet : data.sheets) {
+    if (sheet) nodes += sheet->session.measured.rest.vertex_count();
+  }
+  const long frames = kCharacters / (kEach * std::max(nodes, 1L));
+  return static_cast<int>(std::clamp<long>(frames, kFewest, kMost));
+}
+
+std::string description(const ResultExperiment& e, const SheetData& sheet, bool evaluation) {
+  std::vector<std::string> facts;
+  if (e.direction != e.name && !e.direction.empty()) facts.push_back(e.direction);
+  facts.push_back(evaluation || e.validation ? "predicted, not fitted" : "fitted");
+  facts.push_back(fmt::format("{} frames", sheet.session.frame_count()));
+  if (sheet.rms_clip_force) {
+    facts.push_back(
+        "RMS error of the clips' forces " + format_significant(sheet.rms_clip_force, 2) + " N" +
+        (e.peak_force ? fmt::format(", largest component {} N", format_significant(e.peak_force, 3))
+                      : std::string()));
+  }
+  facts.push_back("RMS distance of all free nodes " +
+                  format_significant(1e3 * sheet.rms_distance, 2) + " mm");
+  return fmt::format("{}", fmt::join(facts, " · "));
+}
+
+std::string captioned(std::string_view caption, const std::string& figure) {
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption, figure);
+}
+
+std::string view(const ReportData& data, const ResultExperiment& e, const SheetSession& session,
+                 int frame, FigureSheet& figures) {
+  const double largest = largest_residual(session);
+  const std::string caption = fmt::format(
+      "Measured and predicted sheet{}, coloured by the position residual: light none, dark {} mm. "
+      "On "
+      "paper frame {}, the most distorted one.",
+      session.measured.clips.empty() ? "" : " with the forces of the clips",
+      format_significant(1e3 * largest, 2), frame + 1);
+  return captioned(caption, figures.add_view(sheet_view(session, view_frames(data)),
+                                             "Measured and predicted sheet of " + e.name,
+                                             sheet_picture(session, frame, largest)));
+}
+
+std::string residuals(const SheetSession& session, int frame) {
+  return captioned(
+      fmt::format(
+          "Position residual of frame {}, predicted less measured, {:g} times as long: {} mm "
+          "(RMS of free nodes)",
+          frame + 1, kResidualMagnification,
+          format_significant(1e3 * rms_distance(session, frame), 2)),
+      residual_picture(session, frame));
+}
+
+std::string graph(const ResultExperiment& e, const SheetSession& session, FigureSheet& figures) {
+  Figure figure = sheet_figure(session, /*compact=*/false);
+  figure.data_file = e.sheet_folder;
+  figure.print_size = kFigureSize;
+  const bool bends = session.measured.clips.empty();
+  const std::string_view caption = bends ? "The middle of the sheet from the side, in some frames"
+                                         : "Force against displacement";
+  return captioned(caption, figures.add(figure, "figure-tall"));
+}
+
+}  // namespace
+
+std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figures) {
+  const ResultExperiment& e = data.results.experiments[i];
+  const SheetData& sheet = *data.sheets[i];
+  std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
+  html += fmt::format("<p class=\"description\">{}</p>\n",
+                      escape_html(description(e, sheet, data.results.evaluation)));
+  const int frame = most_distorted_frame(sheet.session.measured);
+  html += view(data, e, sheet.session, frame, figures);
+  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
+  html += "<div class=\"pair\">\n" + graph(e, sheet.session, figures) +
+          residuals(sheet.session, frame) + "</div>\n";
+  if (!e.handled.empty()) {
+    html += "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
+  }
+  return html + "</article>\n";
+}
+
+std::string sheet_section(const ReportData& data, FigureSheet& figures) {
+  std::string html =
+      "<section id=\"experiments\"><h2>Sessions</h2>\n"
+      "<p>Measured forces go a loop, for cloth and cords rub; an elastic material passes through "
+      "its "
+      "middle. Residuals that change from frame to frame are what the material cannot "
+      "follow.</p>\n";
+  if (figures.can_draw()) {
+    html += "<p>Drag a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
+  }
+  for (std::size_t i = 0; i < data.sheets.size(); ++i) html += sheet_part(data, i, figures);
+  return html + "</section>\n";
+}
+
+}  // namespace pliant::report

@@ -1,0 +1,253 @@
+#include "pliant/report/sheet_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/labels.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/sheet_figures.h"
+#include "pliant/report/verdict.h"
+
+namespace pliant::report {
+namespace {
+
+using Align = HtmlTable::Align;
+
+constexpr std::size_t kMostFigures = 6;  // two rows of a printed page
+constexpr PrintSize kFigureSize = {226, 112};
+constexpr double kMicro = 1e-6;
+
+bool is_fitted(const ReportData& data, std::size_t i) {
+  return !data.results.evaluation && !data.results.experiments[i].validation;
+}
+
+/// The sessions of a role, and the largest of their errors.
+struct Errors {
+  int of_forces = 0, of_positions = 0;
+  double force = 0, percent = 0;  // N, of the largest component of a force
+  double distance = 0;            // m
+
+  void add(const ResultExperiment& e, const SheetData& sheet) {
+    if (!sheet.rms_clip_force) {
+      ++of_positions;
+      distance = std::max(distance, sheet.rms_distance);
+      return;
+    }
+    ++of_forces;
+    force = std::max(force, *sheet.rms_clip_force);
+    if (e.peak_force.value_or(0) > 0) {
+      percent = std::max(percent, 100 * *sheet.rms_clip_force / *e.peak_force);
+    }
+  }
+};
+
+Errors errors_of(const ReportData& data, bool fitted) {
+  Errors errors;
+  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
+    if (is_fitted(data, i) == fitted) errors.add(data.results.experiments[i], *data.sheets[i]);
+  }
+  return errors;
+}
+
+std::string counted(int sessions, std::string_view role) {
+  return fmt::format("{}{}{} session{}", sessions, role.empty() ? "" : " ", role,
+                     sessions == 1 ? "" : "s");
+}
+
+/// @param opening  "It predicts"
+/// @param role     of the sessions, "fitted"
+std::string sentence(const Errors& errors, std::string_view opening, std::string_view role) {
+  std::vector<std::string> parts;
+  if (errors.of_forces > 0) {
+    parts.push_back(
+        fmt::format("the forces of clips in {} with RMS errors up to {} N ({} of the "
+                    "largest)",
+                    counted(errors.of_forces, role), format_significant(errors.force, 2),
+                    format_percent(errors.percent)));
+  }
+  if (errors.of_positions > 0) {
+    parts.push_back(fmt::format("the shapes in {} with RMS distances up to {} mm",
+                                counted(errors.of_positions, role),
+                                format_significant(1e3 * errors.distance, 2)));
+  }
+  if (parts.empty()) return {};
+  return fmt::format("{} {}. ", opening, fmt::join(parts, ", and "));
+}
+
+std::string undetermined_sentence(const Results& results) {
+  const std::vector<std::string> items = undetermined(results);
+  if (results.evaluation || items.empty()) return {};
+  constexpr std::size_t kMost = 4;
+  const std::size_t named = items.size() > kMost ? kMost - 1 : items.size();
+  std::string text =
+      fmt::format("The data do not determine {}",
+                  fmt::join(items.begin(), items.begin() + std::ptrdiff_t(named), ", "));
+  if (named < items.size()) text += fmt::format(" and {} more", items.size() - named);
+  return text + ". ";
+}
+
+/// What the thesis calls a test in its tables.
+std::string_view name_in_thesis(std::string_view test) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kNames = {
+      {{"stretch-weft", "Stretch-X"},
+       {"stretch-warp", "Stretch-Y"},
+       {"shear", "Shear"},
+       {"bend-weft", "Bend-X"},
+       {"bend-warp", "Bend-Y"}}};
+  const auto* found = std::ranges::find(kNames, test, &decltype(kNames)::value_type::first);
+  return found != kNames.end() ? found->second : test;
+}
+
+std::string as_compared(const SheetData& sheet) {
+  return sheet.rms_clip_force ? format_significant(sheet.rms_clip_force, 3) + " N"
+                              : format_significant(1e3 * sheet.rms_distance, 3) + " mm";
+}
+
+using Parameters = std::vector<const ResultParameter*>;
+
+Parameters stiffness_of(const Results& results, std::string_view component) {
+  Parameters found;
+  for (const ResultParameter& p : results.parameters) {
+    if (p.component == component && p.name.find(".friction.") == std::string::npos) {
+      found.push_back(&p);
+    }
+  }
+  return found;
+}
+
+/// Value and standard error in the shown unit; a value that the data do not determine stands in
+/// brackets.
+void add_value(HtmlTable& table, const ResultParameter& p, double unit) {
+  const auto shown = [&](std::optional<double> value) {
+    return value ? std::optional(*value / unit) : std::nullopt;
+  };
+  const UncertainFormat format(shown(p.value), shown(p.std_error));
+  table.cell(p.identified ? format(shown(p.value)) : fmt::format("({})", format(shown(p.value))));
+  table.cell(p.std_error ? format(shown(p.std_error)) : std::string(kNoValue));
+}
+
+void add_stiffness(HtmlTable& table, const Material& material, const std::string& component,
+                   const Results& results) {
+  const Parameters parameters = stiffness_of(results, component);
+  if (parameters.empty()) return;
+  const bool known = std::ranges::any_of(parameters, &ResultParameter::identified);
+  const double unit = is_bending(component) ? kMicro : 1;
+  const StrainScale scale = strain_scale(component);
+  const double end = material.components.at(component).stiffness->knots().back();
+  table.begin_row(known ? "" : "undetermined");
+  table.cell(component_title(component));
+  add_value(table, *parameters.front(), unit);
+  if (parameters.size() > 1) {
+    add_value(table, *parameters.back(), unit);
+    table.cell(format_significant(scale.factor * end, 2) + " " + scale.label.unit);
+  } else {
+    for (const char* cell : {"the same", kNoValue, kNoValue}) table.cell(cell);
+  }
+  table.cell(is_bending(component) ? "µN m" : "N/m");
+}
+
+std::string small_figures(const ReportData& data, FigureSheet& figures) {
+  const std::size_t shown = std::min(data.sheets.size(), kMostFigures);
+  std::string html =
+      "<section class=\"figure-block\"><h2>Measured (thin) and material (thick)</h2>";
+  html += "\n<div class=\"loops\">\n";
+  for (std::size_t i = 0; i < shown; ++i) {
+    const ResultExperiment& e = data.results.experiments[i];
+    Figure figure = sheet_figure(data.sheets[i]->session, /*compact=*/true);
+    figure.data_file = e.sheet_folder;
+    figure.print_size = kFigureSize;
+    html += fmt::format("<figure><figcaption><strong>{}</strong> {}</figcaption>\n{}</figure>\n",
+                        escape_html(e.name), is_fitted(data, i) ? "fitted" : "predicted",
+                        figures.add(figure, "figure-short"));
+  }
+  return html + "</div></section>\n";
+}
+
+std::string search(const Results& results) {
+  if (results.evaluation) return {};
+  std::vector<std::string> lines;
+  for (const std::string& text : results.assumptions) {
+    if (text.starts_with("search: ")) lines.push_back(text.substr(8));
+  }
+  if (!results.stages.empty()) {
+    const auto kept = std::ranges::count_if(results.stages, &FitStage::accepted);
+    lines.push_back(fmt::format("{} stages, {} of them kept", results.stages.size(), kept));
+  }
+  if (results.seconds) lines.push_back(format_significant(results.seconds, 3) + " s");
+  if (lines.empty()) return {};
+  return fmt::format("<p class=\"small\">Search: {}.</p>\n",
+                     escape_html(fmt::format("{}", fmt::join(lines, "; "))));
+}
+
+}  // namespace
+
+std::string sheet_verdict(const ReportData& data) {
+  std::string text;
+  if (!data.results.converged) {
+    text += "The fit did not converge: its numbers are where it stopped, not an optimum. ";
+  }
+  text += sentence(errors_of(data, true), "The material reproduces", "fitted");
+  text += data.results.evaluation ? sentence(errors_of(data, false), "The material predicts", "")
+                                  : sentence(errors_of(data, false), "It predicts", "other");
+  text += undetermined_sentence(data.results);
+  text.pop_back();
+  return text;
+}
+
+std::string stiffness_table(const ReportData& data) {
+  if (data.results.parameters.empty() || !data.material) return {};
+  HtmlTable table({{"Stiffness"},
+                   {"At zero strain", Align::number},
+                   {"Standard error", Align::number},
+                   {"At the end", Align::number},
+                   {"Standard error", Align::number},
+                   {"End of the range", Align::number},
+                   {"Unit"}},
+                  "compact");
+  for (const std::string& component : cloth_component_names()) {
+    if (data.material->components.contains(component)) {
+      add_stiffness(table, *data.material, component, data.results);
+    }
+  }
+  if (table.empty()) return {};
+  return "<section><h2>Stiffness</h2>\n" + table.html() +
+         "<p class=\"small\">The range is that of strains in the fitted sheets, of bending that of "
+         "curvatures; few elements reach its end. A value in brackets is one that the data do not "
+         "determine. Weft and warp share a row where they share a curve.</p></section>\n";
+}
+
+std::string residual_table(const ReportData& data) {
+  std::vector<HtmlTable::Column> columns = {{"RMS residual"}};
+  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
+    const std::string_view test = name_in_thesis(data.sheets[i]->session.measured.test);
+    columns.push_back(
+        {data.results.experiments[i].name, Align::number,
+         fmt::format("{}, {}", escape_html(test), is_fitted(data, i) ? "fitted" : "predicted")});
+  }
+  HtmlTable table(std::move(columns), "compact");
+  table.begin_row();
+  table.cell("as compared");
+  for (const auto& sheet : data.sheets) table.cell(as_compared(*sheet));
+  table.begin_row();
+  table.cell("free nodes");
+  for (const auto& sheet : data.sheets) {
+    table.cell(format_significant(1e3 * sheet->rms_distance, 3) + " mm");
+  }
+  return "<section><h2>Residuals</h2>\n" + table.html() +
+         "<p class=\"small\">As compared: of bends the distance of all free nodes, of others the "
+         "difference of the clips' forces, of shear along the clips. Free nodes: the distance "
+         "between measured and predicted nodes of all frames.</p></section>\n";
+}
+
+std::string sheet_findings(const ReportData& data, FigureSheet& figures) {
+  return stiffness_table(data) + residual_table(data) + small_figures(data, figures) +
+         search(data.results);
+}
+
+}  // namespace pliant::report

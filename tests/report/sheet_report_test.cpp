@@ -1,0 +1,86 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/report/report.h"
+
+#include "report/sample_results.h"
+#include "report/sample_sheets.h"
+
+namespace pliant {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::TemporaryFolder;
+
+std::string sheet_report(bool evaluation = false) {
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path(), evaluation);
+  return make_report(folder.path());
+}
+
+TEST(SheetReport, OpensWithTheErrorsOfForcesAndShapes) {
+  EXPECT_THAT(sheet_report(),
+              HasSubstr("The material reproduces the forces of clips in 1 fitted session with RMS "
+                        "errors up to 0.020 N (4.0 % of the largest), and the shapes in 1 fitted "
+                        "session with RMS distances up to 2.0 mm. The data do not determine "
+                        "stiffness of bend.weft."));
+}
+
+TEST(SheetReport, HasTheResidualsOfTheThesisTables) {
+  EXPECT_THAT(sheet_report(), HasSubstr("<td>as compared</td><td class=\"number\">0.0200 N</td>"
+                                        "<td class=\"number\">2.00 mm</td>"));
+  EXPECT_THAT(sheet_report(), HasSubstr("<td>free nodes</td><td class=\"number\">1.00 mm</td>"
+                                        "<td class=\"number\">2.00 mm</td>"));
+}
+
+TEST(SheetReport, TellsStiffnessAtZeroAndAtTheEndOfTheRange) {
+  EXPECT_THAT(sheet_report(),
+              HasSubstr("<td>Weft stretch</td><td class=\"number\">80.0</td>"
+                        "<td class=\"number\">1.0</td><td class=\"number\">480.0</td>"
+                        "<td class=\"number\">5.0</td><td class=\"number\">50 %</td>"
+                        "<td>N/m</td>"));
+}
+
+TEST(SheetReport, PutsUndeterminedStiffnessInBrackets) {
+  EXPECT_THAT(sheet_report(), HasSubstr("<tr class=\"undetermined\"><td>Weft bending</td>"
+                                        "<td class=\"number\">(6.0)</td>"));
+}
+
+TEST(SheetReport, TellsTheSearch) {
+  EXPECT_THAT(sheet_report(), HasSubstr("Search: 7 equilibria; 3 stages, 2 of them kept; 12.0 s."));
+}
+
+TEST(SheetReport, SaysNothingOfFrictionThatWasNotFitted) {
+  EXPECT_THAT(sheet_report(), Not(HasSubstr("friction of stretch.weft")));
+}
+
+TEST(SheetReport, HasPicturesForReadersWithoutScript) {
+  EXPECT_THAT(sheet_report(),
+              HasSubstr("<div class=\"sheet-view\" id=\"view-1\" role=\"group\" "
+                        "aria-label=\"Measured and predicted sheet of stretch-weft\">"
+                        "<svg class=\"sheet-picture\""));
+}
+
+TEST(SheetReport, CountsElementsOfTheFittedSheetsUnderACurve) {
+  EXPECT_THAT(sheet_report(), HasSubstr("elements of sheets"));
+}
+
+TEST(SheetReport, OfAnEvaluationPredictsWithoutStiffnesses) {
+  const std::string html = sheet_report(/*evaluation=*/true);
+  EXPECT_THAT(html, HasSubstr("The material predicts the forces of clips in 1 session with RMS "
+                              "errors up to 0.020 N"));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Stiffness</h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("fitted</small>")));
+}
+
+TEST(SheetReport, OthersHaveNoViews) {
+  const TemporaryFolder folder;
+  testing::write_sample_results(folder.path(), {});
+  EXPECT_THAT(make_report(folder.path()), Not(HasSubstr("id=\"sheet-views\"")));
+}
+
+}  // namespace
+}  // namespace pliant

@@ -12,6 +12,7 @@
 #include "pliant/experiment/data_source.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/make_experiment.h"
+#include "pliant/experiment/sheet/sheet_test.h"
 #include "pliant/experiment/study.h"
 
 #include "apps/pliant/bending_length_info.h"
@@ -111,6 +112,30 @@ void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
                   spec.name, spec.type));
 }
 
+/// A session: `info` of its directory tells the rest.
+void add_session(const ExperimentSpec& spec, FileInfo& info, Json& json) {
+  const Session session = read_session(spec.data.files.front());
+  const std::vector<std::string> components = usual_components(session.test);
+  std::string tells = spec.role == ExperimentRole::fit ? "fitted" : "predicted, not fitted";
+  if (spec.role == ExperimentRole::fit && !components.empty()) {
+    tells += ": determines " + components.front();
+  }
+  info.lines.push_back(labelled(spec.name, fmt::format("session, {}, {}", session.test, tells)));
+  info.lines.push_back(
+      labelled("frames",
+               fmt::format("{}, {} vertices, {} clips; compared: {}", session.frame_count(),
+                           session.rest.vertex_count(), session.clips.size(),
+                           name_of(spec.objective.value_or(usual_objective(session)))),
+               1));
+  json["test"] = session.test;
+  json["frames"] = session.frame_count();
+  json["vertices"] = session.rest.vertex_count();
+  json["clips"] = session.clips.size();
+  for (const std::string& warning : session.warnings) {
+    info.warnings.push_back(spec.name + ": " + warning);
+  }
+}
+
 std::string peak_label(const ExperimentInfo& about) {
   if (about.type == "buckling-bend") return "span of force";
   return is_bending(about.component) ? "peak moment" : "peak force";
@@ -181,6 +206,8 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
         json["bending_length"] = bending_length_json(read_overhangs(DataRows(spec.data)),
                                                      spec.angle, study.density * kStandardGravity);
       }
+    } else if (measures_sheets(spec.type)) {
+      add_session(spec, info, json);
     } else {
       add_unused(spec, info, json);
     }

@@ -72,6 +72,11 @@ void share_threads(const Experiments& experiments, size_t components, int thread
 StudyResult fit_study(const Study& study, const StudyFitOptions& options,
                       const RunContext& context) {
   if (fits_sheets(study)) return fit_sheet_study(study, context);
+  if (study.model.isotropic) {
+    throw InputError({study.file, 0, "model.variant"},
+                     "components are fitted one by one: weft and warp have nothing to share",
+                     "nonlinear-orthotropic or linear-orthotropic, or sessions to fit");
+  }
   const auto begin = std::chrono::steady_clock::now();
   StudyResult result = describe(study);
   const Experiments experiments = read_experiments(study, result);

@@ -236,8 +236,12 @@ ExperimentSpec read_experiment(const Value& node, const Defaults& defaults,
   spec.data = read_data_source(fields.require("data"));
   read_type_fields(fields, defaults, spec);
   if (auto v = fields.optional("standard")) spec.standard = v->text();
-  if (auto v = fields.optional("noise")) spec.noise = read_noise(*v, spec.type);
-  if (auto v = fields.optional("exclude")) {
+  // Of sessions noise is estimated, and a frame is not a row.
+  const bool rows = !measures_sheets(spec.type);
+  if (auto v = rows ? fields.optional("noise") : std::nullopt) {
+    spec.noise = read_noise(*v, spec.type);
+  }
+  if (auto v = rows ? fields.optional("exclude") : std::nullopt) {
     for (const Value& rows : v->items()) spec.excluded.push_back(read_excluded_rows(rows));
   }
   fields.finish();

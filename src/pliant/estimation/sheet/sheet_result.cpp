@@ -86,6 +86,12 @@ std::vector<int> directions(const std::vector<double>& travels) {
   return direction;
 }
 
+/// Nodes or clips that are compared in all frames: errors are distances and forces in space, as in
+/// [T] Tables A.1-A.4, where only one coordinate is compared its absolute value.
+double compared_vectors(const SheetTest& test) {
+  return test.objective() == SheetObjective::parallel_clip_forces ? test.rows() : test.rows() / 3.0;
+}
+
 MeasuredQuantity quantity_of(const SheetTest& test) {
   if (test.objective() == SheetObjective::positions) {
     return {"height_mm", "distance", "mm", 1e3};
@@ -133,12 +139,12 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   };
   result.measured = as_vector(rows.measured);
   result.predicted = as_vector(rows.predicted);
-  result.rms = std::sqrt(squares / test.rows());
+  result.rms = std::sqrt(squares / compared_vectors(test));
   const bool positions = test.objective() == SheetObjective::positions;
   const double side = std::max(session.sample.width, session.sample.height);
   result.peak_force = positions ? 0 : result.measured.cwiseAbs().maxCoeff();
   result.rms_percent = 100 * result.rms / (positions ? side : std::max(result.peak_force, 1e-12));
-  result.points = test.rows();
+  result.points = static_cast<int>(compared_vectors(test));
   result.specimens = {session.sample.id.empty() ? "1" : session.sample.id};
   result.noise = result.rms;
   result.noise_source = "from the residuals";

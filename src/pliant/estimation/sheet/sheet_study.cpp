@@ -69,14 +69,10 @@ ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index 
   return estimate;
 }
 
-double frames_of(const std::vector<SheetStage>& plan) {
-  double most = 0;
-  for (const SheetStage& stage : plan) {
-    double frames = 0;
-    for (const SheetTest* test : stage.tests) frames += test->frame_count();
-    most = std::max(most, frames);
-  }
-  return most;
+double frames_of(const std::vector<const SheetTest*>& tests) {
+  double frames = 0;
+  for (const SheetTest* test : tests) frames += test->frame_count();
+  return frames;
 }
 
 /// What a fit found counts as measured, its guesses as assumed.
@@ -112,8 +108,9 @@ std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
   auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
   if (!shapes) {
-    throw SolverError("the equilibrium of every frame of " + test.name(),
-                      predictor->counts().iterations, 0);
+    throw SolverError(
+        fmt::format("the equilibrium of frame {} of {}", predictor->failed_frame(), test.name()),
+        predictor->counts().iterations, 0);
   }
   return std::move(*shapes);
 }
@@ -131,6 +128,29 @@ void add_predictions(const std::vector<SheetExperiment>& experiments, const Mate
     if (!components.empty()) row.component = components.front();
     result.experiments.push_back(std::move(row));
     task.advance(static_cast<double>(i + 1));
+  }
+}
+
+/// What a study may ask of fits of single components alone.
+void refuse_foreign_options(const Study& study) {
+  const auto refuse = [&](const char* field, const std::string& what, const char* expected) {
+    throw InputError({study.file, 0, field}, what, expected);
+  };
+  if (study.model.stiffness == CurveKind::affine) {
+    refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
+           "constant or hermite");
+  }
+  if (study.fit.estimator == EstimatorKind::anchor) {
+    refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
+  }
+  if (!study.fit.fix.empty() || !study.fit.bounds.empty() || !study.fit.priors.empty()) {
+    refuse("fit", "bounds, fix and priors are not used in fits of sheets",
+           "a fit without them, of which `plan` says what is fitted to what");
+  }
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (measures_sheets(spec.type) || spec.role != ExperimentRole::fit) continue;
+    refuse("experiments", "a fit of sheets takes no " + spec.type + " along: " + spec.name,
+           "studies of their own, or the experiment under `validate`");
   }
 }
 
@@ -168,6 +188,7 @@ bool fits_sheets(const Study& study) {
 StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
   const auto begin = std::chrono::steady_clock::now();
   StudyResult result = describe(study);
+  refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   SheetFit fit = fit_sheets(study, plan, context);
@@ -181,8 +202,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   result.covariance = uncertainty.covariance;
-  const double degrees =
-      std::max(frames_of(plan) - static_cast<double>(uncertainty.values.size()), 1.0);
+  const double degrees = std::max(
+      frames_of(tests_to_fit(experiments)) - static_cast<double>(uncertainty.values.size()), 1.0);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
     result.parameters.push_back(estimate_of(uncertainty, i, degrees));
   }

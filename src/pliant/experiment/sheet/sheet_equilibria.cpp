@@ -1,6 +1,5 @@
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -245,13 +244,16 @@ std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::Vec
                                                                 int threads,
                                                                 const StopToken& stop) {
   stop_ = stop;
-  std::atomic<bool> all_found = true;
   parallel_for(equilibria_each(), threads, [&](int state) {
     stop.throw_if_requested();
-    if (!reach(state, parameters, by)) all_found = false;
+    reach(state, parameters, by);
   });
   for (const Reached& reached : reached_) counts_ += reached.counts;
-  if (!all_found) return std::nullopt;
+  for (std::size_t s = 0; s < reached_.size(); ++s) {
+    if (reached_[s].found) continue;
+    failed_frame_ = states_.states[s].frame;
+    return std::nullopt;
+  }
   std::vector<SheetShape> shapes;
   for (int frame = 0; frame < session_.frame_count(); ++frame) {
     shapes.push_back(blended(frame, !by.empty()));

@@ -39,6 +39,7 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
       shape.positions_by_parameter = std::move(point.by_parameter.positions);
     }
   } catch (const SolverError&) {
+    failed_frame_ = static_cast<int>(shapes.size());
     return std::nullopt;
   }
   return shapes;

@@ -53,6 +53,8 @@ class SheetPredictor {
                                              static_cast<Eigen::Index>(parameters_.values.size()));
   }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The frame that the last prediction without result found no equilibrium of.
+  int failed_frame() const { return failed_frame_; }
   /// Of all predictions until now.
   const EquilibriumCounts& counts() const { return counts_; }
 
@@ -73,6 +75,7 @@ class SheetPredictor {
   ParameterList parameters_;
   std::vector<std::string> warnings_;
   EquilibriumCounts counts_;
+  int failed_frame_ = 0;
 };
 
 }  // namespace pliant

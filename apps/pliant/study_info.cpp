@@ -282,6 +282,13 @@ void add_plans(const Study& study, const Experiments& experiments, FileInfo& inf
       info.warnings.push_back(component + " has validation experiments alone: not fitted");
     }
   }
+  const bool sheets = std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
+    return measures_sheets(spec.type) && spec.role == ExperimentRole::fit;
+  });
+  if (sheets) {
+    info.lines.push_back(labelled("", "sessions, as one sheet, stage by stage", 1));
+    return;
+  }
   if (!info.json["fit"]["components"].empty()) return;
   info.warnings.push_back("no experiment that this version can fit");
   info.lines.push_back(labelled("", "nothing: no experiment that this version can fit", 1));

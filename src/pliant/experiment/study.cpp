@@ -237,11 +237,11 @@ ExperimentSpec read_experiment(const Value& node, const Defaults& defaults,
   read_type_fields(fields, defaults, spec);
   if (auto v = fields.optional("standard")) spec.standard = v->text();
   // Of sessions noise is estimated, and a frame is not a row.
-  const bool rows = !measures_sheets(spec.type);
-  if (auto v = rows ? fields.optional("noise") : std::nullopt) {
+  const bool in_rows = !measures_sheets(spec.type);
+  if (auto v = in_rows ? fields.optional("noise") : std::nullopt) {
     spec.noise = read_noise(*v, spec.type);
   }
-  if (auto v = rows ? fields.optional("exclude") : std::nullopt) {
+  if (auto v = in_rows ? fields.optional("exclude") : std::nullopt) {
     for (const Value& rows : v->items()) spec.excluded.push_back(read_excluded_rows(rows));
   }
   fields.finish();

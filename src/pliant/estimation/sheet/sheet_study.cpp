@@ -1,6 +1,7 @@
 #include "pliant/estimation/sheet/sheet_study.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -17,7 +18,9 @@
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/on_mesh.h"
+#include "pliant/geometry/hinges.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
 
@@ -99,6 +102,25 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
     }
     first += count;
   }
+}
+
+/// What hinges make of a sheet: its bending stiffness, which other meshes and strips can be
+/// compared with. Of curves the stiffness at half of the largest strain counts.
+std::string sheet_bending(const SheetFit& fit, const TriangleMesh& mesh) {
+  BendingVector hinges;
+  const std::array<const char*, 3> names{"bend.weft", "bend.warp", "bend.diagonal"};
+  for (int i = 0; i < 3; ++i) {
+    const char* name = names[static_cast<std::size_t>(i)];
+    const auto strain = fit.strains.find(name);
+    const double half = strain == fit.strains.end() ? 0 : strain->second / 2;
+    hinges(i) = std::max(fit.material.components.at(name).stiffness->value(half), 1e-12);
+  }
+  const Eigen::Vector4d sheet = sheet_stiffness(mesh, find_hinges(mesh), hinges);
+  return fmt::format(
+      "bending is that of the hinges of the simulated mesh; as a sheet it has {:.3g} N m along "
+      "weft, "
+      "{:.3g} N m along warp, {:.3g} and {:.3g} N m at 45 degrees (M/width = 3 k curvature)",
+      sheet(kAlongWeft), sheet(kAlongWarp), sheet(kAlongRising), sheet(kAlongFalling));
 }
 
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
@@ -214,6 +236,11 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
     if (component.status == ComponentStatus::assumed) {
       result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
     }
+  }
+  const bool bends = std::ranges::any_of(
+      fit.groups, [](const ComponentGroup& group) { return is_bending(group.front()); });
+  if (bends && fit.material.bending == "discrete-shells") {
+    result.assumptions.push_back(sheet_bending(fit, experiments.front().test.session().rest));
   }
   result.assumptions.push_back(
       fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",

@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
 
 namespace pliant {
@@ -91,8 +92,35 @@ class Fitter {
   }
 
   /// Friction of a tenth of the largest stress, spread over the strain that fits best.
-  /// @return false where the sequence has no path of equilibria to begin with
+  /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
+  /// while they return, by more than chance.
+  bool shows_loop(const SheetStage& stage) {
+    constexpr double kChance = 4, kSmallest = 0.005;  // standard errors; of the forces
+    const SheetProblem problem = problem_of(stage);
+    double loop = 0, squares = 0, forces = 0;
+    int rows = 0;
+    for (std::size_t t = 0; t < stage.tests.size(); ++t) {
+      const SheetTest& test = *stage.tests[t];
+      const auto shapes = problem.predict(t, problem.start(), false, context_.threads);
+      if (!shapes) return true;
+      for (int frame = 1; frame < test.frame_count(); ++frame) {
+        const double step = travel(test.session(), frame) - travel(test.session(), frame - 1);
+        const Eigen::ArrayXd force = test.measured(frame).array();
+        const Eigen::ArrayXd above =
+            force - test.predicted(frame, (*shapes)[static_cast<std::size_t>(frame)]).array();
+        loop += (step > 0 ? 1 : -1) * (above * force.sign()).sum();
+        squares += above.square().sum();
+        forces += force.square().sum();
+        rows += static_cast<int>(force.size());
+      }
+    }
+    fit_.counts += problem.counts();
+    return loop > kChance * std::sqrt(squares) && loop > kSmallest * std::sqrt(forces * rows);
+  }
+
+  /// @return false where the sequence shows no friction, or no path of equilibria to begin with
   bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
+    if (!shows_loop(stage)) return false;
     const double strain = strain_of(group);
     const ComponentLaw elastic = law_of(fit_.material, group);
     ComponentLaw law = elastic;

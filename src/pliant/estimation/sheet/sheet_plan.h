@@ -27,6 +27,7 @@ struct SheetStage {
 /// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
 /// bending, all directions together, and shear, twice more. Bending is constant in all directions
 /// first and its curves grow from there: what one direction lacks would bend the curve of another.
+/// Springs that bend resist stretch as well: with them stretch is fitted again, too.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @throws InputError where a stage of the study names no test, or a test that is not there

@@ -16,6 +16,12 @@ std::vector<std::string> names_of(const Material& material, const std::string& c
   return parameter_names({stiffness_of(material, component), FrictionLaw::none, {}}, component);
 }
 
+/// Bending springs are stiff per strain, hinges per curvature.
+std::string unit_of(const Material& material, const std::string& component) {
+  if (!is_bending(component)) return "N/m";
+  return material.bending == "spring" ? "N" : "N m";
+}
+
 }  // namespace
 
 std::vector<SheetUnknown> unknowns_of(const Material& material,
@@ -23,7 +29,7 @@ std::vector<SheetUnknown> unknowns_of(const Material& material,
   std::vector<SheetUnknown> unknowns;
   for (const ComponentGroup& group : groups) {
     const std::size_t first = unknowns.size();
-    const std::string unit = is_bending(group.front()) ? "N m" : "N/m";
+    const std::string unit = unit_of(material, group.front());
     const std::vector<std::string> own = names_of(material, group.front());
     const std::vector<double>& knots = stiffness_of(material, group.front()).knots();
     for (std::size_t i = 0; i < own.size(); ++i) {

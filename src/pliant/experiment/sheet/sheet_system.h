@@ -47,6 +47,10 @@ class SheetSystem {
   /// them (N, one column a clip).
   /// @param gradient  dE / d points at an equilibrium
   Eigen::Matrix3Xd clip_forces(const Eigen::Matrix3Xd& gradient) const;
+  /// Moments of the same about the middle of each clip's vertices, where its weight acts (N m, one
+  /// column a clip).
+  Eigen::Matrix3Xd clip_moments(const Eigen::Matrix3Xd& positions,
+                                const Eigen::Matrix3Xd& gradient) const;
 
  private:
   const Session& session_;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/sheet/sheet_models.h"
 #include "pliant/estimation/study_fit.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/report/report.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/fit_models.h"
 #include "apps/pliant/imported_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
@@ -21,7 +23,12 @@ struct FitArguments {
   std::string estimator;
   std::vector<std::string> profiles;
   std::string compare;
+  std::vector<std::string> models, variants;
 };
+
+bool compares_models(const FitArguments& arguments) {
+  return !arguments.models.empty() || !arguments.variants.empty();
+}
 
 bool is_unknown(const StudyResult& result, const std::string& pattern) {
   const auto named = [&](const ParameterEstimate& p) { return matches(pattern, p.name); };
@@ -40,7 +47,31 @@ void refuse_unknown_profiles(const std::vector<std::string>& patterns, const Stu
   }
 }
 
-/// @return fit.json's text
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  for (const SheetModel& model : sheet_models()) names.push_back(model.name);
+  return names;
+}
+
+std::vector<std::string> variant_names() {
+  std::vector<std::string> names;
+  for (const SheetVariant& variant : sheet_variants()) names.push_back(variant.name);
+  return names;
+}
+
+/// What a list on the command line asks for; nothing, or `all` in it, asks for all.
+std::vector<std::string> chosen(const std::vector<std::string>& asked,
+                                std::vector<std::string> all) {
+  const bool everything = asked.empty() || std::ranges::find(asked, "all") != asked.end();
+  return everything ? all : asked;
+}
+
+std::vector<std::string> and_all(std::vector<std::string> names) {
+  names.emplace_back("all");
+  return names;
+}
+
+/// @return the text of fit.json, or of summary.json where models are compared
 std::string fit_one(const CommandContext& context, const FitArguments& arguments,
                     const std::filesystem::path& study_file, const std::filesystem::path& output) {
   ResultDirectory results(output, "fit");
@@ -48,6 +79,14 @@ std::string fit_one(const CommandContext& context, const FitArguments& arguments
   Study study = read_study(file.path);
   if (arguments.estimator == "anchor") study.fit.estimator = EstimatorKind::anchor;
   if (arguments.estimator == "path") study.fit.estimator = EstimatorKind::path;
+
+  if (compares_models(arguments)) {
+    std::string summary =
+        fit_models(context, study, study_file, chosen(arguments.models, model_names()),
+                   chosen(arguments.variants, variant_names()), results);
+    results.commit();
+    return summary;
+  }
 
   StudyFitOptions options;
   options.compare_friction = arguments.compare == "friction";
@@ -96,6 +135,25 @@ void fit_all(const CommandContext& context, const FitArguments& arguments) {
                          : "{\"pliant\": \"fits/1\", \"fits\": [" + summaries + "]}\n");
 }
 
+void add_model_options(CLI::App& command, FitArguments& arguments) {
+  CLI::Option* models =
+      command.add_option("--models", arguments.models,
+                         "Fit sessions with each of these cloth models, e.g. stvk,springs; results "
+                         "in DIR/MODEL.VARIANT, a table in DIR/summary.csv. all: those listed, and "
+                         "the default where --variants is given");
+  models->delimiter(',')->check(CLI::IsMember(and_all(model_names())));
+  CLI::Option* variants =
+      command.add_option("--variants", arguments.variants,
+                         "The same for variants of the models: with curves or constants (linear), "
+                         "with weft and warp apart (orthotropic) or alike. Default with --models: "
+                         "all");
+  variants->delimiter(',')->check(CLI::IsMember(and_all(variant_names())));
+  for (const char* other : {"--profile", "--compare", "--estimator"}) {
+    models->excludes(command.get_option(other));
+    variants->excludes(command.get_option(other));
+  }
+}
+
 }  // namespace
 
 void add_fit(CommandRegistry& registry) {
@@ -121,6 +179,7 @@ void add_fit(CommandRegistry& registry) {
       .add_option("--compare", arguments->compare,
                   "friction: fit its other parameterisations too and rank them by AIC and BIC")
       ->check(CLI::IsMember({"friction"}));
+  add_model_options(command, *arguments);
   registry.on(command, [arguments](CommandContext& context) { fit_all(context, *arguments); });
 }
 

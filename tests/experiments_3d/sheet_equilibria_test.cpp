@@ -5,8 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/sheet/sheet_states.h"
 #include "pliant/experiment/sheet/sheet_test.h"
 #include "pliant/geometry/regular_grid.h"
@@ -63,6 +65,32 @@ TEST(SheetEquilibria, CordsCarryTheWeights) {
   const Eigen::Vector3d sum = (*shapes)[1].clip_forces.rowwise().sum();
   EXPECT_NEAR(sum.z(), weight, 1e-3);
   EXPECT_LT(sum.head<2>().norm(), 1e-3);
+}
+
+TEST(SheetEquilibria, HaveForcesAndMomentsOfClipsInBalance) {
+  Session session = test::stretch_session(9, 2);
+  // One clip shifted along itself and turned, so that there are moments.
+  Pose& pose = session.frames[1].poses[1];
+  pose.translation += Eigen::Vector3d(0, 0.01, 0.002);
+  pose.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 1, 1).normalized()) * pose.rotation;
+  SheetEquilibria equilibria(session, linear_cloth(100, 30, 1e-5));
+  const auto shapes = equilibria.predict(equilibria.parameters(), {}, 2, {});
+  ASSERT_TRUE(shapes.has_value());
+  const SheetShape& shape = (*shapes)[1];
+  session.frames[1].positions = shape.positions;
+  const Eigen::VectorXd masses = vertex_masses(session);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (int node = 0; node < masses.size(); ++node) {
+    moment += shape.positions.col(node).cross(masses(node) * session.gravity);
+  }
+  for (int c = 0; c < 2; ++c) {
+    const Eigen::Vector3d pull =
+        shape.clip_forces.col(c) + session.clips[static_cast<size_t>(c)].mass * session.gravity;
+    moment += clip_middle(session, 1, c).cross(pull) + shape.clip_moments.col(c);
+  }
+  EXPECT_GT(shape.clip_moments.col(1).norm(), 0.005);
+  // 10 uN are left on each of 81 nodes at most, 0.2 m from the origin.
+  EXPECT_LT(moment.norm(), 81 * 1e-5 * 0.2);
 }
 
 TEST(SheetEquilibria, KnowTheirDerivatives) {

@@ -2,48 +2,17 @@
 
 #include <string>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/study_fit.h"
 #include "pliant/experiment/study.h"
 
-#include "io/temporary_folder.h"
-#include "support/virtual_sheets.h"
+#include "support/five_sheet_tests.h"
 
 namespace pliant {
 namespace {
 
-constexpr int kNodes = 13;
-
-// A study of the five tests of a material, on the mesh that they were measured on.
-class FiveTests {
- public:
-  explicit FiveTests(const Material& material, const std::string& model = "") {
-    add(test::virtual_stretch(material, 0, kNodes, 6));
-    add(test::virtual_stretch(material, 1, kNodes, 6));
-    add(test::virtual_shear(material, kNodes, 6));
-    add(test::virtual_bend(material, 0, kNodes, 6));
-    add(test::virtual_bend(material, 1, kNodes, 6));
-    std::string text = "pliant: study/1\nname: five\nexperiments:\n";
-    for (const std::string& name : names_) {
-      text += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", name);
-    }
-    text += "model: {mesh: measured" + model + "}\n";
-    folder_.write("study.yaml", text);
-  }
-
-  Study study() const { return read_study(folder_.path() / "study.yaml"); }
-
- private:
-  void add(const Session& session) {
-    write_session(folder_.path() / session.test, session);
-    names_.push_back(session.test);
-  }
-
-  test::TemporaryFolder folder_;
-  std::vector<std::string> names_;
-};
+using FiveTests = test::FiveSheetTests;
 
 double value_of(const StudyResult& result, const std::string& component, double strain) {
   return result.material.components.at(component).stiffness->value(strain);

@@ -10,6 +10,7 @@
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session.h"
+#include "pliant/experiment/session/fold_error.h"
 #include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
 
@@ -58,6 +59,7 @@ struct ExperimentResult {
   std::optional<LoopMetrics> measured_loop, predicted_loop;
   std::optional<StripShapes> shapes;     ///< of strips whose profiles are measured
   std::optional<SheetComparison> sheet;  ///< of full-field sessions
+  std::optional<FoldError> folds;        ///< of the same
   std::vector<std::string> handled;
 
   // Row by row, for predictions/NAME.csv.

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pliant/estimation/frame_measure_table.h"
 #include "pliant/estimation/shape_table.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/material_file.h"
@@ -54,6 +55,11 @@ std::string prediction_file(const ExperimentResult& e) { return "predictions/" +
 
 std::string shape_file(const ExperimentResult& e) { return "shapes/" + e.name + ".csv"; }
 
+/// Only clips have forces to be measured.
+bool has_measures(const ExperimentResult& e) { return e.sheet && !e.sheet->measured.clips.empty(); }
+
+std::string measure_file(const ExperimentResult& e) { return "measures/" + e.name + ".csv"; }
+
 std::string sheet_folder(const ExperimentResult& e) { return "sheets/" + e.name; }
 
 // What an error is called depends on what is compared: a distance has no peak, but a strip's length
@@ -95,6 +101,9 @@ Json experiment_json(const ExperimentResult& e) {
   json["handled"] = e.handled;
   json["prediction_file"] = prediction_file(e);
   json["shape_file"] = e.shapes ? Json(shape_file(e)) : Json(nullptr);
+  json["measure_file"] = has_measures(e) ? Json(measure_file(e)) : Json(nullptr);
+  json["fold_height_error_mm"] = e.folds ? number(e.folds->height * 1e3) : Json(nullptr);
+  json["fold_slope_error"] = e.folds ? number(e.folds->slope) : Json(nullptr);
   json["sheets"] = e.sheet ? Json(sheet_folder(e)) : Json(nullptr);
   return json;
 }
@@ -236,6 +245,9 @@ void add_tables(const StudyResult& result,
   for (const ExperimentResult& experiment : result.experiments) {
     files.emplace_back(prediction_file(experiment), prediction_csv(experiment));
     if (experiment.shapes) files.emplace_back(shape_file(experiment), shape_table(experiment));
+    if (has_measures(experiment)) {
+      files.emplace_back(measure_file(experiment), frame_measure_table(*experiment.sheet));
+    }
     if (!experiment.sheet) continue;
     for (const auto* part : {"measured", "predicted"}) {
       const SheetComparison& sheet = *experiment.sheet;

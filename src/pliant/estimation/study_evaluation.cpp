@@ -22,6 +22,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
   if (result.density == 0) result.density = material.density;
   Study with_measure = study;
   with_measure.model.membrane = material.membrane;
+  with_measure.model.bending = material.bending;
   with_measure.density = result.density;
   const Experiments experiments = read_experiments(with_measure, result);
   for (const auto& experiment : experiments) {

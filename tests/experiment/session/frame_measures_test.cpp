@@ -149,5 +149,20 @@ TEST(StretchingForceDifference, NeedsFourCorners) {
   EXPECT_FALSE(stretching_force_difference(session, 0));
 }
 
+TEST(ClipExtension, AndPullAreThoseOfAStretch) {
+  const Session session = stretch_session(9, 3);
+  for (int f = 0; f < 3; ++f) {
+    // 10 % of 100 mm and two cords of 2 N a frame; the vertical parts carry weights.
+    EXPECT_NEAR(*clip_extension(session, f), 0.01 * f, kRounding);
+    EXPECT_NEAR(*clip_pull(session, f), 4 * f, 1e-12);
+  }
+}
+
+TEST(ClipExtension, NeedsTwoClips) {
+  const Session corners = corner_session(3, 1);
+  EXPECT_FALSE(clip_extension(corners, 0).has_value());
+  EXPECT_FALSE(clip_pull(corners, 0).has_value());
+}
+
 }  // namespace
 }  // namespace pliant::test

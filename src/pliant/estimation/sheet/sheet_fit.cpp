@@ -31,8 +31,12 @@ class Fitter {
     fit_.material = first_sheet_material(study);
   }
 
-  SheetFit run(const std::vector<SheetStage>& plan) && {
+  SheetFit run(const std::vector<SheetStage>& plan, const Material* start) && {
     fit_.groups = groups_of(plan);
+    if (start) {
+      fit_.material.components = start->components;
+      fitted_ = fit_.groups;
+    }
     ProgressTask task(context_.progress, "fit", static_cast<double>(plan.size()));
     for (std::size_t s = 0; s < plan.size(); ++s) {
       context_.stop.throw_if_requested();
@@ -230,7 +234,7 @@ class Fitter {
       return values;
     }
     const bool springs = fit_.material.bending == "spring";
-    for (double value = springs ? 30 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
+    for (double value = springs ? 1e3 : 1e-3; value > (springs ? 1e-3 : 3e-8); value *= 0.4) {
       values.push_back(value);
     }
     return values;
@@ -364,8 +368,8 @@ Material first_sheet_material(const Study& study) {
 }
 
 SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
-                    const RunContext& context) {
-  return Fitter(study, context).run(plan);
+                    const RunContext& context, const Material* start) {
+  return Fitter(study, context).run(plan, start);
 }
 
 }  // namespace pliant

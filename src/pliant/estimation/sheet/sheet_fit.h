@@ -29,7 +29,8 @@ Material first_sheet_material(const Study& study);
 /// The curve of a group grows from one control point by equal distances over the strains of the
 /// fitted sheet until the residual falls by less than 1 % ([T] 3.4.2). The thesis takes the strains
 /// of the measured shapes, in which noise shows as strain of small triangles.
+/// @param start  null, or a material of the study's model whose curves are the first ones
 SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
-                    const RunContext& context);
+                    const RunContext& context, const Material* start = nullptr);
 
 }  // namespace pliant

@@ -49,7 +49,7 @@ void add_stage(const std::vector<std::string>& components, const Tests& tests, b
   plan.push_back({grouped(components, isotropic), tests, kind});
 }
 
-std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
+std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic, bool springs_bend) {
   const Tests shear =
       !named(tests, {"shear"}).empty() ? named(tests, {"shear"}) : named(tests, {"bias-extension"});
   const Tests weft = named(tests, {"bend-weft"}), warp = named(tests, {"bend-warp"});
@@ -70,19 +70,22 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic) {
     }
     add({"bend.diagonal"}, bending, kind);
   };
-  if (isotropic) {
-    add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}),
-        StageKind::grow);
-  } else {
-    add({"stretch.weft"}, named(tests, {"stretch-weft"}), StageKind::grow);
-    add({"stretch.warp"}, named(tests, {"stretch-warp"}), StageKind::grow);
-  }
+  const auto add_stretch = [&](StageKind kind) {
+    if (isotropic) {
+      add({"stretch.weft", "stretch.warp"}, named(tests, {"stretch-weft", "stretch-warp"}), kind);
+    } else {
+      add({"stretch.weft"}, named(tests, {"stretch-weft"}), kind);
+      add({"stretch.warp"}, named(tests, {"stretch-warp"}), kind);
+    }
+  };
+  add_stretch(StageKind::grow);
   add({"shear"}, shear, StageKind::grow);
   add_bending(StageKind::constant);
   add(bends, bending, StageKind::again);
   add_bending(StageKind::grow);
   for (int pass = 0; pass < kPassesAgain; ++pass) {
     add(bends, bending, StageKind::again);
+    if (springs_bend && !bending.empty()) add_stretch(StageKind::again);
     if (!bending.empty()) add({"shear"}, shear, StageKind::again);
   }
   return plan;
@@ -136,8 +139,9 @@ std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bo
 
 std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const SheetTest*>& tests) {
   const bool isotropic = study.model.isotropic;
-  std::vector<SheetStage> plan = study.fit.plan.empty() ? plan_of_thesis(tests, isotropic)
-                                                        : plan_of_study(study, tests, isotropic);
+  std::vector<SheetStage> plan =
+      study.fit.plan.empty() ? plan_of_thesis(tests, isotropic, study.model.bending == "spring")
+                             : plan_of_study(study, tests, isotropic);
   if (plan.empty()) {
     throw InputError({study.file, 0, "experiments"},
                      "the plan of the fit has no stage for the sessions to be fitted",

@@ -28,6 +28,7 @@ struct SheetStage {
 /// are tests for it: stretch; shear; bending along weft and warp; diagonal bending on both; then
 /// bending, all directions together, and shear, twice more. Bending is constant in all directions
 /// first and its curves grow from there: what one direction lacks would bend the curve of another.
+/// Springs that bend resist stretch as well: with them stretch is fitted again, too.
 ///
 /// Last comes friction, of what clips pull, where sequences load and unload and the study does not
 /// say no: the prediction then follows the loop and not its middle.

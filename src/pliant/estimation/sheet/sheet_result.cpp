@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "pliant/experiment/session/fold_error.h"
 #include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
@@ -92,6 +94,13 @@ double compared_vectors(const SheetTest& test) {
   return test.objective() == SheetObjective::parallel_clip_forces ? test.rows() : test.rows() / 3.0;
 }
 
+/// Where a force has a moment, but for the part of it along the force, from where it has none (m).
+Eigen::Vector3d arm_of(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+  constexpr double kNoForce = 1e-12;  // N
+  if (force.norm() < kNoForce) return Eigen::Vector3d::Zero();
+  return force.cross(moment) / force.squaredNorm();
+}
+
 MeasuredQuantity quantity_of(const SheetTest& test) {
   if (test.objective() == SheetObjective::positions) {
     return {"height_mm", "distance", "mm", 1e3};
@@ -109,8 +118,11 @@ Session predicted_session(const Session& measured, const std::vector<SheetShape>
     frame.positions = shape.positions;
     for (std::size_t c = 0; c < frame.cords.size(); ++c) {
       if (frame.cords[c].empty()) continue;
-      const Eigen::Vector3d middle = clip_middle(measured, f, static_cast<int>(c));
-      frame.cords[c] = {{"", middle, shape.clip_forces.col(static_cast<Eigen::Index>(c))}};
+      const auto clip = static_cast<Eigen::Index>(c);
+      const Eigen::Vector3d middle = clip_middle(predicted, f, static_cast<int>(c));
+      const Eigen::Vector3d force = shape.clip_forces.col(clip),
+                            moment = shape.clip_moments.col(clip);
+      frame.cords[c] = {{"", middle + arm_of(force, moment), force}};
     }
   }
   return predicted;
@@ -157,6 +169,7 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   result.specimen_of_row.assign(rows.frame.size(), 0);
   result.used.assign(rows.frame.size(), 1);
   result.sheet = SheetComparison{session, predicted_session(session, shapes)};
+  result.folds = fold_error(result.sheet->measured, result.sheet->predicted);
   return result;
 }
 

@@ -8,7 +8,8 @@
 namespace pliant {
 
 /// A session as it was predicted: its own clips, poses and masses, with the positions of predicted
-/// shapes and one cord a clip, at its middle, that pulls with the predicted force.
+/// shapes and one cord a clip, which pulls with the predicted force where that has the predicted
+/// moment, but for the part along the force.
 Session predicted_session(const Session& measured, const std::vector<SheetShape>& shapes);
 
 /// How a session compares with its prediction. Rows are what the test compares of forces, clip by

@@ -18,6 +18,7 @@
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/on_mesh.h"
+#include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/material/bending_conversion.h"
@@ -36,6 +37,18 @@ bool is_rectangle(const Session& session) {
   const Eigen::Vector3d extent =
       session.rest.positions.rowwise().maxCoeff() - session.rest.positions.rowwise().minCoeff();
   return rest_area(session.rest) > kRectangle * extent.x() * extent.y();
+}
+
+/// @throws InputError where the springs of a model have no grid to be on
+void require_grid_for_springs(const ExperimentSpec& spec, const Session& session,
+                              const ModelOptions& model) {
+  const bool springs = model.membrane == MembraneMeasure::spring || model.bending == "spring";
+  if (!springs || is_cut_from_rectangles(session.rest)) return;
+  throw InputError(spec.where,
+                   fmt::format("springs cannot simulate {} on its own mesh, which is no grid of "
+                               "rectangles along weft and warp",
+                               quoted_value(spec.name)),
+                   "another model, or a rectangular sheet that `model.mesh` gives a grid");
 }
 
 int nodes_along(double side, double edge) {
@@ -137,20 +150,54 @@ std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
   return std::move(*shapes);
 }
 
-void add_predictions(const std::vector<SheetExperiment>& experiments, const Material& material,
-                     const RunContext& context, StudyResult& result) {
+std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
+                                          const Material& material, const RunContext& context) {
   const Material usable = held_beyond_range(material);
+  std::vector<ExperimentResult> rows;
   ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
-  for (std::size_t i = 0; i < experiments.size(); ++i) {
-    const SheetExperiment& experiment = experiments[i];
-    ExperimentResult row =
-        compare_sheet(experiment.test, predict(experiment.test, usable, context));
-    row.role = experiment.role;
+  for (const SheetExperiment& experiment : experiments) {
+    rows.push_back(compare_sheet(experiment.test, predict(experiment.test, usable, context)));
+    rows.back().role = experiment.role;
     const auto components = usual_components(experiment.test.session().test);
-    if (!components.empty()) row.component = components.front();
-    result.experiments.push_back(std::move(row));
-    task.advance(static_cast<double>(i + 1));
+    if (!components.empty()) rows.back().component = components.front();
+    task.advance(static_cast<double>(rows.size()));
   }
+  return rows;
+}
+
+/// A fit with what it predicts.
+struct Candidate {
+  SheetFit fit;
+  std::vector<ExperimentResult> experiments;
+  std::string note;
+
+  Candidate(SheetFit fitted, const std::vector<SheetExperiment>& data, const RunContext& context,
+            std::string how)
+      : fit(std::move(fitted)), note(std::move(how)) {
+    set_status(fit);
+    experiments = predictions(data, fit.material, context);
+  }
+};
+
+/// The best of the fits that begin with nothing and at each start, and of the starts themselves.
+Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
+                   const std::vector<SheetExperiment>& experiments, const RunContext& context,
+                   const std::vector<SheetStart>& starts) {
+  Candidate best(fit_sheets(study, plan, context), experiments, context, "");
+  const auto consider = [&](SheetFit fit, std::string how) {
+    Candidate other(std::move(fit), experiments, context, std::move(how));
+    if (misfit_percent(other.experiments) < misfit_percent(best.experiments)) {
+      best = std::move(other);
+    }
+  };
+  for (const SheetStart& start : starts) {
+    SheetFit fit = fit_sheets(study, plan, context, &start.material);
+    consider(fit, "the search that began at the solution of " + start.variant + " is the best");
+    fit.material = start.material;
+    fit.stages.clear();
+    consider(std::move(fit), "no search found better than the solution of " + start.variant);
+  }
+  return best;
 }
 
 /// What a study may ask of fits of single components alone.
@@ -195,6 +242,7 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
       result.warnings.push_back(spec.name + ": " + warning);
     }
     Session session = on_fit_mesh(measured, study.model);
+    require_grid_for_springs(spec, session, study.model);
     const SheetObjective objective = spec.objective.value_or(usual_objective(session));
     experiments.push_back({SheetTest(spec.name, std::move(session), objective), spec.role});
   }
@@ -207,19 +255,31 @@ bool fits_sheets(const Study& study) {
   });
 }
 
-StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
+double misfit_percent(const std::vector<ExperimentResult>& experiments) {
+  double squares = 0;
+  int fitted = 0;
+  for (const ExperimentResult& experiment : experiments) {
+    if (experiment.role != ExperimentRole::fit) continue;
+    squares += experiment.rms_percent * experiment.rms_percent;
+    ++fitted;
+  }
+  return fitted > 0 ? std::sqrt(squares / fitted) : 0;
+}
+
+StudyResult fit_sheet_study(const Study& study, const RunContext& context,
+                            const std::vector<SheetStart>& starts) {
   const auto begin = std::chrono::steady_clock::now();
   StudyResult result = describe(study);
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
-  SheetFit fit = fit_sheets(study, plan, context);
+  Candidate best = best_fit(study, plan, experiments, context, starts);
+  SheetFit& fit = best.fit;
   if (fit.material.density == 0) {
     fit.material.density = area_density(experiments.front().test.session());
   }
   result.density = fit.material.density;
   const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, context);
-  set_status(fit);
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
@@ -230,7 +290,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
     result.parameters.push_back(estimate_of(uncertainty, i, degrees));
   }
   result.material = fit.material;
-  add_predictions(experiments, fit.material, context, result);
+  result.experiments = std::move(best.experiments);
   add_curves(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {
     if (component.status == ComponentStatus::assumed) {
@@ -245,6 +305,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
   result.assumptions.push_back(
       fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",
                   fit.counts.equilibria, fit.counts.iterations, fit.counts.factors));
+  if (!best.note.empty()) result.assumptions.push_back("search: " + best.note);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
@@ -258,7 +319,9 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  add_predictions(experiments, material, context, result);
+  for (ExperimentResult& row : predictions(experiments, material, context)) {
+    result.experiments.push_back(std::move(row));
+  }
 }
 
 }  // namespace pliant

@@ -38,6 +38,7 @@ void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double s
   }
 }
 
+/// Bending springs are stiff per strain, hinges per curvature.
 }  // namespace
 
 ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
@@ -64,6 +65,11 @@ std::vector<SheetUnknown> unknowns_of(const Material& material,
   std::vector<SheetUnknown> unknowns;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     add_unknowns(law_of(material, groups[g]), groups[g], strains[g], unknowns);
+  }
+  // Springs of the second ring have a stiffness in N, as their energy is per length.
+  for (SheetUnknown& unknown : unknowns) {
+    const bool spring = is_bending(unknown.component) && material.bending == "spring";
+    if (spring && !unknown.of_friction) unknown.unit = std::string(1, 'N');
   }
   return unknowns;
 }

@@ -158,4 +158,18 @@ std::optional<double> stretching_force_difference(const Session& session, int fr
          tension(session, frame, lower_right, upper_left);
 }
 
+std::optional<double> clip_extension(const Session& session, int frame) {
+  if (session.clips.size() != 2) return std::nullopt;
+  const auto rest_middle = [&](std::size_t clip) -> Eigen::Vector3d {
+    return session.rest.positions(Eigen::all, session.clips[clip].clamped).rowwise().mean();
+  };
+  const double now = (clip_middle(session, frame, 1) - clip_middle(session, frame, 0)).norm();
+  return now - (rest_middle(1) - rest_middle(0)).norm();
+}
+
+std::optional<double> clip_pull(const Session& session, int frame) {
+  if (session.clips.size() != 2) return std::nullopt;
+  return tension(session, frame, 0, 1);
+}
+
 }  // namespace pliant

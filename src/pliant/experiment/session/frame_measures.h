@@ -37,4 +37,12 @@ double aggregated_torque(const Session& session, int frame);
 /// @return nothing without one clip at each of the four corners and none elsewhere
 std::optional<double> stretching_force_difference(const Session& session, int frame);
 
+/// How much further than at rest the middles of the two clips of a session are apart (m).
+/// @return nothing without exactly two clips
+std::optional<double> clip_extension(const Session& session, int frame);
+
+/// Mean pull of the two clips of a session away from each other along the line between them (N).
+/// @return nothing without exactly two clips
+std::optional<double> clip_pull(const Session& session, int frame);
+
 }  // namespace pliant

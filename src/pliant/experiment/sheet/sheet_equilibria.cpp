@@ -51,8 +51,13 @@ class SheetEquilibria::Lane {
     return exact;
   }
 
-  Eigen::Matrix3Xd clip_forces(const Configuration& at) const {
-    return sheet_.clip_forces(objective().gradient(at));
+  SheetShape shape(const Configuration& at) const {
+    const Eigen::Matrix3Xd gradient = objective().gradient(at);
+    return {at.positions,
+            sheet_.clip_forces(gradient),
+            {},
+            {},
+            sheet_.clip_moments(at.positions, gradient)};
   }
 
  private:
@@ -154,7 +159,7 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   if (!reached.found) return false;
   ++reached.counts.equilibria;
   reached.parameters = parameters;
-  reached.shape = {at.positions, lane.clip_forces(at), {}, {}};
+  reached.shape = lane.shape(at);
   const auto frame = static_cast<std::size_t>(states_.states[s].frame);
   const Eigen::Matrix3Xd& measured = session_.frames[frame].positions;
   reached.distance = (at.positions - measured).norm() /
@@ -232,6 +237,7 @@ SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
   const auto mix = [&](auto& value, const auto& other) { value += blend.share * (other - value); };
   mix(shape.positions, second.positions);
   mix(shape.clip_forces, second.clip_forces);
+  mix(shape.clip_moments, second.clip_moments);
   if (derivatives) {
     mix(shape.positions_by_parameter, second.positions_by_parameter);
     mix(shape.clip_forces_by_parameter, second.clip_forces_by_parameter);

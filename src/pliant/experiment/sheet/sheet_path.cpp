@@ -34,6 +34,7 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
       SheetShape& shape = shapes.emplace_back();
       shape.positions = path.state().configuration.positions;
       shape.clip_forces = sheet_.clip_forces(point.forces);
+      shape.clip_moments = sheet_.clip_moments(shape.positions, point.forces);
       if (by.empty()) continue;
       shape.clip_forces_by_parameter = sheet_.clip_forces_by_parameter(point.by_parameter.forces);
       shape.positions_by_parameter = std::move(point.by_parameter.positions);

@@ -23,6 +23,8 @@ struct SheetShape {
   Eigen::MatrixXd positions_by_parameter;
   Eigen::MatrixXd clip_forces_by_parameter;
   /// @}
+
+  Eigen::Matrix3Xd clip_moments;  ///< of the cords about the middle of the clip's vertices (N m)
 };
 
 /// What equilibria have cost.

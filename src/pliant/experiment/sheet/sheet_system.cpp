@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "pliant/experiment/session/balance.h"
 #include "pliant/mechanics/point_forces.h"
 
@@ -125,6 +127,21 @@ Eigen::MatrixXd SheetSystem::clip_forces_by_parameter(const Eigen::MatrixXd& for
     }
   }
   return sums;
+}
+
+Eigen::Matrix3Xd SheetSystem::clip_moments(const Eigen::Matrix3Xd& positions,
+                                           const Eigen::Matrix3Xd& gradient) const {
+  Eigen::Matrix3Xd moments(3, static_cast<Eigen::Index>(session_.clips.size()));
+  moments.setZero();
+  for (std::size_t c = 0; c < session_.clips.size(); ++c) {
+    const std::vector<int>& clamped = session_.clips[c].clamped;
+    const Eigen::Vector3d middle = positions(Eigen::all, clamped).rowwise().mean();
+    for (const int node : clamped) {
+      const Eigen::Vector3d arm = positions.col(node) - middle, force = gradient.col(node);
+      moments.col(static_cast<Eigen::Index>(c)) += arm.cross(force);
+    }
+  }
+  return moments;
 }
 
 }  // namespace pliant

@@ -54,6 +54,10 @@ class SheetSystem {
   Eigen::Matrix3Xd clip_forces(const Eigen::Matrix3Xd& gradient) const;
   /// Their derivatives (3 clips x parameters) from those of the forces (3 points x parameters).
   Eigen::MatrixXd clip_forces_by_parameter(const Eigen::MatrixXd& forces) const;
+  /// Moments of the same about the middle of each clip's vertices, where its weight acts (N m, one
+  /// column a clip).
+  Eigen::Matrix3Xd clip_moments(const Eigen::Matrix3Xd& positions,
+                                const Eigen::Matrix3Xd& gradient) const;
 
  private:
   const Session& session_;

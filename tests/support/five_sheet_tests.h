@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/study.h"
+
+#include "io/temporary_folder.h"
+#include "support/virtual_sheets.h"
+
+namespace pliant::test {
+
+/// A study of the five tests of a material, on the mesh that they were measured on.
+class FiveSheetTests {
+ public:
+  /// @param model  further keys of the study's model, e.g. ", variant: linear-orthotropic"
+  explicit FiveSheetTests(const Material& material, const std::string& model = "", int nodes = 13,
+                          int frames = 6) {
+    add(virtual_stretch(material, 0, nodes, frames));
+    add(virtual_stretch(material, 1, nodes, frames));
+    add(virtual_shear(material, nodes, frames));
+    add(virtual_bend(material, 0, nodes, frames));
+    add(virtual_bend(material, 1, nodes, frames));
+    std::string text = "pliant: study/1\nname: five\nexperiments:\n";
+    for (const std::string& name : names_) {
+      text += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", name);
+    }
+    text += "model: {mesh: measured" + model + "}\n";
+    folder_.write("study.yaml", text);
+  }
+
+  std::filesystem::path file() const { return folder_.path() / "study.yaml"; }
+  Study study() const { return read_study(file()); }
+
+ private:
+  void add(const Session& session) {
+    write_session(folder_.path() / session.test, session);
+    names_.push_back(session.test);
+  }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace pliant::test

@@ -136,18 +136,24 @@ void fit_all(const CommandContext& context, const FitArguments& arguments) {
 }
 
 void add_model_options(CLI::App& command, FitArguments& arguments) {
+  // One list a time: what follows may be the study.
   CLI::Option* models =
-      command.add_option("--models", arguments.models,
-                         "Fit sessions with each of these cloth models, e.g. stvk,springs; results "
-                         "in DIR/MODEL.VARIANT, a table in DIR/summary.csv. all: those listed, and "
-                         "the default where --variants is given");
-  models->delimiter(',')->check(CLI::IsMember(and_all(model_names())));
+      command
+          .add_option("--models", arguments.models,
+                      "all, or some cloth models (stvk,springs) that sessions are fitted with: "
+                      "results in DIR/MODEL.VARIANT, a table in DIR/summary.csv")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::IsMember(and_all(model_names())));
   CLI::Option* variants =
-      command.add_option("--variants", arguments.variants,
-                         "The same for variants of the models: with curves or constants (linear), "
-                         "with weft and warp apart (orthotropic) or alike. Default with --models: "
-                         "all");
-  variants->delimiter(',')->check(CLI::IsMember(and_all(variant_names())));
+      command
+          .add_option("--variants", arguments.variants,
+                      "all, or some variants of these models: linear is without curves, isotropic "
+                      "with weft and warp alike; --models and --variants default to all where the "
+                      "other is given")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::IsMember(and_all(variant_names())));
   for (const char* other : {"--profile", "--compare", "--estimator"}) {
     models->excludes(command.get_option(other));
     variants->excludes(command.get_option(other));

@@ -90,7 +90,7 @@ TEST(FitModels, GoOnWhereOneFails) {
 TEST(FitModels, LeaveNothingWhereAllFail) {
   const SessionsFolder folder("{edge: 15 mm}");
   const ProgramRun run =
-      run_program({"fit", folder.study, "--models", "springs", "-o", folder.out()});
+      run_program({"fit", "-o", folder.out(), "--models", "springs", folder.study});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.last_line(), HasSubstr("sheets.yaml:"));
   EXPECT_THAT(run.last_line(), HasSubstr("springs cannot simulate \"pull\""));

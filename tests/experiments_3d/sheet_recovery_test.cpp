@@ -58,5 +58,18 @@ TEST(SheetRecovery, FindsCurvesThatRiseWithStrain) {
   }
 }
 
+TEST(SheetRecovery, TakesWarpToBendLikeWeftWhereWeftAloneIsMeasured) {
+  const FiveTests tests(test::sheet_cloth(true), "", 9, 4);
+  Study study = tests.study();
+  std::erase_if(study.experiments, [](const ExperimentSpec& e) { return e.name != "bend-weft"; });
+  const StudyResult result = fit_study(study, {}, two_threads());
+  const auto& components = result.material.components;
+  EXPECT_EQ(components.at("bend.warp").status, ComponentStatus::assumed);
+  // It goes along while weft is fitted alone; weft and diagonal together follow.
+  const double weft = value_of(result, "bend.weft", 0), warp = value_of(result, "bend.warp", 0);
+  EXPECT_NEAR(warp, weft, 0.05 * weft);
+  EXPECT_LT(result.experiments.front().rms, 1e-4);
+}
+
 }  // namespace
 }  // namespace pliant

@@ -211,7 +211,8 @@ class Fitter {
       const bool found = squares.evaluate(problem.start(), residual, nullptr);
       fit_.counts += problem.counts();
       const double cost = found ? residual.squaredNorm() : INFINITY;
-      worse = cost < least ? 0 : worse + 1;
+      const bool nothing_yet = !std::isfinite(least);
+      worse = nothing_yet || cost < least ? 0 : worse + 1;
       if (cost < least) {
         least = cost;
         best = value;
@@ -273,6 +274,9 @@ class Fitter {
   /// that is: a sheet does not bend along one thread alone.
   std::vector<ComponentGroup> going_along(std::vector<ComponentGroup> groups) const {
     if (groups.size() != 1 || !is_bending(groups.front().front())) return groups;
+    const auto first = std::ranges::find_if(
+        fitted_, [](const ComponentGroup& group) { return is_bending(group.front()); });
+    if (first != fitted_.end() && *first != groups.front()) return groups;
     for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
       const bool known = std::ranges::any_of(fitted_, [&](const ComponentGroup& group) {
         return std::ranges::find(group, component) != group.end();

@@ -63,14 +63,18 @@ void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows&
   const Session& session = test.session();
   const Eigen::VectorXd seen = test.measured(frame), found = test.predicted(frame, shape);
   const bool parallel = test.objective() == SheetObjective::parallel_clip_forces;
+  const bool axial = test.objective() == SheetObjective::axial_clip_forces;
   Eigen::Index row = 0;
   for (std::size_t c = 0; c < session.clips.size(); ++c) {
     if (session.frames[static_cast<std::size_t>(frame)].cords[c].empty()) continue;
     for (const char* axis : {"x", "y", "z"}) {
-      rows.add(frame, session.clips[c].name, parallel ? "parallel" : axis,
+      rows.add(frame, session.clips[c].name,
+               parallel ? "parallel"
+               : axial  ? "axial"
+                        : axis,
                relative_travel(session, frame), seen(row), found(row));
       ++row;
-      if (parallel) break;
+      if (parallel || axial) break;
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/on_mesh.h"
+#include "pliant/experiment/sheet/strip_sheets.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
@@ -127,6 +128,9 @@ void add_predictions(const std::vector<SheetExperiment>& experiments, const Mate
     ExperimentResult row =
         compare_sheet(experiment.test, predict(experiment.test, usable, context));
     row.role = experiment.role;
+    row.type = experiment.type;
+    row.direction = experiment.direction;
+    row.handled = experiment.handled;
     const auto components = usual_components(experiment.test.session().test);
     if (!components.empty()) row.component = components.front();
     result.experiments.push_back(std::move(row));
@@ -142,26 +146,44 @@ std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& e
   return tests;
 }
 
+/// The strips of an experiment, one test a specimen.
+void add_strips(const ExperimentSpec& spec, const Study& study,
+                std::vector<SheetExperiment>& experiments, StudyResult& result) {
+  StripSheets strips = sheets_of_strips(spec, study.model, study.density);
+  for (const std::string& warning : strips.warnings) {
+    result.warnings.push_back(spec.name + ": " + warning);
+  }
+  for (SheetTest& test : strips.tests) {
+    experiments.push_back({std::move(test), spec.role, spec.type, spec.direction, strips.handled});
+  }
+}
+
 }  // namespace
 
 std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyResult& result) {
   std::vector<SheetExperiment> experiments;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (!measures_sheets(spec.type)) continue;
+    if (!is_sheet(spec, study.model)) continue;
+    if (!measures_sheets(spec.type)) {
+      add_strips(spec, study, experiments, result);
+      continue;
+    }
     const Session measured = read_session(spec.data.files.front());
     for (const std::string& warning : measured.warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
     }
     Session session = on_fit_mesh(measured, study.model);
     const SheetObjective objective = spec.objective.value_or(usual_objective(session));
-    experiments.push_back({SheetTest(spec.name, std::move(session), objective), spec.role});
+    const std::string test = session.test;
+    experiments.push_back(
+        {SheetTest(spec.name, std::move(session), objective), spec.role, spec.type, test, {}});
   }
   return experiments;
 }
 
 bool fits_sheets(const Study& study) {
-  return std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
-    return measures_sheets(spec.type) && spec.role == ExperimentRole::fit;
+  return std::ranges::any_of(study.experiments, [&](const ExperimentSpec& spec) {
+    return is_sheet(spec, study.model) && spec.role == ExperimentRole::fit;
   });
 }
 
@@ -204,7 +226,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
 void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
                      StudyResult& result) {
   const bool any = std::ranges::any_of(
-      study.experiments, [](const ExperimentSpec& spec) { return measures_sheets(spec.type); });
+      study.experiments, [&](const ExperimentSpec& spec) { return is_sheet(spec, study.model); });
   if (!any) return;
   require_complete(material, sheet_component_names(), {study.file, 0, "experiments"});
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
@@ -106,6 +107,16 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
   }
 }
 
+void warn_of_left_out(const Study& study, StudyResult& result) {
+  std::vector<std::string> names;
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!is_sheet(spec, study.model)) names.push_back(spec.name);
+  }
+  if (names.empty()) return;
+  result.warnings.push_back(fmt::format(
+      "experiments in one dimension are left out of a fit of sheets: {}", fmt::join(names, ", ")));
+}
+
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
@@ -191,6 +202,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context) {
   const auto begin = std::chrono::steady_clock::now();
   StudyResult result = describe(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
+  warn_of_left_out(study, result);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   SheetFit fit = fit_sheets(study, plan, context);
   if (fit.material.density == 0) {

@@ -245,6 +245,14 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
   add_predictions(experiments, material, context, result);
+  for (const ExperimentResult& row : result.experiments) {
+    const bool drawn = std::ranges::any_of(result.curves, [&](const ComponentCurve& curve) {
+      return curve.component == row.component;
+    });
+    if (drawn || row.component.empty()) continue;
+    const ComponentLaw law = law_of(material, ComponentGroup{row.component});
+    result.curves.push_back(component_curve(row.component, law, row.strain_range.second, {}));
+  }
 }
 
 }  // namespace pliant

@@ -41,6 +41,7 @@ experiments:
   - {name: i, type: press, data: raw/c.csv, finger: index}
 model:
   membrane: soft-constraint
+  strips: sheet
   stiffness: hermite
   friction: none
   components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl}}
@@ -101,6 +102,7 @@ void expect_same(const Study& a, const Study& b) {
     expect_same(a.experiments[i], b.experiments[i]);
   }
   EXPECT_EQ(a.model.membrane, b.model.membrane);
+  EXPECT_EQ(a.model.strips_as_sheets, b.model.strips_as_sheets);
   EXPECT_EQ(a.model.stiffness, b.model.stiffness);
   EXPECT_EQ(a.model.friction, b.model.friction);
   ASSERT_EQ(a.model.components.size(), b.model.components.size());

@@ -100,6 +100,29 @@ TEST(RealFab, FourNestedCyclesAreOneLaw) {
   EXPECT_LT(real.run.peak_memory_kb, 200 * 1024);
 }
 
+// The same strips as sheets, one material for length, width and bias. What is asked of the fit is
+// 3 % of the peak of each loop; the predictions are a third above what was found.
+TEST(RealFab, StripsOfThreeDirectionsAreOneSheet) {
+  const auto record = measurement("cloth_hysteresis_fab/fab_knit_cotton_300gsm.json");
+  SKIP_WITHOUT(record);
+  const TemporaryFolder folder;
+  const auto imported = folder.path() / "imported";
+  ASSERT_EQ(run_program({"import", record.string(), "-o", imported.string()}).status, 0);
+  std::ofstream(imported / "study.yaml", std::ios::app) << "model: {strips: sheet}\n";
+  const RealFit real = fit_file(folder, imported / "study.yaml");
+  print_table(real.fit);
+  const std::map<std::string, double> predicted{{"warp", 6.5}, {"weft", 3}, {"bias", 7}};
+  for (const auto& [direction, percent] : predicted) {
+    const json long_strip = experiment_named(real.fit, direction + "-stretch-8cm");
+    EXPECT_EQ(long_strip["role"], "fit");
+    EXPECT_LE(long_strip["rms_percent_of_peak"], 3) << direction;
+    const json short_strip = experiment_named(real.fit, direction + "-stretch-2cm");
+    EXPECT_EQ(short_strip["role"], "validate");
+    EXPECT_LE(short_strip["rms_percent_of_peak"], percent) << direction;
+  }
+  EXPECT_EQ(real.fit["parameters"].back()["name"], "shear.friction.tau");
+}
+
 double value_of(const json& fit, const std::string& parameter) {
   for (const json& p : fit["parameters"]) {
     if (p["name"] == parameter) return p["value"];

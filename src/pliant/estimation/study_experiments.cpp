@@ -24,7 +24,7 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
   Experiments experiments;
   std::map<std::string, std::vector<std::string>> left_out;  // names by type
   for (const ExperimentSpec& spec : study.experiments) {
-    if (measures_sheets(spec.type)) continue;
+    if (is_sheet(spec, study.model)) continue;
     if (!is_supported_type(spec.type)) {
       left_out[spec.type].push_back(spec.name);
       continue;

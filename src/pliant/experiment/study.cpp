@@ -194,8 +194,8 @@ void read_buckling_bend(Fields& fields, ExperimentSpec& spec) {
 
 void read_session_fields(Fields& fields, ExperimentSpec& spec) {
   if (auto v = fields.optional("objective")) {
-    spec.objective =
-        sheet_objective(v->choice({"clip-forces", "parallel-clip-forces", "positions"}));
+    spec.objective = sheet_objective(
+        v->choice({"clip-forces", "parallel-clip-forces", "axial-clip-forces", "positions"}));
   }
 }
 
@@ -304,6 +304,9 @@ ModelOptions read_model(Fields& study) {
     model.isotropic = variant.ends_with("-isotropic");
   }
   if (auto v = fields.optional("mesh")) read_sheet_mesh(*v, model);
+  if (auto v = fields.optional("strips")) {
+    model.strips_as_sheets = v->choice({"one-dimensional", "sheet"}) == "sheet";
+  }
   if (auto v = fields.optional("stiffness")) model.stiffness = read_curve_kind(*v);
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
@@ -420,6 +423,10 @@ bool bends_by_weight(std::string_view type) {
 }
 
 bool measures_sheets(std::string_view type) { return type == "session"; }
+
+bool is_sheet(const ExperimentSpec& spec, const ModelOptions& model) {
+  return measures_sheets(spec.type) || (model.strips_as_sheets && spec.type == "tensile-cycles");
+}
 
 bool needs_density(std::string_view type) {
   return type == "buckling-bend" || bends_by_weight(type);

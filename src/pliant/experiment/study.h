@@ -89,10 +89,11 @@ struct ComponentModel {
 struct ModelOptions {
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
-  bool isotropic = false;              ///< weft and warp share their curves; fits of sheets
-  std::optional<double> mesh_edge;     ///< m, of the grid that sheets are simulated on; absent: 24
-                                       ///< cells on the longer side
-  bool measured_mesh = false;          ///< sheets are simulated on the meshes of their sessions
+  bool isotropic = false;           ///< weft and warp share their curves; fits of sheets
+  std::optional<double> mesh_edge;  ///< m, of the grid that sheets are simulated on; absent: 24
+                                    ///< cells on the longer side
+  bool measured_mesh = false;       ///< sheets are simulated on the meshes of their sessions
+  bool strips_as_sheets = false;    ///< tensile-cycles are fitted as sheets, else in one dimension
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
   FrictionChoice friction = FrictionChoice::automatic;
   std::map<std::string, ComponentModel> components;
@@ -142,6 +143,10 @@ bool is_supported_type(std::string_view type);
 
 /// Types whose data is the full field of a sheet: session.
 bool measures_sheets(std::string_view type);
+
+/// Whether an experiment is fitted and predicted as a sheet: a session, or a strip where the model
+/// asks for it.
+bool is_sheet(const ExperimentSpec& spec, const ModelOptions& model);
 
 /// `down` or `up`.
 std::string_view name_of(BucklingSide side);

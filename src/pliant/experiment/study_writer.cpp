@@ -152,6 +152,7 @@ YAML::Node model_node(const ModelOptions& model) {
   }
   if (model.measured_mesh) node["mesh"] = "measured";
   if (model.mesh_edge) node["mesh"]["edge"] = exact_quantity(*model.mesh_edge, Dimension::length);
+  node["strips"] = model.strips_as_sheets ? "sheet" : "one-dimensional";
   if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
   node["friction"] = std::string(name_of(model.friction));
   for (const auto& [name, component] : model.components) {

@@ -200,6 +200,14 @@ Eigen::VectorXd TensileCycles::unfitted_nuisance(const ComponentLaw&) const {
   return values;
 }
 
+Eigen::VectorXd TensileCycles::force_offsets() const {
+  Eigen::VectorXd offsets(static_cast<int>(specimens_.size()));
+  for (std::size_t i = 0; i < specimens_.size(); ++i) {
+    offsets(static_cast<Eigen::Index>(i)) = specimens_[i].slack_force;
+  }
+  return offsets;
+}
+
 std::optional<LoopSeries> TensileCycles::loop(const Eigen::VectorXd& force) const {
   return LoopSeries{Eigen::Map<const Eigen::VectorXd>(length_.data(), rows()), force,
                     geometry_.width, geometry_.gauge_length};

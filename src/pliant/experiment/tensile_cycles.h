@@ -24,6 +24,9 @@ class TensileCycles : public Experiment {
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
   std::optional<LoopSeries> loop(const Eigen::VectorXd& force) const override;
 
+  /// What the tester reads while each specimen is slack, 0 where it never is (N).
+  Eigen::VectorXd force_offsets() const;
+
  private:
   struct Specimen {
     SpecimenRows rows;

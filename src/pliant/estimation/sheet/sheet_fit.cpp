@@ -57,6 +57,7 @@ class Fitter {
     if (stage.groups.front().front().starts_with("stretch") && guess_shear()) solved = solve(stage);
     record(stage, solved.rms, true);
     if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), solved);
+    if (stage.kind == StageKind::friction) grade(stage, stage.groups.front(), solved);
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) fitted_.push_back(group);
     }
@@ -93,6 +94,25 @@ class Fitter {
       accepted = fit_.material;
     }
     fit_.material = accepted;
+  }
+
+  /// The control points once more, denser towards rest, where friction no longer hides what the
+  /// curve is like. They stay there where that pays.
+  void grade(const SheetStage& stage, const ComponentGroup& group, const Solved& even) {
+    const ScalarCurve curve = stiffness_of(group);
+    if (curve.size() < 3 || even.rms < accuracy_of(stage)) return;
+    const Material before = fit_.material;
+    std::vector<double> knots, values;
+    for (int i = 0; i < curve.size(); ++i) {
+      const double share = static_cast<double>(i) / (curve.size() - 1);
+      knots.push_back(curve.knots().back() * share * share);
+      values.push_back(curve.value(knots.back()));
+    }
+    give_stiffness(group, ScalarCurve::hermite(knots, values, is_even(group.front())));
+    const Solved graded = solve(stage);
+    const bool worthwhile = graded.rms < (1 - kWorthwhileFall) * even.rms;
+    record(stage, graded.rms, worthwhile);
+    if (!worthwhile) fit_.material = before;
   }
 
   /// Friction of a tenth of the largest stress, spread over the strain that fits best.

@@ -14,7 +14,8 @@ enum class StageKind {
   constant,  ///< one for each
   grow,      ///< of a single group: more of them, while the residual falls
   again,     ///< as many as there are
-  friction,  ///< as many as there are, and internal friction beside them
+  friction,  ///< as many as there are, at equal distances or denser towards rest, and internal
+             ///< friction beside them
 };
 
 /// One stage of an incremental fit: some curves, to some tests.

@@ -29,9 +29,21 @@ struct Rows {
   }
 };
 
+/// Between the clips of a strip at rest (m).
+double gauge_length(const Session& session) {
+  const auto middle = [&](std::size_t clip) -> Eigen::Vector3d {
+    return session.rest.positions(Eigen::all, session.clips[clip].clamped).rowwise().mean();
+  };
+  return (middle(1) - middle(0)).norm();
+}
+
 /// How far a test has gone, as a strain.
-double relative_travel(const Session& session, int frame) {
-  return travel(session, frame) / std::max(session.sample.width, session.sample.height);
+double relative_travel(const SheetTest& test, int frame) {
+  const Session& session = test.session();
+  const bool strip =
+      test.objective() == SheetObjective::axial_clip_forces && session.clips.size() == 2;
+  const double side = std::max(session.sample.width, session.sample.height);
+  return travel(session, frame) / (strip ? gauge_length(session) : side);
 }
 
 /// Free nodes along the middle of a sheet that hangs over a table, or of any other along weft.
@@ -55,7 +67,7 @@ void add_heights(const SheetTest& test, int frame, const SheetShape& shape, Rows
   const int along = session.table ? static_cast<int>(*session.table) : 0;
   for (const int node : middle_nodes(session, frame)) {
     const double place = 1e3 * session.rest.positions(along, node);
-    rows.add(frame, fmt::format("{:.4g} mm", place), "z", relative_travel(session, frame),
+    rows.add(frame, fmt::format("{:.4g} mm", place), "z", relative_travel(test, frame),
              session.frames[static_cast<std::size_t>(frame)].positions(2, node),
              shape.positions(2, node));
   }
@@ -65,14 +77,18 @@ void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows&
   const Session& session = test.session();
   const Eigen::VectorXd seen = test.measured(frame), found = test.predicted(frame, shape);
   const bool parallel = test.objective() == SheetObjective::parallel_clip_forces;
+  const bool axial = test.objective() == SheetObjective::axial_clip_forces;
   Eigen::Index row = 0;
   for (std::size_t c = 0; c < session.clips.size(); ++c) {
     if (session.frames[static_cast<std::size_t>(frame)].cords[c].empty()) continue;
     for (const char* axis : {"x", "y", "z"}) {
-      rows.add(frame, session.clips[c].name, parallel ? "parallel" : axis,
-               relative_travel(session, frame), seen(row), found(row));
+      rows.add(frame, session.clips[c].name,
+               parallel ? "parallel"
+               : axial  ? "axial"
+                        : axis,
+               relative_travel(test, frame), seen(row), found(row));
       ++row;
-      if (parallel) break;
+      if (parallel || axial) break;
     }
   }
 }

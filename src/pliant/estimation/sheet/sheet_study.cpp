@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
@@ -18,6 +19,7 @@
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/on_mesh.h"
+#include "pliant/experiment/sheet/strip_sheets.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/geometry/regular_grid.h"
@@ -136,6 +138,16 @@ std::string sheet_bending(const SheetFit& fit, const TriangleMesh& mesh) {
       sheet(kAlongWeft), sheet(kAlongWarp), sheet(kAlongRising), sheet(kAlongFalling));
 }
 
+void warn_of_left_out(const Study& study, StudyResult& result) {
+  std::vector<std::string> names;
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!is_sheet(spec, study.model)) names.push_back(spec.name);
+  }
+  if (names.empty()) return;
+  result.warnings.push_back(fmt::format(
+      "experiments in one dimension are left out of a fit of sheets: {}", fmt::join(names, ", ")));
+}
+
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
@@ -158,6 +170,9 @@ std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& ex
   for (const SheetExperiment& experiment : experiments) {
     rows.push_back(compare_sheet(experiment.test, predict(experiment.test, usable, context)));
     rows.back().role = experiment.role;
+    rows.back().type = experiment.type;
+    rows.back().direction = experiment.direction;
+    rows.back().handled = experiment.handled;
     const auto components = usual_components(experiment.test.session().test);
     if (!components.empty()) rows.back().component = components.front();
     task.advance(static_cast<double>(rows.size()));
@@ -216,11 +231,6 @@ void refuse_foreign_options(const Study& study) {
     refuse("fit", "bounds, fix and priors are not used in fits of sheets",
            "a fit without them, of which `plan` says what is fitted to what");
   }
-  for (const ExperimentSpec& spec : study.experiments) {
-    if (measures_sheets(spec.type) || spec.role != ExperimentRole::fit) continue;
-    refuse("experiments", "a fit of sheets takes no " + spec.type + " along: " + spec.name,
-           "studies of their own, or the experiment under `validate`");
-  }
 }
 
 std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments) {
@@ -231,12 +241,28 @@ std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& e
   return tests;
 }
 
+/// The strips of an experiment, one test a specimen.
+void add_strips(const ExperimentSpec& spec, const Study& study,
+                std::vector<SheetExperiment>& experiments, StudyResult& result) {
+  StripSheets strips = sheets_of_strips(spec, study.model, study.density);
+  for (const std::string& warning : strips.warnings) {
+    result.warnings.push_back(spec.name + ": " + warning);
+  }
+  for (SheetTest& test : strips.tests) {
+    experiments.push_back({std::move(test), spec.role, spec.type, spec.direction, strips.handled});
+  }
+}
+
 }  // namespace
 
 std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyResult& result) {
   std::vector<SheetExperiment> experiments;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (!measures_sheets(spec.type)) continue;
+    if (!is_sheet(spec, study.model)) continue;
+    if (!measures_sheets(spec.type)) {
+      add_strips(spec, study, experiments, result);
+      continue;
+    }
     const Session measured = read_session(spec.data.files.front());
     for (const std::string& warning : measured.warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
@@ -244,14 +270,16 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
     Session session = on_fit_mesh(measured, study.model);
     require_grid_for_springs(spec, session, study.model);
     const SheetObjective objective = spec.objective.value_or(usual_objective(session));
-    experiments.push_back({SheetTest(spec.name, std::move(session), objective), spec.role});
+    const std::string test = session.test;
+    experiments.push_back(
+        {SheetTest(spec.name, std::move(session), objective), spec.role, spec.type, test, {}});
   }
   return experiments;
 }
 
 bool fits_sheets(const Study& study) {
-  return std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
-    return measures_sheets(spec.type) && spec.role == ExperimentRole::fit;
+  return std::ranges::any_of(study.experiments, [&](const ExperimentSpec& spec) {
+    return is_sheet(spec, study.model) && spec.role == ExperimentRole::fit;
   });
 }
 
@@ -272,6 +300,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   StudyResult result = describe(study);
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
+  warn_of_left_out(study, result);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   Candidate best = best_fit(study, plan, experiments, context, starts);
   SheetFit& fit = best.fit;
@@ -313,7 +342,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
 void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
                      StudyResult& result) {
   const bool any = std::ranges::any_of(
-      study.experiments, [](const ExperimentSpec& spec) { return measures_sheets(spec.type); });
+      study.experiments, [&](const ExperimentSpec& spec) { return is_sheet(spec, study.model); });
   if (!any) return;
   require_complete(material, sheet_component_names(), {study.file, 0, "experiments"});
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
@@ -321,6 +350,14 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
   for (ExperimentResult& row : predictions(experiments, material, context)) {
     result.experiments.push_back(std::move(row));
+  }
+  for (const ExperimentResult& row : result.experiments) {
+    const bool drawn = std::ranges::any_of(result.curves, [&](const ComponentCurve& curve) {
+      return curve.component == row.component;
+    });
+    if (drawn || row.component.empty()) continue;
+    const ComponentLaw law = law_of(material, ComponentGroup{row.component});
+    result.curves.push_back(component_curve(row.component, law, row.strain_range.second, {}));
   }
 }
 

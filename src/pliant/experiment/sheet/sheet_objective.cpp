@@ -10,6 +10,8 @@ std::string_view name_of(SheetObjective objective) {
       return "clip-forces";
     case SheetObjective::parallel_clip_forces:
       return "parallel-clip-forces";
+    case SheetObjective::axial_clip_forces:
+      return "axial-clip-forces";
     case SheetObjective::positions:
       return "positions";
   }
@@ -18,7 +20,8 @@ std::string_view name_of(SheetObjective objective) {
 
 SheetObjective sheet_objective(std::string_view name) {
   for (const SheetObjective objective :
-       {SheetObjective::clip_forces, SheetObjective::parallel_clip_forces}) {
+       {SheetObjective::clip_forces, SheetObjective::parallel_clip_forces,
+        SheetObjective::axial_clip_forces}) {
     if (name == name_of(objective)) return objective;
   }
   PLIANT_ASSERT(name == name_of(SheetObjective::positions), "an objective has a name");

@@ -1,5 +1,7 @@
 #include "pliant/experiment/sheet/sheet_test.h"
 
+#include <algorithm>
+
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
@@ -18,6 +20,16 @@ Eigen::Vector3d direction_of(const Session& session, int frame, int clip) {
   const Pose& pose =
       session.frames[static_cast<std::size_t>(frame)].poses[static_cast<std::size_t>(clip)];
   return pose.rotation * svd.matrixU().col(0);
+}
+
+/// Away from the middle of all other clips, in a frame.
+Eigen::Vector3d away_from_others(const Session& session, int frame, int clip) {
+  Eigen::Vector3d others = Eigen::Vector3d::Zero();
+  for (int other = 0; other < static_cast<int>(session.clips.size()); ++other) {
+    if (other != clip) others += clip_middle(session, frame, other);
+  }
+  others /= std::max(static_cast<double>(session.clips.size()) - 1, 1.0);
+  return (clip_middle(session, frame, clip) - others).normalized();
 }
 
 }  // namespace
@@ -74,6 +86,10 @@ SheetTest::Frame SheetTest::compared_in(int frame) const {
     if (now.cords[static_cast<std::size_t>(clip)].empty()) continue;
     if (objective_ == SheetObjective::parallel_clip_forces) {
       compared.forces.push_back({clip, direction_of(session_, frame, clip)});
+      continue;
+    }
+    if (objective_ == SheetObjective::axial_clip_forces) {
+      compared.forces.push_back({clip, away_from_others(session_, frame, clip)});
       continue;
     }
     for (int axis = 0; axis < 3; ++axis) {

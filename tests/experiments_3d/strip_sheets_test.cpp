@@ -1,0 +1,178 @@
+// Strips of a tensile tester as sheets.
+
+#include "pliant/experiment/sheet/strip_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/sheet/sheet_path.h"
+
+#include "support/study_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::StudyFolder;
+using ::testing::HasSubstr;
+
+constexpr double kLength = 0.08, kWidth = 0.04;  // m
+constexpr double kOffset = 0.05;                 // N, what the tester reads of a slack strip
+
+/// Two cycles from slack clamps to 90 and 100 mm, the force a straight line over the length from
+/// 84 mm on, which is where the second cycle goes slack, too.
+std::string two_cycles() {
+  std::string rows = "force_N,length_mm\n";
+  const auto add = [&](double length) {
+    const double force = kOffset + std::max(length - 84, 0.0) / 10;
+    rows += fmt::format("{},{}\n", force, length);
+  };
+  for (int i = 0; i <= 120; ++i) add(78 + 0.1 * i);
+  for (int i = 1; i <= 120; ++i) add(90 - 0.1 * i);
+  for (int i = 1; i <= 220; ++i) add(78 + 0.1 * i);
+  for (int i = 1; i <= 220; ++i) add(100 - 0.1 * i);
+  return rows;
+}
+
+Study study_of(const StudyFolder& folder, const std::string& direction,
+               const std::string& more = "", const std::string& model = "strips: sheet") {
+  folder.write("t.csv", two_cycles());
+  return folder.study(
+      "{name: strip, type: tensile-cycles, data: t.csv, length: 80 mm, "
+      "width: 40 mm, direction: " +
+          direction + more + "}",
+      "model: {" + model + "}\n");
+}
+
+SheetTest strip_of(const Study& study) {
+  StripSheets strips = sheets_of_strips(study.experiments.front(), study.model, study.density);
+  EXPECT_EQ(strips.tests.size(), 1U);
+  return std::move(strips.tests.front());
+}
+
+/// Between the clips (m).
+double length_in(const Session& session, int frame) {
+  return (clip_middle(session, frame, 1) - clip_middle(session, frame, 0)).norm();
+}
+
+Material elastic(double weft, double warp, double shear) {
+  Material material;
+  material.membrane = MembraneMeasure::stvk;
+  material.bending = "discrete-shells";
+  material.bending_of = "hinges";
+  const auto give = [&](const char* component, double stiffness) {
+    material.components[component].stiffness =
+        ScalarCurve::hermite({0.0}, {stiffness}, is_even(component));
+  };
+  give("stretch.weft", weft);
+  give("stretch.warp", warp);
+  give("shear", shear);
+  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) give(component, 1e-6);
+  return material;
+}
+
+/// Largest difference of a test's forces from those of a strip that is strained evenly and has the
+/// stiffness k (N/m) lengthways.
+double farthest_from_uniform(const SheetTest& test, const Material& material, double k) {
+  SheetPath path(test.session(), material);
+  const auto shapes = path.predict(path.parameters(), {}, 1, {});
+  if (!shapes) return INFINITY;
+  double farthest = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const double stretch = length_in(test.session(), frame) / kLength;
+    const double force = kWidth * k * stretch * (stretch * stretch - 1) / 2;
+    const Eigen::VectorXd found = test.predicted(frame, (*shapes)[static_cast<std::size_t>(frame)]);
+    farthest = std::max(farthest, std::abs(found(0) - force));
+  }
+  return farthest;
+}
+
+TEST(StripSheets, KeepAllTurnsAndTheShapeOfEveryBranch) {
+  const StudyFolder folder;
+  const SheetTest test = strip_of(study_of(folder, "warp"));
+  const Session& session = test.session();
+  EXPECT_GT(test.frame_count(), 80);
+  EXPECT_LT(test.frame_count(), 150);
+  EXPECT_EQ(test.rows(), test.frame_count());
+  // Turns at 90 and 100 mm, and at 84 mm, where the force goes.
+  int reversals = 0;
+  double first_peak = 0, peak = 0, farthest = 0;
+  for (int f = 1; f < test.frame_count(); ++f) {
+    const double length = length_in(session, f), before = length_in(session, f - 1);
+    farthest = std::max(farthest, std::abs(length - before));
+    peak = std::max(peak, length);
+    if (f + 1 == test.frame_count()) break;
+    const bool turns = (length_in(session, f + 1) - length) * (length - before) < 0;
+    if (turns && reversals == 0) first_peak = length;
+    reversals += turns ? 1 : 0;
+  }
+  EXPECT_EQ(reversals, 3);
+  EXPECT_NEAR(first_peak, 0.09, 1e-9);
+  EXPECT_NEAR(peak, 0.1, 1e-9);
+  EXPECT_LT(farthest, 1e-3);
+}
+
+TEST(StripSheets, ForcesAreThoseWithoutTheOffsetAlongTheStrip) {
+  const StudyFolder folder;
+  for (const char* direction : {"warp", "weft", "bias"}) {
+    const SheetTest test = strip_of(study_of(folder, direction));
+    for (int f = 0; f < test.frame_count(); ++f) {
+      const double length = length_in(test.session(), f);
+      EXPECT_NEAR(test.measured(f)(0), std::max(1e3 * length - 84, 0.0) / 10, 1e-6) << direction;
+    }
+  }
+}
+
+TEST(StripSheets, ASlackStripKeepsTheLengthThatUnloadingLeft) {
+  const StudyFolder folder;
+  const SheetTest test = strip_of(study_of(folder, "weft"));
+  EXPECT_NEAR(length_in(test.session(), 0), kLength, 1e-9);
+  // Half a per cent of the peak of 1.6 N is gone 0.08 mm before 84 mm; rows are 0.1 mm apart.
+  EXPECT_NEAR(length_in(test.session(), test.frame_count() - 1), 0.084, 1.1e-4);
+}
+
+TEST(StripSheets, ConditioningIsFollowedAndNotCompared) {
+  const StudyFolder folder;
+  const SheetTest all = strip_of(study_of(folder, "warp"));
+  const SheetTest test = strip_of(study_of(folder, "warp", ", precondition_cycles: 1"));
+  EXPECT_EQ(test.frame_count(), all.frame_count());
+  EXPECT_EQ(test.rows(0), 0);
+  EXPECT_EQ(test.rows(test.frame_count() - 1), 1);
+}
+
+TEST(StripSheets, AlongAThreadTheyAreStripsOfOneDimension) {
+  const StudyFolder folder;
+  const Material material = elastic(60, 100, 20);
+  // Of 2 N; equilibria leave 10 uN a node.
+  EXPECT_LT(farthest_from_uniform(strip_of(study_of(folder, "warp")), material, 100), 2e-4);
+  EXPECT_LT(farthest_from_uniform(strip_of(study_of(folder, "weft")), material, 60), 2e-4);
+}
+
+// At 45 degrees half of the strain along the strip stretches each thread and all of it shears:
+// where shear is half as stiff as stretch both pull across with the same force, the strip does not
+// narrow, and its clamps do not show.
+TEST(StripSheets, OnTheBiasThreadsAndShearAreInBalance) {
+  const StudyFolder folder;
+  const SheetTest test = strip_of(study_of(folder, "bias"));
+  EXPECT_LT(farthest_from_uniform(test, elastic(80, 80, 40), 80), 2e-4);
+  EXPECT_GT(farthest_from_uniform(test, elastic(80, 80, 20), 80), 0.1);
+}
+
+TEST(StripSheets, OfSpringsAreRefused) {
+  const StudyFolder folder;
+  const Study study = study_of(folder, "bias", "", "strips: sheet, membrane: spring");
+  try {
+    sheets_of_strips(study.experiments.front(), study.model, study.density);
+    FAIL() << "springs lie along weft and warp";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("springs"));
+  }
+}
+
+}  // namespace
+}  // namespace pliant

@@ -167,13 +167,17 @@ std::vector<NamedDocument> written_documents() {
   const VirtualLab lab =
       read_lab(folder.write("lab.yaml", read_text_file(kDocuments / "full_lab.yaml")));
   for (const auto& [name, content] : make_measurements(lab, {})) folder.write(name, content);
-  const Study study = read_study(folder.path() / "study.yaml");
+  Study study = read_study(folder.path() / "study.yaml");
   const RunFacts facts{"pliant fit", "2024-01-01T00:00:00Z", "0",
                        "study.yaml", sha256_of(""),          "material.json"};
 
   std::vector<NamedDocument> documents{
       named("study of lab", read_yaml(folder.path() / "study.yaml")),
       from_yaml("resolved study", resolved_study_text(study, folder.path()))};
+  // Sheets are predicted alone: a fit of them would take no other experiment along.
+  for (ExperimentSpec& spec : study.experiments) {
+    if (measures_sheets(spec.type)) spec.role = ExperimentRole::validate;
+  }
   StudyFitOptions options;
   options.compare_friction = true;
   options.profiles = {"shear.k*"};

@@ -137,7 +137,7 @@ TEST(SheetStarts, AreKeptWhereNoSearchFindsBetter) {
   EXPECT_LT(misfit_percent(begun.experiments), 0.1);
   EXPECT_THAT(begun.assumptions, Contains(HasSubstr("linear-isotropic")));
   Material bad = truth;
-  set_stiffness(bad, {"stretch.warp"}, ScalarCurve::hermite({0}, {1e5}, true));
+  bad.components.at("stretch.warp").stiffness = ScalarCurve::hermite({0}, {1e5});
   const StudyResult apart = fit_sheet_study(study, {}, {{"linear-isotropic", bad}});
   EXPECT_EQ(misfit_percent(apart.experiments), misfit_percent(alone.experiments));
 }

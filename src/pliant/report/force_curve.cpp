@@ -14,11 +14,6 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMilli = 1e3;
 
-Eigen::Vector3d rest_middle(const Session& session, int clip) {
-  const auto& clamped = session.clips[static_cast<std::size_t>(clip)].clamped;
-  return session.rest.positions(Eigen::all, clamped).rowwise().mean();
-}
-
 struct ClipPair {
   int from = 0, to = 0;
 };

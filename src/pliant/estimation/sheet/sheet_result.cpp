@@ -31,10 +31,7 @@ struct Rows {
 
 /// Between the clips of a strip at rest (m).
 double gauge_length(const Session& session) {
-  const auto middle = [&](std::size_t clip) -> Eigen::Vector3d {
-    return session.rest.positions(Eigen::all, session.clips[clip].clamped).rowwise().mean();
-  };
-  return (middle(1) - middle(0)).norm();
+  return (rest_middle(session, 1) - rest_middle(session, 0)).norm();
 }
 
 /// How far a test has gone, as a strain.
@@ -77,18 +74,15 @@ void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows&
   const Session& session = test.session();
   const Eigen::VectorXd seen = test.measured(frame), found = test.predicted(frame, shape);
   const bool parallel = test.objective() == SheetObjective::parallel_clip_forces;
-  const bool axial = test.objective() == SheetObjective::axial_clip_forces;
+  const char* own_axis = parallel ? "parallel" : "axial";
   Eigen::Index row = 0;
   for (std::size_t c = 0; c < session.clips.size(); ++c) {
     if (session.frames[static_cast<std::size_t>(frame)].cords[c].empty()) continue;
     for (const char* axis : {"x", "y", "z"}) {
-      rows.add(frame, session.clips[c].name,
-               parallel ? "parallel"
-               : axial  ? "axial"
-                        : axis,
+      rows.add(frame, session.clips[c].name, test.compares_one_axis() ? own_axis : axis,
                relative_travel(test, frame), seen(row), found(row));
       ++row;
-      if (parallel || axial) break;
+      if (test.compares_one_axis()) break;
     }
   }
 }
@@ -102,12 +96,6 @@ std::vector<int> directions(const std::vector<double>& travels) {
     if (travels[before] != travels[i]) direction[i] = travels[before] < travels[i] ? 1 : -1;
   }
   return direction;
-}
-
-/// Nodes or clips that are compared in all frames: errors are distances and forces in space, as in
-/// [T] Tables A.1-A.4, where only one coordinate is compared its absolute value.
-double compared_vectors(const SheetTest& test) {
-  return test.objective() == SheetObjective::parallel_clip_forces ? test.rows() : test.rows() / 3.0;
 }
 
 /// Where a force has a moment, but for the part of it along the force, from where it has none (m).
@@ -167,12 +155,13 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   };
   result.measured = as_vector(rows.measured);
   result.predicted = as_vector(rows.predicted);
-  result.rms = std::sqrt(squares / compared_vectors(test));
+  // Errors are distances and forces in space, as in [T] Tables A.1-A.4.
+  result.rms = std::sqrt(squares / test.compared());
   const bool positions = test.objective() == SheetObjective::positions;
   const double side = std::max(session.sample.width, session.sample.height);
   result.peak_force = positions ? 0 : result.measured.cwiseAbs().maxCoeff();
   result.rms_percent = 100 * result.rms / (positions ? side : std::max(result.peak_force, 1e-12));
-  result.points = static_cast<int>(compared_vectors(test));
+  result.points = test.compared();
   result.specimens = {session.sample.id.empty() ? "1" : session.sample.id};
   result.noise = result.rms;
   result.noise_source = "from the residuals";

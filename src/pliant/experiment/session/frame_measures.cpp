@@ -99,6 +99,11 @@ double tension(const Session& session, int frame, int from, int to) {
 
 }  // namespace
 
+Eigen::Vector3d rest_middle(const Session& session, int clip) {
+  const auto& clamped = session.clips[static_cast<std::size_t>(clip)].clamped;
+  return session.rest.positions(Eigen::all, clamped).rowwise().mean();
+}
+
 double travel(const Session& session, int frame) {
   const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
   if (session.table && now.table_edge) {
@@ -107,8 +112,7 @@ double travel(const Session& session, int frame) {
   }
   double sum = 0;
   for (std::size_t c = 0; c < session.clips.size(); ++c) {
-    const Eigen::Vector3d middle =
-        session.rest.positions(Eigen::all, session.clips[c].clamped).rowwise().mean();
+    const Eigen::Vector3d middle = rest_middle(session, static_cast<int>(c));
     sum += (now.poses[c].apply(middle) - middle).norm();
   }
   return sum;
@@ -160,11 +164,8 @@ std::optional<double> stretching_force_difference(const Session& session, int fr
 
 std::optional<double> clip_extension(const Session& session, int frame) {
   if (session.clips.size() != 2) return std::nullopt;
-  const auto rest_middle = [&](std::size_t clip) -> Eigen::Vector3d {
-    return session.rest.positions(Eigen::all, session.clips[clip].clamped).rowwise().mean();
-  };
   const double now = (clip_middle(session, frame, 1) - clip_middle(session, frame, 0)).norm();
-  return now - (rest_middle(1) - rest_middle(0)).norm();
+  return now - (rest_middle(session, 1) - rest_middle(session, 0)).norm();
 }
 
 std::optional<double> clip_pull(const Session& session, int frame) {

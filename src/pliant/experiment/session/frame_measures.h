@@ -8,6 +8,9 @@ namespace pliant {
 
 // What [T] Fig. 3.6 plots forces of a frame over, and against.
 
+/// The middle of the vertices that a clip clamps, at rest (m).
+Eigen::Vector3d rest_middle(const Session& session, int clip);
+
 /// How far the clips of a frame have moved from their places at rest together; of a session with a
 /// table how much of the sheet hangs over its edge (m).
 double travel(const Session& session, int frame);

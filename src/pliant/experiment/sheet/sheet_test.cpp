@@ -104,6 +104,11 @@ int SheetTest::rows(int frame) const {
   return static_cast<int>(compared.forces.size() + 3 * compared.nodes.size());
 }
 
+bool SheetTest::compares_one_axis() const {
+  return objective_ == SheetObjective::parallel_clip_forces ||
+         objective_ == SheetObjective::axial_clip_forces;
+}
+
 Eigen::VectorXd SheetTest::measured(int frame) const {
   const Frame& compared = frames_[static_cast<std::size_t>(frame)];
   const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];

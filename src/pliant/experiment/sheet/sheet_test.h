@@ -35,6 +35,10 @@ class SheetTest {
   int frame_count() const { return session_.frame_count(); }
   int rows() const { return rows_; }
   int rows(int frame) const;
+  /// Whether one coordinate of each force is compared, instead of vectors.
+  bool compares_one_axis() const;
+  /// Clips or nodes that are compared in all frames; each has one row or three.
+  int compared() const { return compares_one_axis() ? rows_ : rows_ / 3; }
 
   Eigen::VectorXd measured(int frame) const;
   Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;

@@ -54,16 +54,24 @@ void add_histogram(Figure& figure, const std::vector<double>& x, std::span<const
   figure.layout["xaxis"]["anchor"] = "y2";
 }
 
+/// Axes of stress against strain, nothing drawn.
+Figure empty_curve_figure(const std::string& component, const StrainScale& scale) {
+  Figure figure;
+  figure.layout = base_layout();
+  figure.layout["xaxis"] = axis(scale.label);
+  figure.layout["yaxis"] = axis(stress_label(component));
+  figure.description = "Stress against strain of " + component;
+  figure.data_file = "curves.csv";
+  return figure;
+}
+
 }  // namespace
 
 Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
                             bool show_friction) {
   const StrainScale scale = strain_scale(curve.component);
   const std::vector<double> x = scaled(curve.strain, scale.factor);
-  Figure figure;
-  figure.layout = base_layout();
-  figure.layout["xaxis"] = axis(scale.label);
-  figure.layout["yaxis"] = axis(stress_label(curve.component));
+  Figure figure = empty_curve_figure(curve.component, scale);
   if (!curve.low.empty() && !curve.high.empty() && show_friction) add_band(figure.traces, x, curve);
   if (!curve.elastic.empty()) figure.traces.push_back(trace(kElastic, x, curve.elastic));
   if (show_friction) {
@@ -73,18 +81,13 @@ Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double>
   if (!x.empty() && !data_strains.empty()) {
     add_histogram(figure, x, scaled(data_strains, scale.factor));
   }
-  figure.description = "Stress against strain of " + curve.component;
-  figure.data_file = "curves.csv";
   return figure;
 }
 
 Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains) {
   const StrainScale scale = strain_scale(curve.component);
   const std::vector<double> x = scaled(curve.strain, scale.factor);
-  Figure figure;
-  figure.layout = base_layout();
-  figure.layout["xaxis"] = axis(scale.label);
-  figure.layout["yaxis"] = axis(stress_label(curve.component));
+  Figure figure = empty_curve_figure(curve.component, scale);
   if (!curve.low.empty() && !curve.high.empty()) add_band(figure.traces, x, curve);
   figure.traces.push_back(trace(kElasticMaterial, x, curve.elastic));
   if (!x.empty() && !sheet_strains.empty()) {
@@ -93,8 +96,6 @@ Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double>
     figure.traces.back()["hovertemplate"] = "%{y} elements<extra></extra>";
     figure.layout["yaxis2"]["title"]["text"] = "Elements";
   }
-  figure.description = "Stress against strain of " + curve.component;
-  figure.data_file = "curves.csv";
   return figure;
 }
 

@@ -34,6 +34,16 @@ Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at
 
 }  // namespace
 
+std::optional<Curvature> factorize_at(const Objective& objective, const Configuration& at,
+                                      Eigen::Matrix3Xd& gradient, Hessian& hessian,
+                                      LinearSolver& solver) {
+  for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
+    objective.linearize(at, curvature, gradient, hessian);
+    if (solver.factorize(hessian.matrix)) return curvature;
+  }
+  return std::nullopt;
+}
+
 EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
                                                  const Configuration& at,
                                                  const Eigen::MatrixXd& history_by_parameter,

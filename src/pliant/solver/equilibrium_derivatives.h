@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "pliant/math/linear_solver.h"
@@ -12,6 +14,14 @@ struct EquilibriumDerivatives {
   Eigen::MatrixXd positions;  ///< (dF/dx) dx/dp = -dF/dp ([T] Eq. 3.7)
   Eigen::MatrixXd forces;     ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8)
 };
+
+/// Factorises the Hessian at an equilibrium: the exact one or, where it is not positive definite,
+/// its convex stand-in ([T] 3.4.1 modifies it likewise).
+/// @param gradient  gets dE / d points (N)
+/// @return which was factorised; nothing where neither could be
+std::optional<Curvature> factorize_at(const Objective& objective, const Configuration& at,
+                                      Eigen::Matrix3Xd& gradient, Hessian& hessian,
+                                      LinearSolver& solver);
 
 /// Derivatives of an equilibrium by the parameters that its system differentiates by.
 /// @param history_by_parameter  of what its potentials remember; rows of the whole history

@@ -82,13 +82,10 @@ void StaticPath::accept(double time, Configuration at, PathEquilibrium& point) {
   if (options_.sensitivities) {
     // Newton's own factor belongs to the iterate before the last, and may be shifted.
     const Objective objective(system_, state_);
-    objective.linearize(at, Curvature::exact, point.forces, hessian_);
-    bool factorized = solver_.factorize(hessian_.matrix);
-    if (!factorized && options_.convex_sensitivities) {
-      objective.linearize(at, Curvature::convex, point.forces, hessian_);
-      factorized = solver_.factorize(hessian_.matrix);
-    }
-    if (!factorized) {
+    const auto factorized = factorize_at(objective, at, point.forces, hessian_, solver_);
+    const bool usable = factorized == Curvature::exact ||
+                        (factorized == Curvature::convex && options_.convex_sensitivities);
+    if (!usable) {
       throw SolverError("the sensitivity of the equilibrium" + at_time(time) +
                             ", which is not stable (its Hessian is not positive definite)",
                         point.newton.iterations, point.newton.residual);

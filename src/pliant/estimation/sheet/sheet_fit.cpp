@@ -20,10 +20,13 @@ constexpr double kOutlierShare = 0.01;    // of strains, before the range is tak
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
-struct Solved {
-  Eigen::VectorXd values;
-  double rms = 0;  // of the differences (N or m)
-};
+/// Half the squared residuals where a search would begin; infinite without equilibria.
+double cost_at_start(const SheetProblem& problem) {
+  const LeastSquaresProblem squares = problem.least_squares();
+  Eigen::VectorXd residual(squares.residuals);
+  const bool found = squares.evaluate(problem.start(), residual, nullptr);
+  return found ? residual.squaredNorm() / 2 : INFINITY;
+}
 
 class Fitter {
  public:
@@ -52,12 +55,12 @@ class Fitter {
       if (!is_fitted(group)) guess(stage, group);
       if (stage.kind == StageKind::friction && !guess_friction(stage, group)) return;
     }
-    Solved solved = solve(stage);
+    double rms = solve(stage);
     // Without a test of its own shear follows stretch.
-    if (stage.groups.front().front().starts_with("stretch") && guess_shear()) solved = solve(stage);
-    record(stage, solved.rms, true);
-    if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), solved);
-    if (stage.kind == StageKind::friction) grade(stage, stage.groups.front(), solved);
+    if (stage.groups.front().front().starts_with("stretch") && guess_shear()) rms = solve(stage);
+    record(stage, rms, true);
+    if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), rms);
+    if (stage.kind == StageKind::friction) grade(stage, stage.groups.front(), rms);
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) fitted_.push_back(group);
     }
@@ -68,7 +71,7 @@ class Fitter {
   }
 
   /// One control point after the other, at equal distances.
-  void grow(const SheetStage& stage, const ComponentGroup& group, Solved best) {
+  void grow(const SheetStage& stage, const ComponentGroup& group, double best) {
     const double largest = largest_strain(stage, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
     if (study_.model.stiffness == CurveKind::constant) return;
@@ -77,7 +80,7 @@ class Fitter {
     Material accepted = fit_.material;
     int useless = 0;
     for (int points = first; points <= study_.fit.control_points && useless < 2; ++points) {
-      if (best.rms < accuracy_of(stage)) break;
+      if (best < accuracy_of(stage)) break;
       const ScalarCurve last = stiffness_of(group);
       std::vector<double> knots, values;
       for (int i = 0; i < points; ++i) {
@@ -85,12 +88,12 @@ class Fitter {
         values.push_back(last.value(knots.back()));
       }
       give_stiffness(going_along({group}).front(), ScalarCurve::hermite(knots, values, even));
-      const Solved solved = solve(stage);
-      const bool worthwhile = solved.rms < (1 - kWorthwhileFall) * best.rms;
-      record(stage, solved.rms, worthwhile);
+      const double rms = solve(stage);
+      const bool worthwhile = rms < (1 - kWorthwhileFall) * best;
+      record(stage, rms, worthwhile);
       useless = worthwhile ? 0 : useless + 1;
       if (!worthwhile) continue;
-      best = solved;
+      best = rms;
       accepted = fit_.material;
     }
     fit_.material = accepted;
@@ -98,9 +101,9 @@ class Fitter {
 
   /// The control points once more, denser towards rest, where friction no longer hides what the
   /// curve is like. They stay there where that pays.
-  void grade(const SheetStage& stage, const ComponentGroup& group, const Solved& even) {
+  void grade(const SheetStage& stage, const ComponentGroup& group, double even) {
     const ScalarCurve curve = stiffness_of(group);
-    if (curve.size() < 3 || even.rms < accuracy_of(stage)) return;
+    if (curve.size() < 3 || even < accuracy_of(stage)) return;
     const Material before = fit_.material;
     std::vector<double> knots, values;
     for (int i = 0; i < curve.size(); ++i) {
@@ -109,13 +112,12 @@ class Fitter {
       values.push_back(curve.value(knots.back()));
     }
     give_stiffness(group, ScalarCurve::hermite(knots, values, is_even(group.front())));
-    const Solved graded = solve(stage);
-    const bool worthwhile = graded.rms < (1 - kWorthwhileFall) * even.rms;
-    record(stage, graded.rms, worthwhile);
+    const double graded = solve(stage);
+    const bool worthwhile = graded < (1 - kWorthwhileFall) * even;
+    record(stage, graded, worthwhile);
     if (!worthwhile) fit_.material = before;
   }
 
-  /// Friction of a tenth of the largest stress, spread over the strain that fits best.
   /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
   /// while they return, by more than chance.
   bool shows_loop(const SheetStage& stage) {
@@ -142,6 +144,7 @@ class Fitter {
     return loop > kChance * std::sqrt(squares) && loop > kSmallest * std::sqrt(forces * rows);
   }
 
+  /// Friction of a tenth of the largest stress, spread over the strain that fits best.
   /// @return false where the sequence shows no friction, or no path of equilibria to begin with
   bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
     if (!shows_loop(stage)) return false;
@@ -155,11 +158,8 @@ class Fitter {
       law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
       set_law(fit_.material, group, law);
       const SheetProblem problem = problem_of(stage);
-      const LeastSquaresProblem squares = problem.least_squares();
-      Eigen::VectorXd residual(squares.residuals);
-      const bool found = squares.evaluate(problem.start(), residual, nullptr);
+      const double cost = cost_at_start(problem);
       fit_.counts += problem.counts();
-      const double cost = found ? residual.squaredNorm() : INFINITY;
       if (cost >= least) continue;
       least = cost;
       best = law.friction;
@@ -226,11 +226,8 @@ class Fitter {
       constant(value);
       const SheetProblem problem(stage.tests, fit_.material, stage.groups,
                                  std::vector<double>(stage.groups.size(), 0.01), context_);
-      const LeastSquaresProblem squares = problem.least_squares();
-      Eigen::VectorXd residual(squares.residuals);
-      const bool found = squares.evaluate(problem.start(), residual, nullptr);
+      const double cost = cost_at_start(problem);
       fit_.counts += problem.counts();
-      const double cost = found ? residual.squaredNorm() : INFINITY;
       const bool nothing_yet = !std::isfinite(least);
       worse = nothing_yet || cost < least ? 0 : worse + 1;
       if (cost < least) {
@@ -274,7 +271,8 @@ class Fitter {
   }
 
   /// The search of a stage, whose result the material gets.
-  Solved solve(const SheetStage& stage) {
+  /// @return the root mean square of the differences (N or m)
+  double solve(const SheetStage& stage) {
     const SheetProblem problem = problem_of(stage);
     const LeastSquaresProblem squares = problem.least_squares();
     const LeastSquaresSummary summary =
@@ -286,8 +284,7 @@ class Fitter {
     problem.keep(shapes_);
     fit_.converged = fit_.converged && summary.converged;
     fit_.material = problem.material_at(summary.parameters);
-    return {summary.parameters,
-            std::sqrt(2 * summary.cost / squares.residuals) * problem.scales().front()};
+    return std::sqrt(2 * summary.cost / squares.residuals) * problem.scales().front();
   }
 
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group

@@ -38,17 +38,12 @@ class SheetEquilibria::Lane {
   /// @return false where only a convex stand-in of the Hessian can be factorised
   bool differentiate(const Configuration& at, EquilibriumDerivatives& derivatives) {
     Eigen::Matrix3Xd gradient;
-    bool exact = true;
-    objective().linearize(at, Curvature::exact, gradient, hessian_);
-    if (!solver_.factorize(hessian_.matrix)) {
-      exact = false;
-      objective().linearize(at, Curvature::convex, gradient, hessian_);
-      if (!solver_.factorize(hessian_.matrix)) return false;
-    }
+    const auto factorized = factorize_at(objective(), at, gradient, hessian_, solver_);
+    if (!factorized) return false;
     const Eigen::MatrixXd no_history =
         Eigen::MatrixXd::Zero(rest_.history.size(), sheet_.system().derivative_count());
     derivatives = differentiate_equilibrium(objective(), at, no_history, solver_);
-    return exact;
+    return factorized == Curvature::exact;
   }
 
   SheetShape shape(const Configuration& at) const {

@@ -13,14 +13,19 @@ constexpr int kMostLinearStarts = 3;
 constexpr double kReachedShare = 1e-3;
 constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
 
-constexpr double kTrial = 1e-6, kRough = 1e-4;  // of the cost
+/// How far a search goes.
+struct Effort {
+  double tolerance;  // of the cost
+  int iterations;
+};
+constexpr Effort kTrial{1e-6, 50}, kRough{1e-4, 15};
 
 // A trial tells where a start leads; only the best is followed to the end.
-LeastSquaresOptions trial(double best_cost, double tolerance) {
+LeastSquaresOptions trial(double best_cost, const Effort& effort) {
   constexpr double kHopeless = 100;
   LeastSquaresOptions options;
-  options.max_iterations = 50;
-  options.function_tolerance = tolerance;
+  options.max_iterations = effort.iterations;
+  options.function_tolerance = effort.tolerance;
   options.hopeless_cost = kHopeless * best_cost;
   options.patience = 4;
   return options;
@@ -82,7 +87,7 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
 
 LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
                   const FitOptions& options, const StopToken& stop,
-                  const std::vector<ComponentLaw>& extra, double tolerance) {
+                  const std::vector<ComponentLaw>& extra, const Effort& effort) {
   LawFit fit;
   fit.limits = limits_of(problem, shape, options);
   const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
@@ -93,7 +98,7 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
   for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
     const LeastSquaresSummary solution =
         solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)),
-                            trial(std::max(best.cost, exact), tolerance), stop);
+                            trial(std::max(best.cost, exact), effort), stop);
     costs.push_back(solution.cost);
     if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
   }

@@ -1,5 +1,6 @@
 #include "pliant/estimation/least_squares.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -49,30 +50,14 @@ class ScaledParameters {
 };
 
 // Of a step that is tried Ceres asks for the residual first and, where it is taken, for the
-// Jacobian then: one evaluation answers both.
-class Residuals : public ceres::CostFunction {
+// Jacobian then; a search begins where the one before it has ended: one evaluation answers all.
+class LastEvaluation {
  public:
-  Residuals(const LeastSquaresProblem& problem, const ScaledParameters& parameters)
-      : problem_(problem), parameters_(parameters), residual_(problem.residuals) {
-    set_num_residuals(problem.residuals);
-    mutable_parameter_block_sizes()->push_back(parameters.size());
-  }
+  explicit LastEvaluation(const LeastSquaresProblem& problem)
+      : problem_(problem), residual_(problem.residuals) {}
 
-  bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    if (!evaluate(parameters_.unscaled(values[0]))) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = residual_;
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    if (!jacobian_.allFinite()) return false;
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor> scaled(jacobians[0], problem_.residuals, parameters_.size());
-    for (int i = 0; i < parameters_.size(); ++i) {
-      scaled.col(i) = jacobian_.col(parameters_.index(i)) * parameters_.scale(i);
-    }
-    return true;
-  }
-
- private:
-  bool evaluate(const Eigen::VectorXd& parameters) const {
+  // Whether there is a residual at these parameters.
+  bool at(const Eigen::VectorXd& parameters) {
     if (last_.size() != parameters.size() || last_ != parameters) {
       last_ = parameters;
       found_ = problem_.evaluate(parameters, residual_, &jacobian_) && residual_.allFinite();
@@ -80,11 +65,42 @@ class Residuals : public ceres::CostFunction {
     return found_;
   }
 
+  const Eigen::VectorXd& residual() const { return residual_; }
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+
+ private:
+  const LeastSquaresProblem& problem_;
+  Eigen::VectorXd last_, residual_;
+  Eigen::MatrixXd jacobian_;
+  bool found_ = false;
+};
+
+class Residuals : public ceres::CostFunction {
+ public:
+  Residuals(const LeastSquaresProblem& problem, const ScaledParameters& parameters,
+            LastEvaluation& last)
+      : problem_(problem), parameters_(parameters), last_(last) {
+    set_num_residuals(problem.residuals);
+    mutable_parameter_block_sizes()->push_back(parameters.size());
+  }
+
+  bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
+    if (!last_.at(parameters_.unscaled(values[0]))) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = last_.residual();
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+    if (!last_.jacobian().allFinite()) return false;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor> scaled(jacobians[0], problem_.residuals, parameters_.size());
+    for (int i = 0; i < parameters_.size(); ++i) {
+      scaled.col(i) = last_.jacobian().col(parameters_.index(i)) * parameters_.scale(i);
+    }
+    return true;
+  }
+
+ private:
   const LeastSquaresProblem& problem_;
   const ScaledParameters& parameters_;
-  mutable Eigen::VectorXd last_, residual_;
-  mutable Eigen::MatrixXd jacobian_;
-  mutable bool found_ = false;
+  LastEvaluation& last_;
 };
 
 class StopCallback : public ceres::IterationCallback {
@@ -95,12 +111,26 @@ class StopCallback : public ceres::IterationCallback {
     if (stop_.stop_requested()) return ceres::SOLVER_ABORT;
     const bool hopeless =
         iteration.iteration >= options_.patience && iteration.cost > options_.hopeless_cost;
-    return hopeless ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    settled_ = promises_nothing(iteration);
+    return hopeless || settled_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
+  bool settled() const { return settled_; }
+
  private:
+  // Whether the last step would have gained nothing if residuals were linear. What it did gain,
+  // which Ceres looks at, never falls below the rounding of predictions that are iterated.
+  bool promises_nothing(const ceres::IterationSummary& iteration) const {
+    const double gained = iteration.cost_change, share = iteration.relative_decrease;
+    if (iteration.iteration == 0 || share == 0 || !std::isfinite(share)) return false;
+    const double promised = gained / share;
+    const double lower = std::min(iteration.cost, iteration.cost + gained);  // of before and after
+    return promised >= 0 && promised <= options_.function_tolerance * lower;
+  }
+
   const StopToken& stop_;
   const LeastSquaresOptions& options_;
+  bool settled_ = false;
 };
 
 ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
@@ -118,20 +148,20 @@ ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
 
 LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
                                     const Eigen::VectorXd& start,
-                                    const LeastSquaresOptions& options, const StopToken& stop) {
+                                    const LeastSquaresOptions& options, const StopToken& stop,
+                                    LastEvaluation& last) {
   stop.throw_if_requested();
   const ScaledParameters parameters(problem, start);
   std::vector<double> values = parameters.scaled();
   LeastSquaresSummary summary;
   summary.parameters = parameters.unscaled(values.data());
 
-  Eigen::VectorXd residual(problem.residuals);
-  if (!problem.evaluate(summary.parameters, residual, nullptr) || !residual.allFinite()) {
+  if (!last.at(summary.parameters)) {
     summary.cost = std::numeric_limits<double>::infinity();
     summary.message = "the start has no prediction";
     return summary;
   }
-  summary.cost = residual.squaredNorm() / 2;
+  summary.cost = last.residual().squaredNorm() / 2;
   if (parameters.size() == 0) {
     summary.converged = true;
     summary.message = "no free parameter";
@@ -139,7 +169,7 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
   }
 
   ceres::Problem ceres_problem;
-  ceres_problem.AddResidualBlock(new Residuals(problem, parameters), nullptr, values.data());
+  ceres_problem.AddResidualBlock(new Residuals(problem, parameters, last), nullptr, values.data());
   for (int i = 0; i < parameters.size(); ++i) {
     ceres_problem.SetParameterLowerBound(values.data(), i,
                                          problem.lower(parameters.index(i)) / parameters.scale(i));
@@ -155,19 +185,18 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
 
   summary.parameters = parameters.unscaled(values.data());
   summary.cost = report.final_cost;
-  summary.converged = report.termination_type == ceres::CONVERGENCE;
+  summary.converged = report.termination_type == ceres::CONVERGENCE || callback.settled();
   summary.iterations = static_cast<int>(report.iterations.size());
   summary.message = report.message;
   return summary;
 }
 
 // 1 for each free parameter at a bound against which the cost pushes it.
-std::vector<char> pressed_to_bounds(const LeastSquaresProblem& problem, const Eigen::VectorXd& p) {
+std::vector<char> pressed_to_bounds(const LeastSquaresProblem& problem, const Eigen::VectorXd& p,
+                                    LastEvaluation& last) {
   std::vector<char> pressed(static_cast<size_t>(p.size()), 0);
-  Eigen::VectorXd residual(problem.residuals);
-  Eigen::MatrixXd jacobian;
-  if (!problem.evaluate(p, residual, &jacobian)) return pressed;
-  const Eigen::VectorXd gradient = jacobian.transpose() * residual;
+  if (!last.at(p)) return pressed;
+  const Eigen::VectorXd gradient = last.jacobian().transpose() * last.residual();
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     if (problem.lower(i) == problem.upper(i)) continue;
     const double touch = kTouchShare * problem.scale(i);
@@ -193,18 +222,19 @@ LeastSquaresProblem with_held(LeastSquaresProblem problem, const Eigen::VectorXd
 LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
                                         const Eigen::VectorXd& start,
                                         const LeastSquaresOptions& options, const StopToken& stop) {
-  LeastSquaresSummary summary = solve_in_bounds(problem, start, options, stop);
+  LastEvaluation last(problem);
+  LeastSquaresSummary summary = solve_in_bounds(problem, start, options, stop, last);
   if (!std::isfinite(summary.cost)) return summary;
   // Ceres clips its steps to the bounds and can stall beside one: what is pressed to a bound is
   // held there and the rest solved again, until a solution presses what was held for it.
   std::vector<char> held(static_cast<size_t>(start.size()), 0);
   for (int round = 0; round < kBoundRounds && summary.cost <= options.hopeless_cost; ++round) {
-    const std::vector<char> pressed = pressed_to_bounds(problem, summary.parameters);
+    const std::vector<char> pressed = pressed_to_bounds(problem, summary.parameters, last);
     if (pressed == held) break;
     held = pressed;
     const int iterations = summary.iterations;
     summary = solve_in_bounds(with_held(problem, summary.parameters, held), summary.parameters,
-                              options, stop);
+                              options, stop, last);
     summary.iterations += iterations;
   }
   return summary;

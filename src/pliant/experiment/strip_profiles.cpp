@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -212,9 +213,10 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   prediction.strain.resize(rows());
   prediction.jacobian.resize(rows(), parameters);
   std::atomic<bool> found = true;
-  parallel_for(static_cast<int>(strips_.size()), threads_, [&](int i) {
+  const std::vector<const Strip*> strips = slowest_first();
+  parallel_for(static_cast<int>(strips.size()), threads_, [&](int i) {
     if (!found) return;
-    const Strip& strip = strips_[static_cast<size_t>(i)];
+    const Strip& strip = *strips[static_cast<size_t>(i)];
     const std::optional<Hanging> hanging = hang(strip, law, weight, with_jacobian);
     if (!hanging) {
       found = false;
@@ -228,6 +230,18 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   if (!found) return std::nullopt;
   prediction.jacobian.rightCols(with_jacobian ? nuisance.size() : 0) *= kStandardGravity;
   return prediction;
+}
+
+// Strips of wide cylinders tip over while they are released, and take longest: they go first, so
+// that nobody waits for the last.
+std::vector<const StripProfiles::Strip*> StripProfiles::slowest_first() const {
+  std::vector<const Strip*> strips;
+  for (const Strip& strip : strips_) strips.push_back(&strip);
+  const auto radius = [](const Strip* strip) {
+    return strip->rolled == 0 ? 0 : 1 / std::abs(strip->rolled);
+  };
+  std::ranges::stable_sort(strips, std::ranges::greater(), radius);
+  return strips;
 }
 
 double StripProfiles::reference() const {

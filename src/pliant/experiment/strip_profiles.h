@@ -51,6 +51,7 @@ class StripProfiles : public Experiment {
   static std::optional<Hanging> hang(const Strip& strip, const ComponentLaw& law, double weight,
                                      bool with_derivatives);
   static bool is_ambiguous(const Hanging& hanging, const ComponentLaw& law, double weight);
+  std::vector<const Strip*> slowest_first() const;
   /// Stated, or what the nuisance parameter says (N/m^2).
   double weight_by(const Eigen::VectorXd& nuisance) const;
   static void compare(const ProfileRows& measured, const StripProfile& predicted, double length,

@@ -115,13 +115,15 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
                                     const StripShape& shape) const {
   const Eigen::VectorXd& w = line_.weights();
   const Eigen::VectorXd turned = line_.integrals(shape.curvature);
-  const Eigen::ArrayXd angle = turned.array() + ends.clamp_angle;
   Balance b;
-  b.cosine = angle.cos();
-  b.sine = angle.sin();
+  b.cosine.resize(line_.size());
+  b.sine.resize(line_.size());
   b.moment.resize(line_.size());
   b.tangent.resize(line_.size());
   for (int i = 0; i < line_.size(); ++i) {
+    const double angle = turned(i) + ends.clamp_angle;
+    b.cosine(i) = std::cos(angle);  // beside each other they cost one call
+    b.sine(i) = std::sin(angle);
     const double strain = kStrainPerCurvature * shape.curvature(i);
     const FrictionState from = state_at(history, i);
     const FrictionStress friction = law.friction_stress(strain, from);
@@ -223,8 +225,9 @@ Eigen::MatrixXd Elastica::respond(const Balance& b, const Eigen::MatrixXd& right
   return bordered(b).partialPivLu().solve(right);
 }
 
-// Whether the energy grows in every direction that the far end allows.
-bool Elastica::is_stable(const Balance& b) const {
+bool Elastica::is_stable(const ComponentLaw& law, double weight, const StripEnds& ends,
+                         const StripHistory& history, const StripShape& shape) const {
+  const Balance b = balance(law, weight, ends, history, {}, shape);
   const Stiffness all = stiffness(b, false);
   if (b.gap.size() == 0) return factor(all).is_positive();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(b.border);
@@ -251,10 +254,7 @@ std::optional<StripShape> Elastica::equilibrium(const ComponentLaw& law, double 
   Balance here = balance(law, weight, ends, history, held, shape);
   for (int iteration = 0; iteration < kMost && here.gradient.allFinite(); ++iteration) {
     const double wrong = error(here);
-    if (wrong < kTolerance) {
-      shape.stable = is_stable(here);
-      return shape;
-    }
+    if (wrong < kTolerance) return shape;
     const std::optional<Eigen::VectorXd> step = newton_step(here);
     if (!step || !step->allFinite()) return std::nullopt;
     // Down the energy, the gaps of the far end weighed in by its new loads and a penalty.

@@ -37,8 +37,7 @@ struct StripShape {
       Eigen::Vector3d::Zero();  ///< force x, y (N/m) and moment (N) that hold the far end
   Eigen::MatrixXd curvature_by_parameter;
   Eigen::MatrixXd far_load_by_parameter;
-  bool stable = false;  ///< a minimum of the energy, not a saddle
-  bool jumps = false;   ///< its curvature does, at one front (see settle_fronts)
+  bool jumps = false;  ///< its curvature does, at one front (see settle_fronts)
 };
 
 /// A strip bent in a plane under its own weight; everything is per width. The moment at a point is
@@ -68,6 +67,11 @@ class Elastica {
                                         const StripEnds& ends, const StripHistory& history,
                                         const StripShape& guess,
                                         const Eigen::VectorXd& held = {}) const;
+
+  /// Whether an equilibrium is a minimum of the energy in every direction that the far end allows,
+  /// and no saddle.
+  bool is_stable(const ComponentLaw& law, double weight, const StripEnds& ends,
+                 const StripHistory& history, const StripShape& shape) const;
 
   /// Moments (N) that hold the points in the shape of their history.
   Eigen::VectorXd holding_moments(const ComponentLaw& law, double weight, const StripEnds& ends,
@@ -116,7 +120,6 @@ class Elastica {
   Eigen::MatrixXd bordered(const Balance& balance) const;
   std::optional<Eigen::VectorXd> newton_step(const Balance& balance) const;
   Eigen::MatrixXd respond(const Balance& balance, const Eigen::MatrixXd& right) const;
-  bool is_stable(const Balance& balance) const;
 
   GaussLine line_;
 };

@@ -19,7 +19,7 @@ std::vector<StripShape> equilibria_near(const Elastica& strip, const ComponentLa
     StripShape guess = near;
     guess.curvature.array() += reach * step / each_way / strip.line().length();
     const auto shape = strip.equilibrium(law, weight, ends, history, guess);
-    if (!shape || !shape->stable) continue;
+    if (!shape || !strip.is_stable(law, weight, ends, history, *shape)) continue;
     const bool known = std::any_of(found.begin(), found.end(), [&](const StripShape& other) {
       return std::abs(tip_angle(other) - tip_angle(*shape)) < kSame;
     });

@@ -130,20 +130,25 @@ Eigen::MatrixXd GaussLine::integration_gram(const Eigen::VectorXd& factors) cons
   return gram;
 }
 
-Eigen::RowVectorXd GaussLine::integral_weights(double place) const {
+GaussLine::Local GaussLine::at(double place) const {
   const int element = element_at(place);
+  const double x = local(element, place);
+  return {kOrder * element, length_ / elements_ / 2 * legendre_integrals(x) * rule().coefficients,
+          legendre(x).head<kOrder>() * rule().coefficients};
+}
+
+Eigen::RowVectorXd GaussLine::integral_weights(double place) const {
+  const Local here = at(place);
   Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(size());
-  result.head(kOrder * element) = weights_.head(kOrder * element).transpose();
-  result.segment<kOrder>(kOrder * element) =
-      length_ / elements_ / 2 * legendre_integrals(local(element, place)) * rule().coefficients;
+  result.head(here.first) = weights_.head(here.first).transpose();
+  result.segment<kOrder>(here.first) = here.integral;
   return result;
 }
 
 Eigen::RowVectorXd GaussLine::value_weights(double place) const {
-  const int element = element_at(place);
+  const Local here = at(place);
   Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(size());
-  result.segment<kOrder>(kOrder * element) =
-      legendre(local(element, place)).head<kOrder>() * rule().coefficients;
+  result.segment<kOrder>(here.first) = here.value;
   return result;
 }
 

@@ -35,6 +35,15 @@ class GaussLine {
   /// integration^T diag(factors) integration, where integration is the map of `integrals`.
   Eigen::MatrixXd integration_gram(const Eigen::VectorXd& factors) const;
 
+  /// What a place makes of the values in its element, `first` being that of its first point.
+  struct Local {
+    int first;
+    Eigen::Matrix<double, 1, kOrder> integral;  ///< weights, from the element's start
+    Eigen::Matrix<double, 1, kOrder> value;     ///< weights
+  };
+  /// @param place  0 <= place <= length
+  Local at(double place) const;
+
   /// Integral from the start to `place` = these weights . values.
   /// @param place  0 <= place <= length
   Eigen::RowVectorXd integral_weights(double place) const;

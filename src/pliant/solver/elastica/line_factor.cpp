@@ -33,7 +33,9 @@ Eigen::MatrixXd LineFactor::solve(const Eigen::MatrixXd& right) const {
     auto own = result.middleRows<GaussLine::kOrder>(GaussLine::kOrder * e);
     own = right.middleRows<GaussLine::kOrder>(GaussLine::kOrder * e) + weights_ * behind;
     behind += element.response.transpose() * own;
-    element.own.solveInPlace(own);
+    for (auto column : own.colwise()) {
+      column = element.own.solve(GaussLine::Values(column));
+    }
   }
   Eigen::RowVectorXd angle = Eigen::RowVectorXd::Zero(right.cols());
   for (int e = 0; e < count; ++e) {

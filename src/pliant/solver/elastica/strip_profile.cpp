@@ -8,22 +8,32 @@ namespace pliant {
 StripProfile::StripProfile(const GaussLine& line, double clamp_angle,
                            const Eigen::VectorXd& curvature,
                            const Eigen::MatrixXd& curvature_by_parameter)
-    : line_(line), clamp_angle_(clamp_angle), curvature_(curvature) {
+    : line_(line),
+      clamp_angle_(clamp_angle),
+      grown_(3, line.size()),
+      before_(Eigen::Matrix3Xd::Zero(3, line.elements())) {
   const Eigen::VectorXd turn = line.integrals(curvature);
   const Eigen::ArrayXd angle = turn.array() + clamp_angle;
   cosine_ = angle.cos();
   sine_ = angle.sin();
+  grown_ << curvature.transpose(), cosine_.transpose(), sine_.transpose();
+  for (int e = 1; e < line.elements(); ++e) {
+    before_.col(e) =
+        before_.col(e - 1) +
+        grown_.middleCols<GaussLine::kOrder>(GaussLine::kOrder * (e - 1)) * line.element_weights();
+  }
   if (curvature_by_parameter.size() > 0) {
     turn_by_parameter_ = line.integrals(curvature_by_parameter);
   }
 }
 
 StripPoint StripProfile::at(double place) const {
-  const Eigen::RowVectorXd to_here = line_.integral_weights(place);
-  const double angle = to_here * curvature_ + clamp_angle_;
-  return {{to_here * cosine_, to_here * sine_},
-          {std::cos(angle), std::sin(angle)},
-          line_.value_weights(place) * curvature_};
+  const GaussLine::Local here = line_.at(place);
+  const auto own = grown_.middleCols<GaussLine::kOrder>(here.first);
+  const Eigen::Vector3d turn_x_y =
+      before_.col(here.first / GaussLine::kOrder) + own * here.integral.transpose();
+  const double angle = turn_x_y(0) + clamp_angle_;
+  return {turn_x_y.tail<2>(), {std::cos(angle), std::sin(angle)}, own.row(0).dot(here.value)};
 }
 
 Eigen::MatrixXd StripProfile::position_by_parameter(double place) const {

@@ -35,7 +35,9 @@ class StripProfile {
  private:
   const GaussLine& line_;
   double clamp_angle_ = 0;
-  Eigen::VectorXd curvature_, cosine_, sine_;
+  Eigen::VectorXd cosine_, sine_;
+  Eigen::Matrix3Xd grown_;   // by the line's points: what direction, x and y grow with
+  Eigen::Matrix3Xd before_;  // each element: direction against the clamp, x and y at its start
   Eigen::MatrixXd turn_by_parameter_;  // of the direction
 };
 

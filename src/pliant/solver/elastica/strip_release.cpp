@@ -1,6 +1,5 @@
 #include "pliant/solver/elastica/strip_release.h"
 
-#include <tuple>
 #include <utility>
 
 #include "pliant/solver/elastica/strip_front.h"
@@ -50,14 +49,12 @@ class Release {
     const double middle = (from + to) / 2;
     const MaybeShape half = at(middle);
     if (half) {
-      const std::pair before(shape_, history_);
-      accept(*half);
-      const MaybeShape end = at(to);
+      const MaybeShape end = at(to, *half, strip_.accepted(law_, history_, *half));
       if (end && (halvings == 0 || (whole && agree(*whole, *end)))) {
+        accept(*half);
         accept(*end);
         return true;
       }
-      std::tie(shape_, history_) = before;
     }
     if (halvings == 0) return false;
     return follow(from, middle, half, halvings - 1) && follow(middle, to, at(to), halvings - 1);
@@ -65,9 +62,11 @@ class Release {
 
   bool remembers() const { return law_.friction_law != FrictionLaw::none; }
 
-  MaybeShape at(double share) {
+  MaybeShape at(double share) { return at(share, shape_, history_); }
+
+  MaybeShape at(double share, const StripShape& guess, const StripHistory& history) {
     ++shapes_;
-    return strip_.equilibrium(law_, weight_, ends_, history_, shape_, share * held_);
+    return strip_.equilibrium(law_, weight_, ends_, history, guess, share * held_);
   }
 
   bool agree(const StripShape& a, const StripShape& b) const {

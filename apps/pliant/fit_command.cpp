@@ -10,6 +10,7 @@
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/fit_models.h"
+#include "apps/pliant/fit_progress.h"
 #include "apps/pliant/imported_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
@@ -24,6 +25,7 @@ struct FitArguments {
   std::vector<std::string> profiles;
   std::string compare;
   std::vector<std::string> models, variants;
+  bool resume = false;
 };
 
 bool compares_models(const FitArguments& arguments) {
@@ -71,10 +73,10 @@ std::vector<std::string> and_all(std::vector<std::string> names) {
   return names;
 }
 
+/// Files the results of a fit, and a report on them.
 /// @return the text of fit.json, or of summary.json where models are compared
-std::string fit_one(const CommandContext& context, const FitArguments& arguments,
-                    const std::filesystem::path& study_file, const std::filesystem::path& output) {
-  ResultDirectory results(output, "fit");
+std::string fit_into(ResultDirectory& results, const CommandContext& context,
+                     const FitArguments& arguments, const std::filesystem::path& study_file) {
   const StudyFile file = study_or_imported(context, study_file, results);
   Study study = read_study(file.path);
   if (arguments.estimator == "anchor") study.fit.estimator = EstimatorKind::anchor;
@@ -101,8 +103,26 @@ std::string fit_one(const CommandContext& context, const FitArguments& arguments
   results.commit();
 
   say_fit(context, result);
-  context.say(fmt::format("report: {}", (output / "report.html").string()));
+  context.say(fmt::format("report: {}", (results.path() / "report.html").string()));
   return summary_text(result, facts, true);
+}
+
+/// The same, in a folder of its own, which keeps the progress of a long fit that is stopped.
+std::string fit_one(const CommandContext& context, const FitArguments& arguments,
+                    const std::filesystem::path& study_file, const std::filesystem::path& output) {
+  ResultDirectory results(output, "fit");
+  FitProgress progress(results, arguments.resume);
+  const RunContext& run = context.run;
+  const CommandContext remembering{
+      context.common,
+      context.arguments,
+      {run.progress, run.stop, run.threads, run.seed, progress.journal()}};
+  try {
+    return fit_into(results, remembering, arguments, study_file);
+  } catch (const Interrupted&) {
+    if (progress.save()) context.say("--resume goes on from " + progress.file().string());
+    throw;
+  }
 }
 
 // Folders of the studies' results: DIR itself for one, else one in it for each.
@@ -185,6 +205,8 @@ void add_fit(CommandRegistry& registry) {
       .add_option("--compare", arguments->compare,
                   "friction: fit its other parameterisations too and rank them by AIC and BIC")
       ->check(CLI::IsMember({"friction"}));
+  command.add_flag("--resume", arguments->resume,
+                   "Go on with a fit of sessions that was stopped, from its last search in DIR");
   add_model_options(command, *arguments);
   registry.on(command, [arguments](CommandContext& context) { fit_all(context, *arguments); });
 }

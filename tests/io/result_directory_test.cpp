@@ -341,6 +341,31 @@ TEST(ResultDirectoryPublish, IsNotPossibleAfterCommit) {
   EXPECT_THROW(results.grow("a"), AssertionError);
 }
 
+TEST(ResultDirectorySetAside, StandsBesideEarlierResultsUntilThereAreNewOnes) {
+  const TemporaryFolder folder;
+  const fs::path results = folder.path() / "results";
+  make_results(results, "fit", {"fit.json"});
+  {
+    ResultDirectory stopped(results, "fit");
+    stopped.write("fit.json", "half");
+    stopped.set_aside("progress.bin", "one");
+    stopped.set_aside("progress.bin", "two");
+  }
+  EXPECT_EQ(content_of(results / "progress.bin"), "two");
+  EXPECT_EQ(content_of(results / "fit.json"), "fit fit.json");
+  make_results(results, "fit", {"fit.json"});
+  EXPECT_FALSE(fs::exists(results / "progress.bin"));
+}
+
+TEST(ResultDirectorySetAside, StaysWhereThereIsNothingElse) {
+  const TemporaryFolder folder;
+  const fs::path results = folder.path() / "results";
+  ResultDirectory(results, "fit").set_aside("progress.bin", "one");
+  EXPECT_EQ(content_of(results / "progress.bin"), "one");
+  make_results(results, "fit", {"fit.json"});
+  EXPECT_FALSE(fs::exists(results / "progress.bin"));
+}
+
 TEST(ResultDirectoryGrow, GivesAPlaceThatBelongsToTheResultsAtOnce) {
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "out";

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "pliant/base/journal.h"
 #include "pliant/base/progress.h"
 
 namespace pliant {
@@ -12,6 +13,7 @@ struct RunContext {
   StopToken stop;
   int threads = 1;
   std::uint64_t seed = 0;
+  Journal& journal = forgetful_journal();
 };
 
 }  // namespace pliant

@@ -1,26 +1,20 @@
 #include "pliant/experiment/checkpoint.h"
 
 #include <cstring>
-#include <fstream>
 #include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
 #include "pliant/io/digest.h"
-#include "pliant/io/text_file.h"
+#include "pliant/io/sealed_file.h"
 
 namespace pliant {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view kType = "pliant: checkpoint/1 ";
-
-// The first line names the type and the digest of what follows.
-std::string first_line(std::string_view content) {
-  return std::string(kType) + sha256_of(content) + "\n";
-}
+constexpr std::string_view kType = "checkpoint/1";
 
 template <class Array>
 Json bytes_of(const Array& array) {
@@ -123,21 +117,11 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
   return files;
 }
 
-void require(bool right, const std::filesystem::path& file, const std::string& problem,
-             const std::string& expected) {
-  if (!right) throw InputError({file.string(), 0, ""}, problem, expected);
-}
-
 constexpr const char* kWritten = "one that `pliant simulate` wrote";
 
 /// What stands behind the first line, undamaged.
 Json read_content(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = std::size_t{4} << 30;
-  const std::string bytes = read_text_file(file, kLargest);
-  require(bytes.starts_with(kType), file, "is no checkpoint", kWritten);
-  const std::string_view content = std::string_view(bytes).substr(bytes.find('\n') + 1);
-  require(bytes.starts_with(first_line(content)), file, "is a damaged checkpoint", kWritten);
-  return Json::from_cbor(content);
+  return Json::from_cbor(read_sealed(file, kType, "checkpoint", "simulate"));
 }
 
 }  // namespace
@@ -162,14 +146,16 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
                   {"clips", bytes_of(state.clips)}};
   std::string content;
   Json::to_cbor(json, content);
-  return first_line(content) + content;
+  return sealed_bytes(kType, content);
 }
 
 SimulationState read_checkpoint(const std::filesystem::path& file, const Simulation& simulation,
                                 const std::string& identity) {
   const Json json = read_content(file);
-  require(json.at("identity") == identity, file, "is a checkpoint of another scene",
-          "one of this scene, with the same files and --fill");
+  if (json.at("identity") != identity) {
+    throw InputError({file.string(), 0, ""}, "is a checkpoint of another scene",
+                     "one of this scene, with the same files and --fill");
+  }
   try {
     return read_state(json, simulation.now().state);
   } catch (const std::exception&) {
@@ -178,12 +164,7 @@ SimulationState read_checkpoint(const std::filesystem::path& file, const Simulat
   }
 }
 
-bool is_checkpoint(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string beginning(kType.size(), '\0');
-  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  return in.good() && beginning == kType;
-}
+bool is_checkpoint(const std::filesystem::path& file) { return is_sealed(file, kType); }
 
 CheckpointFacts read_checkpoint_facts(const std::filesystem::path& file) {
   const Json json = read_content(file);

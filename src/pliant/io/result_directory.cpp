@@ -145,6 +145,18 @@ void ResultDirectory::publish() {
   move_into_place(staging_ / kListOfNew, directory_ / kManifestName);
 }
 
+void ResultDirectory::set_aside(const std::string& relative_name, std::string_view content) {
+  PLIANT_ASSERT(!committed_, "files are set aside before results are committed");
+  stage(relative_name, content);
+  earlier_files_.insert(relative_name);
+  std::set<std::string> all = earlier_files_;
+  all.insert(files_.begin(), files_.end());
+  stage(kListOfAll, manifest_text({command_, all}));
+  published_ = true;
+  move_into_place(staging_ / kListOfAll, directory_ / kManifestName);
+  move_into_place(staging_ / relative_name, directory_ / relative_name);
+}
+
 fs::path ResultDirectory::grow(const std::string& relative_name) {
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
   files_.insert(relative_name);

@@ -51,6 +51,11 @@ class ResultDirectory {
   /// @throws OutputError
   void publish();
 
+  /// Puts a file into place at once, beside the results of an earlier run, which stay. `publish`
+  /// and `commit` remove it.
+  /// @throws OutputError
+  void set_aside(const std::string& relative_name, std::string_view content);
+
   /// Adds a file that grows in place from now on, complete at any time.
   /// @return where it is to be written
   /// @throws OutputError

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
@@ -20,21 +22,16 @@ constexpr double kOutlierShare = 0.01;    // of strains, before the range is tak
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
-/// Half the squared residuals where a search would begin; infinite without equilibria.
-double cost_at_start(const SheetProblem& problem) {
-  const LeastSquaresProblem squares = problem.least_squares();
-  Eigen::VectorXd residual(squares.residuals);
-  const bool found = squares.evaluate(problem.start(), residual, nullptr);
-  return found ? residual.squaredNorm() / 2 : INFINITY;
-}
-
 class Fitter {
  public:
+  using Numbers = Journal::Numbers;
+
   Fitter(const Study& study, const RunContext& context) : study_(study), context_(context) {
     fit_.material = first_sheet_material(study);
   }
 
   SheetFit run(const std::vector<SheetStage>& plan, const Material* start) && {
+    shapes_ = begin_journal(context_.journal, study_, plan, start);
     fit_.groups = groups_of(plan);
     if (start) {
       fit_.material.components = start->components;
@@ -121,8 +118,14 @@ class Fitter {
   /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
   /// while they return, by more than chance.
   bool shows_loop(const SheetStage& stage) {
-    constexpr double kChance = 4, kSmallest = 0.005;  // standard errors; of the forces
     const SheetProblem problem = problem_of(stage);
+    return ask(problem, "loop", stage, [&] {
+             return Numbers{has_loop(stage, problem) ? 1.0 : 0.0};
+           }).front() > 0;
+  }
+
+  bool has_loop(const SheetStage& stage, const SheetProblem& problem) const {
+    constexpr double kChance = 4, kSmallest = 0.005;  // standard errors; of the forces
     double loop = 0, squares = 0, forces = 0;
     int rows = 0;
     for (std::size_t t = 0; t < stage.tests.size(); ++t) {
@@ -140,7 +143,6 @@ class Fitter {
         rows += static_cast<int>(force.size());
       }
     }
-    fit_.counts += problem.counts();
     return loop > kChance * std::sqrt(squares) && loop > kSmallest * std::sqrt(forces * rows);
   }
 
@@ -157,9 +159,7 @@ class Fitter {
     for (const double share : {0.02, 0.06, 0.2}) {
       law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
       set_law(fit_.material, group, law);
-      const SheetProblem problem = problem_of(stage);
-      const double cost = cost_at_start(problem);
-      fit_.counts += problem.counts();
+      const double cost = cost_at_start(stage, problem_of(stage));
       if (cost >= least) continue;
       least = cost;
       best = law.friction;
@@ -226,8 +226,7 @@ class Fitter {
       constant(value);
       const SheetProblem problem(stage.tests, fit_.material, stage.groups,
                                  std::vector<double>(stage.groups.size(), 0.01), context_);
-      const double cost = cost_at_start(problem);
-      fit_.counts += problem.counts();
+      const double cost = cost_at_start(stage, problem);
       const bool nothing_yet = !std::isfinite(least);
       worse = nothing_yet || cost < least ? 0 : worse + 1;
       if (cost < least) {
@@ -274,17 +273,68 @@ class Fitter {
   /// @return the root mean square of the differences (N or m)
   double solve(const SheetStage& stage) {
     const SheetProblem problem = problem_of(stage);
-    const LeastSquaresProblem squares = problem.least_squares();
+    const Numbers found = ask(problem, "search", stage, [&] { return search(stage, problem); });
+    const auto count = static_cast<Eigen::Index>(problem.unknowns().size());
+    fit_.converged = fit_.converged && found[found.size() - 1] > 0;
+    fit_.material = problem.material_at(Eigen::VectorXd::Map(found.data(), count));
+    const double cost = found[found.size() - 2];
+    return std::sqrt(2 * cost / problem.rows()) * problem.scales().front();
+  }
+
+  /// Where a stage's search ends: the unknowns, the cost, and whether it converged. One that was
+  /// stopped goes on where it was.
+  Numbers search(const SheetStage& stage, const SheetProblem& problem) {
+    const Numbers& reached = context_.journal.reached();
+    const Eigen::VectorXd start =
+        reached.empty()
+            ? problem.start()
+            : Eigen::VectorXd(Eigen::VectorXd::Map(reached.data(), std::ssize(reached)));
     const LeastSquaresSummary summary =
-        solve_least_squares(squares, problem.start(), kStageSearch, context_.stop);
-    fit_.counts += problem.counts();
+        solve_least_squares(with_journal(problem.least_squares(), context_.journal), start,
+                            kStageSearch, context_.stop);
     if (!std::isfinite(summary.cost)) {
       throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
     }
     problem.keep(shapes_);
-    fit_.converged = fit_.converged && summary.converged;
-    fit_.material = problem.material_at(summary.parameters);
-    return std::sqrt(2 * summary.cost / squares.residuals) * problem.scales().front();
+    keep_shapes(context_.journal, shapes_);
+    Numbers found(summary.parameters.begin(), summary.parameters.end());
+    found.push_back(summary.cost);
+    found.push_back(summary.converged ? 1 : 0);
+    return found;
+  }
+
+  /// Half the squared residuals where a search would begin; infinite without equilibria.
+  double cost_at_start(const SheetStage& stage, const SheetProblem& problem) {
+    const auto cost = [&] {
+      const LeastSquaresProblem squares = problem.least_squares();
+      Eigen::VectorXd residual(squares.residuals);
+      const bool found = squares.evaluate(problem.start(), residual, nullptr);
+      return Numbers{found ? residual.squaredNorm() / 2 : INFINITY};
+    };
+    return ask(problem, "cost", stage, cost).front();
+  }
+
+  /// What work with a problem finds, or has found before this fit was stopped.
+  Numbers ask(const SheetProblem& problem, const char* what, const SheetStage& stage,
+              const std::function<Numbers()>& work) {
+    std::vector<std::string> components;
+    for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
+    const std::string question =
+        fmt::format("{} of {} in {}", what, fmt::join(components, ", "), names(stage.tests));
+    Numbers answer = context_.journal.answer(question, [&] {
+      Numbers found = work();
+      const EquilibriumCounts counts = problem.counts();
+      for (const int count :
+           {counts.equilibria, counts.iterations, counts.factors, counts.unstable}) {
+        found.push_back(count);
+      }
+      return found;
+    });
+    const auto counts = answer.end() - 4;
+    const auto count = [&](int i) { return static_cast<int>(counts[i]); };
+    fit_.counts += {count(0), count(1), count(2), count(3)};
+    answer.erase(counts, answer.end());
+    return answer;
   }
 
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group
@@ -306,8 +356,15 @@ class Fitter {
   }
 
   double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
-    std::vector<double> strains;
     const SheetProblem problem = problem_of(stage);
+    return ask(problem, "strain", stage,
+               [&] { return Numbers{largest_strain(stage, group, problem)}; })
+        .front();
+  }
+
+  double largest_strain(const SheetStage& stage, const ComponentGroup& group,
+                        const SheetProblem& problem) const {
+    std::vector<double> strains;
     for (std::size_t t = 0; t < stage.tests.size(); ++t) {
       const SheetTest& test = *stage.tests[t];
       const auto shapes = problem.predict(t, problem.start(), false, context_.threads);
@@ -321,7 +378,6 @@ class Fitter {
         }
       }
     }
-    fit_.counts += problem.counts();
     if (is_even(group.front())) {
       for (double& strain : strains) strain = std::abs(strain);
     }

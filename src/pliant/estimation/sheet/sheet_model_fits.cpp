@@ -63,7 +63,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
   std::exception_ptr first_failure;
   for (const ModelVariant& combination : combinations) {
     NamedProgress progress(context.progress, combination.name());
-    const RunContext named{progress, context.stop, context.threads, context.seed};
+    const RunContext named{progress, context.stop, context.threads, context.seed, context.journal};
     ModelFit fit{combination, {}, with_model(study, combination), {}};
     const auto fail = [&](const std::exception& error) {
       fit.failure = error.what();

@@ -81,7 +81,7 @@ SheetProblem::Places SheetProblem::places_in(const SheetPredictor& predictor) co
 
 void SheetProblem::begin_at(const SheetGuesses& guesses) {
   for (std::size_t t = 0; t < tests_.size(); ++t) {
-    const auto found = guesses.find(tests_[t]);
+    const auto found = guesses.find(tests_[t]->name());
     if (found != guesses.end()) predictors_[t]->begin_at(found->second);
   }
 }
@@ -89,8 +89,14 @@ void SheetProblem::begin_at(const SheetGuesses& guesses) {
 void SheetProblem::keep(SheetGuesses& guesses) const {
   for (std::size_t t = 0; t < tests_.size(); ++t) {
     std::vector<Eigen::Matrix3Xd> own = predictors_[t]->guesses();
-    if (!own.empty()) guesses[tests_[t]] = std::move(own);
+    if (!own.empty()) guesses[tests_[t]->name()] = std::move(own);
   }
+}
+
+int SheetProblem::rows() const {
+  int rows = 0;
+  for (const SheetTest* test : tests_) rows += test->rows();
+  return rows;
 }
 
 Eigen::VectorXd SheetProblem::start() const { return values_of(material_, groups_); }
@@ -150,7 +156,7 @@ LeastSquaresProblem SheetProblem::least_squares() const {
                             Eigen::MatrixXd* jacobian) {
     return evaluate(values, residual, jacobian);
   };
-  for (const SheetTest* test : tests_) problem.residuals += test->rows();
+  problem.residuals = rows();
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
   problem.lower.resize(count);
   problem.upper.resize(count);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,8 +15,8 @@
 
 namespace pliant {
 
-/// Shapes of the equilibria of tests, where searches for the next may begin.
-using SheetGuesses = std::map<const SheetTest*, std::vector<Eigen::Matrix3Xd>>;
+/// Shapes of the equilibria of tests by name, where searches for the next may begin.
+using SheetGuesses = std::map<std::string, std::vector<Eigen::Matrix3Xd>>;
 
 /// How a session is predicted: as a path where its sheet has friction and no table, else frame by
 /// frame.
@@ -34,6 +35,8 @@ class SheetProblem {
 
   const std::vector<const SheetTest*>& tests() const { return tests_; }
   const std::vector<SheetUnknown>& unknowns() const { return unknowns_; }
+  /// Differences that are squared, of all tests.
+  int rows() const;
   Eigen::VectorXd start() const;
   Material material_at(const Eigen::VectorXd& values) const;
 

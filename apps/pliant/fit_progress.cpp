@@ -1,0 +1,38 @@
+#include "apps/pliant/fit_progress.h"
+
+#include "pliant/base/errors.h"
+#include "pliant/io/journal_file.h"
+
+namespace pliant {
+namespace {
+
+constexpr const char* kName = "progress.bin";
+constexpr std::chrono::seconds kPeriod{10};  // what a crash may lose
+
+}  // namespace
+
+FitProgress::FitProgress(ResultDirectory& results, bool resume)
+    : results_(results), journal_([this](const auto&) { save_now_and_then(); }) {
+  if (!resume) return;
+  if (!std::filesystem::exists(file())) {
+    throw InputError({results.path().string()}, "holds no progress of a fit to go on from",
+                     "the results folder of a fit of sessions that was stopped");
+  }
+  journal_.resume(read_journal(file()), file().string());
+}
+
+std::filesystem::path FitProgress::file() const { return results_.path() / kName; }
+
+bool FitProgress::save() {
+  const Journal::Content& content = journal_.content();
+  if (content.entries.empty()) return false;
+  results_.set_aside(kName, journal_bytes(content));
+  saved_ = std::chrono::steady_clock::now();
+  return true;
+}
+
+void FitProgress::save_now_and_then() {
+  if (std::chrono::steady_clock::now() - saved_ > kPeriod) save();
+}
+
+}  // namespace pliant

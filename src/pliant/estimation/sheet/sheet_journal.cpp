@@ -1,0 +1,98 @@
+#include "pliant/estimation/sheet/sheet_journal.h"
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include "pliant/io/digest.h"
+#include "pliant/material/material_file.h"
+
+namespace pliant {
+namespace {
+
+using Numbers = Journal::Numbers;
+
+template <class Array>
+std::string_view bytes_of(const Array& array) {
+  return {reinterpret_cast<const char*>(array.data()),
+          sizeof(*array.data()) * static_cast<std::size_t>(array.size())};
+}
+
+/// Digest of the shapes and of what is compared.
+std::string digest_of(const SheetTest& test) {
+  std::string digests = sha256_of(bytes_of(test.session().rest.positions));
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const SessionFrame& seen = test.session().frames[static_cast<std::size_t>(frame)];
+    digests += sha256_of(bytes_of(seen.positions));
+    for (const Pose& pose : seen.poses) {
+      digests +=
+          sha256_of(bytes_of(pose.translation)) + sha256_of(bytes_of(pose.rotation.coeffs()));
+    }
+    const Eigen::VectorXd compared = test.measured(frame);
+    digests += sha256_of(bytes_of(compared));
+  }
+  return sha256_of(digests);
+}
+
+/// The columns of each shape, then all coordinates.
+Numbers numbers_of(const std::vector<Eigen::Matrix3Xd>& shapes) {
+  Numbers numbers;
+  for (const Eigen::Matrix3Xd& shape : shapes) {
+    numbers.push_back(static_cast<double>(shape.cols()));
+    numbers.insert(numbers.end(), shape.data(), shape.data() + shape.size());
+  }
+  return numbers;
+}
+
+std::vector<Eigen::Matrix3Xd> shapes_of(const Numbers& numbers) {
+  std::vector<Eigen::Matrix3Xd> shapes;
+  for (std::size_t at = 0; at < numbers.size();) {
+    const auto columns = static_cast<Eigen::Index>(numbers[at]);
+    shapes.emplace_back(Eigen::Matrix3Xd::Map(numbers.data() + at + 1, 3, columns));
+    at += 1 + static_cast<std::size_t>(3 * columns);
+  }
+  return shapes;
+}
+
+}  // namespace
+
+SheetGuesses begin_journal(Journal& journal, const Study& study,
+                           const std::vector<SheetStage>& plan, const Material* start) {
+  std::string digests =
+      sha256_of(resolved_study_text(study, std::filesystem::path(study.file).parent_path()));
+  for (const SheetStage& stage : plan) {
+    for (const SheetTest* test : stage.tests) digests += digest_of(*test);
+  }
+  if (start) digests += sha256_of(material_text(*start));
+  journal.answer("fit of " + study.name + ", " + sha256_of(digests), [&] {
+    journal.keep({});
+    return Numbers{};
+  });
+  SheetGuesses shapes;
+  for (const auto& [test, numbers] : journal.kept()) shapes[test] = shapes_of(numbers);
+  return shapes;
+}
+
+void keep_shapes(Journal& journal, const SheetGuesses& shapes) {
+  std::map<std::string, Numbers> all;
+  for (const auto& [test, found] : shapes) all[test] = numbers_of(found);
+  journal.keep(std::move(all));
+}
+
+LeastSquaresProblem with_journal(LeastSquaresProblem problem, Journal& journal) {
+  const auto best = std::make_shared<double>(std::numeric_limits<double>::infinity());
+  problem.evaluate = [evaluate = problem.evaluate, best, &journal](const Eigen::VectorXd& values,
+                                                                   Eigen::VectorXd& residual,
+                                                                   Eigen::MatrixXd* jacobian) {
+    if (!evaluate(values, residual, jacobian)) return false;
+    if (residual.squaredNorm() < *best) {
+      *best = residual.squaredNorm();
+      journal.reach({values.begin(), values.end()});
+    }
+    return true;
+  };
+  return problem;
+}
+
+}  // namespace pliant

@@ -197,6 +197,12 @@ void read_session_fields(Fields& fields, ExperimentSpec& spec) {
     spec.objective = sheet_objective(
         v->choice({"clip-forces", "parallel-clip-forces", "axial-clip-forces", "positions"}));
   }
+  if (auto v = fields.optional("cord_friction")) {
+    spec.cord_friction.unknown = v->text() == "unknown";
+    if (!spec.cord_friction.unknown) {
+      spec.cord_friction.width = v->quantity_from_zero(Dimension::force);
+    }
+  }
 }
 
 // The fields that belong to the type; those of types for later are kept as they are.

@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/experiment.h"
+#include "pliant/experiment/sheet/cord_friction.h"
 #include "pliant/experiment/sheet/sheet_objective.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/material.h"
@@ -72,6 +73,7 @@ struct ExperimentSpec {
   bool density_is_known = true;             ///< cantilever: else it is estimated along
   BucklingSide side = BucklingSide::down;   ///< buckling-bend
   std::optional<SheetObjective> objective;  ///< session; absent: what is usual for its test
+  CordFriction cord_friction;               ///< session
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   ExperimentRole role = ExperimentRole::fit;

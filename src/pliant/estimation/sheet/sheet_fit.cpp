@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,8 @@ namespace {
 
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kOutlierShare = 0.01;    // of strains, before the range is taken
+constexpr int kNoiseRounds = 3;
+constexpr double kNoiseSettled = 0.1;
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
@@ -51,19 +54,55 @@ class Fitter {
 
  private:
   void run_stage(const SheetStage& stage) {
+    if (stage.kind == StageKind::friction) return fit_friction(stage, stage.groups.front());
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) guess(stage, group);
-      if (stage.kind == StageKind::friction && !guess_friction(stage, group)) return;
     }
     double rms = solve(stage);
     // Without a test of its own shear follows stretch.
     if (stage.groups.front().front().starts_with("stretch") && guess_shear()) rms = solve(stage);
     record(stage, rms, true);
     if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), rms);
-    if (stage.kind == StageKind::friction) grade(stage, stage.groups.front(), rms);
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) fitted_.push_back(group);
     }
+  }
+
+  /// Friction, where the loops of a stage are not those of its cords.
+  void fit_friction(const SheetStage& stage, const ComponentGroup& group) {
+    const bool cords_drag = has_unknown_cords(stage);
+    const double without = cords_drag ? solve(stage) : INFINITY;
+    const Material elastic = fit_.material;
+    const CordFrictions cords = fit_.cords;
+    // Else the cords would have taken up what the cloth may explain.
+    for (const SheetTest* test : stage.tests) {
+      for (const SheetUnknown& cord : cord_unknowns(*test)) fit_.cords.erase(cord.name);
+    }
+    if (!guess_friction(stage, group)) {
+      fit_.cords = cords;
+      return;
+    }
+    const double rms = solve(stage);
+    const bool worthwhile = !cords_drag || is_worth_friction(stage, without, rms);
+    record(stage, rms, worthwhile);
+    if (worthwhile) return grade(stage, group, rms);
+    fit_.material = elastic;
+    fit_.cords = cords;
+  }
+
+  /// Whether the residual falls by what three more parameters are worth: by the Bayesian
+  /// information criterion, and by as much as a control point.
+  static bool is_worth_friction(const SheetStage& stage, double without, double with) {
+    double rows = 0;
+    for (const SheetTest* test : stage.tests) rows += test->rows();
+    return with < (1 - kWorthwhileFall) * without &&
+           2 * rows * std::log(without / with) > 3 * std::log(rows);
+  }
+
+  static bool has_unknown_cords(const SheetStage& stage) {
+    return std::ranges::any_of(stage.tests, [](const SheetTest* test) {
+      return test->cord_friction().unknown && !test->cords().empty();
+    });
   }
 
   bool is_fitted(const ComponentGroup& group) const {
@@ -78,6 +117,7 @@ class Fitter {
     const bool even = is_even(group.front());
     const int first = stiffness_of(group).size() + 1;
     Material accepted = fit_.material;
+    CordFrictions cords = fit_.cords;
     int useless = 0;
     for (int points = first; points <= study_.fit.control_points && useless < 2; ++points) {
       if (best < accuracy_of(stage)) break;
@@ -95,8 +135,10 @@ class Fitter {
       if (!worthwhile) continue;
       best = rms;
       accepted = fit_.material;
+      cords = fit_.cords;
     }
     fit_.material = accepted;
+    fit_.cords = cords;
   }
 
   /// The control points once more, denser towards rest, where friction no longer hides what the
@@ -105,6 +147,7 @@ class Fitter {
     const ScalarCurve curve = stiffness_of(group);
     if (curve.size() < 3 || even < accuracy_of(stage)) return;
     const Material before = fit_.material;
+    const CordFrictions cords = fit_.cords;
     std::vector<double> knots, values;
     for (int i = 0; i < curve.size(); ++i) {
       const double share = static_cast<double>(i) / (curve.size() - 1);
@@ -115,7 +158,9 @@ class Fitter {
     const double graded = solve(stage);
     const bool worthwhile = graded < (1 - kWorthwhileFall) * even;
     record(stage, graded, worthwhile);
-    if (!worthwhile) fit_.material = before;
+    if (worthwhile) return;
+    fit_.material = before;
+    fit_.cords = cords;
   }
 
   /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
@@ -185,7 +230,8 @@ class Fitter {
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
     SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
-                         context_);
+                         context_, fit_.cords);
+    problem.set_noise(accuracy_of(stage));
     problem.begin_at(shapes_);
     return problem;
   }
@@ -273,18 +319,28 @@ class Fitter {
   /// The search of a stage, whose result the material gets.
   /// @return the root mean square of the differences (N or m)
   double solve(const SheetStage& stage) {
-    const SheetProblem problem = problem_of(stage);
-    const LeastSquaresProblem squares = problem.least_squares();
-    const LeastSquaresSummary summary =
-        solve_least_squares(squares, problem.start(), kStageSearch, context_.stop);
-    fit_.counts += problem.counts();
-    if (!std::isfinite(summary.cost)) {
-      throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
+    SheetProblem problem = problem_of(stage);
+    LeastSquaresSummary summary;
+    summary.parameters = problem.start();
+    double noise = accuracy_of(stage), rms = 0;
+    // Priors are weighed against the noise, which the residuals tell.
+    for (int round = 0; round < (problem.has_priors() ? kNoiseRounds : 1); ++round) {
+      problem.set_noise(noise);
+      summary = solve_least_squares(problem.least_squares(), summary.parameters, kStageSearch,
+                                    context_.stop);
+      if (!std::isfinite(summary.cost)) {
+        throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
+      }
+      rms = problem.rms(summary);
+      const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
+      if (std::abs(noise - before) < kNoiseSettled * before) break;
     }
+    fit_.counts += problem.counts();
     problem.keep(shapes_);
+    problem.keep_cords(summary.parameters, fit_.cords);
     fit_.converged = fit_.converged && summary.converged;
     fit_.material = problem.material_at(summary.parameters);
-    return std::sqrt(2 * summary.cost / squares.residuals) * problem.scales().front();
+    return rms;
   }
 
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group

@@ -66,24 +66,44 @@ Session on_fit_mesh(const Session& session, const ModelOptions& model) {
   return on_mesh(session, centred_on_rest(session, grid));
 }
 
-/// A control value is known where its interval leaves out zero.
+/// What is known of the cords of a clip together, which move alike or nearly so.
+std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord) {
+  std::vector<Eigen::Index> all;
+  for (std::size_t i = 0; i < uncertainty.unknowns.size(); ++i) {
+    const SheetUnknown &one = uncertainty.unknowns[cord], &other = uncertainty.unknowns[i];
+    if (one.owner == other.owner && one.clip == other.clip) {
+      all.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  if (all.size() < 2) return {};
+  return fmt::format("all {} cords of the clip: {:.3g} +- {:.2g} N", all.size(),
+                     uncertainty.values(all).sum(),
+                     std::sqrt(uncertainty.covariance(all, all).sum()));
+}
+
+/// A number is known where its interval leaves out zero; with a prior, where the data say more than
+/// the prior.
 ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i, double degrees) {
   const auto index = static_cast<std::size_t>(i);
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
   estimate.name = unknown.name;
-  estimate.owner = unknown.component;
+  estimate.owner = unknown.owner;
   estimate.unit = unknown.unit;
   estimate.value = uncertainty.values(i);
-  if (!unknown.of_friction) estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
-  estimate.note += uncertainty.told_by[index];
+  const bool cord = !unknown.clip.empty();
+  if (!cord && !unknown.of_friction) {
+    estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
+  }
+  estimate.note += cord ? loops_together(uncertainty, index) : uncertainty.told_by[index];
   estimate.at_bound = estimate.value <= 0;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
   const double half = *estimate.std_error * student_quantile_95(degrees);
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;
-  estimate.identified = *estimate.lower > 0;
+  estimate.identified =
+      unknown.prior ? *estimate.std_error < unknown.prior->sd / 2 : half < estimate.value;
   return estimate;
 }
 
@@ -151,7 +171,7 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
-                                const RunContext& context) {
+                                const CordFrictions& cords, const RunContext& context) {
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
   auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
   if (!shapes) {
@@ -159,21 +179,39 @@ std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
         fmt::format("the equilibrium of frame {} of {}", predictor->failed_frame(), test.name()),
         predictor->counts().iterations, 0);
   }
+  add_cord_drags(test.cords(), cord_widths(test, cords), false, *shapes);
   return std::move(*shapes);
 }
 
+/// How friction of cords was dealt with in a prediction.
+void tell_of_cords(const SheetTest& test, const CordFrictions& cords, ExperimentResult& result) {
+  if (test.cords().empty()) return;
+  const bool found = std::ranges::any_of(
+      cord_unknowns(test), [&](const SheetUnknown& cord) { return cords.contains(cord.name); });
+  if (!test.cord_friction().unknown) {
+    result.handled.push_back(fmt::format(
+        "the friction of its cords is taken to be a loop of {:.3g} N", test.cord_friction().width));
+  } else {
+    result.handled.push_back(found ? "the friction of each cord is estimated along"
+                                   : "the friction of its cords is not known and left out");
+  }
+}
+
 std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
-                                          const Material& material, const RunContext& context) {
+                                          const Material& material, const CordFrictions& cords,
+                                          const RunContext& context) {
   const Material usable = held_beyond_range(material);
   std::vector<ExperimentResult> rows;
   ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
   for (const SheetExperiment& experiment : experiments) {
-    rows.push_back(compare_sheet(experiment.test, predict(experiment.test, usable, context)));
+    const SheetTest& test = experiment.test;
+    rows.push_back(compare_sheet(test, predict(test, usable, cords, context)));
     rows.back().role = experiment.role;
     rows.back().type = experiment.type;
     rows.back().direction = experiment.direction;
     rows.back().handled = experiment.handled;
-    const auto components = usual_components(experiment.test.session().test);
+    tell_of_cords(test, cords, rows.back());
+    const auto components = usual_components(test.session().test);
     if (!components.empty()) rows.back().component = components.front();
     task.advance(static_cast<double>(rows.size()));
   }
@@ -190,7 +228,7 @@ struct Candidate {
             std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
     set_status(fit);
-    experiments = predictions(data, fit.material, context);
+    experiments = predictions(data, fit.material, fit.cords, context);
   }
 };
 
@@ -209,6 +247,7 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
     SheetFit fit = fit_sheets(study, plan, context, &start.material);
     consider(fit, "the search that began at the solution of " + start.variant + " is the best");
     fit.material = start.material;
+    fit.cords = start.cords;
     fit.stages.clear();
     consider(std::move(fit), "no search found better than the solution of " + start.variant);
   }
@@ -270,9 +309,19 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
     Session session = on_fit_mesh(measured, study.model);
     require_grid_for_springs(spec, session, study.model);
     const SheetObjective objective = spec.objective.value_or(usual_objective(session));
+    if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
+      throw InputError(spec.where,
+                       fmt::format("positions are compared in {}, which say nothing of the "
+                                   "friction of cords",
+                                   quoted_value(spec.name)),
+                       "`cord_friction` where forces are compared");
+    }
     const std::string test = session.test;
-    experiments.push_back(
-        {SheetTest(spec.name, std::move(session), objective), spec.role, spec.type, test, {}});
+    experiments.push_back({SheetTest(spec.name, std::move(session), objective, spec.cord_friction),
+                           spec.role,
+                           spec.type,
+                           test,
+                           {}});
   }
   return experiments;
 }
@@ -316,7 +365,9 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const double degrees = std::max(
       frames_of(tests_to_fit(experiments)) - static_cast<double>(uncertainty.values.size()), 1.0);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    result.parameters.push_back(estimate_of(uncertainty, i, degrees));
+    ParameterEstimate estimate = estimate_of(uncertainty, i, degrees);
+    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].clip.empty();
+    (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
   result.material = fit.material;
   result.experiments = std::move(best.experiments);
@@ -348,7 +399,7 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  for (ExperimentResult& row : predictions(experiments, material, context)) {
+  for (ExperimentResult& row : predictions(experiments, material, {}, context)) {
     result.experiments.push_back(std::move(row));
   }
   for (const ExperimentResult& row : result.experiments) {

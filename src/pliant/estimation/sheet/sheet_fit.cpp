@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
@@ -109,11 +110,16 @@ class Fitter {
     return std::ranges::find(fitted_, group) != fitted_.end();
   }
 
+  /// Whether the study states the stiffness of a group.
+  bool is_fixed(const ComponentGroup& group) const {
+    return fixed_stiffness(study_.fit, group).has_value();
+  }
+
   /// One control point after the other, at equal distances.
   void grow(const SheetStage& stage, const ComponentGroup& group, double best) {
-    const double largest = largest_strain(stage, group);
+    const double largest = measure_strain(stage, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
-    if (study_.model.stiffness == CurveKind::constant) return;
+    if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return;
     const bool even = is_even(group.front());
     const int first = stiffness_of(group).size() + 1;
     Material accepted = fit_.material;
@@ -220,17 +226,14 @@ class Fitter {
     return true;
   }
 
-  double strain_of(const ComponentGroup& group) const {
-    const auto known = fit_.strains.find(group.front());
-    return known == fit_.strains.end() ? 0.01 : known->second;
-  }
+  double strain_of(const ComponentGroup& group) const { return largest_strain(fit_, group); }
 
   SheetProblem problem_of(const SheetStage& stage) {
     std::vector<ComponentGroup> groups = going_along(stage.groups);
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
     SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
-                         context_, fit_.cords);
+                         context_, fit_.cords, study_.fit);
     problem.set_noise(accuracy_of(stage));
     problem.begin_at(shapes_);
     return problem;
@@ -259,6 +262,7 @@ class Fitter {
   /// One stiffness to begin with. Forces tell it at once; how far a sheet hangs is tried from stiff
   /// to soft.
   void guess(const SheetStage& stage, const ComponentGroup& group) {
+    if (is_fixed(group)) return;
     const bool even = is_even(group.front());
     const ComponentGroup all = going_along({group}).front();
     const auto constant = [&](double value) {
@@ -309,7 +313,7 @@ class Fitter {
     const auto stretched = std::ranges::find_if(fit_.groups, [](const ComponentGroup& group) {
       return group.front().starts_with("stretch");
     });
-    if (stretched == fit_.groups.end() || is_fitted({"shear"})) return false;
+    if (stretched == fit_.groups.end() || is_fitted({"shear"}) || is_fixed({"shear"})) return false;
     const double stretch = fit_.material.components.at(stretched->front()).stiffness->value(0);
     fit_.material.components.at("shear").stiffness =
         ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
@@ -346,7 +350,9 @@ class Fitter {
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group
   /// that is: a sheet does not bend along one thread alone.
   std::vector<ComponentGroup> going_along(std::vector<ComponentGroup> groups) const {
-    if (groups.size() != 1 || !is_bending(groups.front().front())) return groups;
+    if (groups.size() != 1 || !is_bending(groups.front().front()) || is_fixed(groups.front())) {
+      return groups;
+    }
     const auto first = std::ranges::find_if(
         fitted_, [](const ComponentGroup& group) { return is_bending(group.front()); });
     if (first != fitted_.end() && *first != groups.front()) return groups;
@@ -356,12 +362,12 @@ class Fitter {
       });
       ComponentGroup& group = groups.front();
       const bool own = std::ranges::find(group, component) != group.end();
-      if (!known && !own) group.emplace_back(component);
+      if (!known && !own && !is_fixed({component})) group.emplace_back(component);
     }
     return groups;
   }
 
-  double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
+  double measure_strain(const SheetStage& stage, const ComponentGroup& group) {
     std::vector<double> strains;
     const SheetProblem problem = problem_of(stage);
     for (std::size_t t = 0; t < stage.tests.size(); ++t) {
@@ -424,6 +430,12 @@ class Fitter {
 
 }  // namespace
 
+double largest_strain(const SheetFit& fit, const ComponentGroup& group) {
+  constexpr double kUsual = 0.01;
+  const auto known = fit.strains.find(group.front());
+  return known == fit.strains.end() ? kUsual : known->second;
+}
+
 Material first_sheet_material(const Study& study) {
   Material material;
   material.name = study.name;
@@ -433,8 +445,8 @@ Material first_sheet_material(const Study& study) {
   material.bending_of = "hinges";
   const bool springs = material.bending == "spring";
   const auto give = [&](const char* component, double stiffness) {
-    material.components[component].stiffness =
-        ScalarCurve::hermite({0.0}, {stiffness}, is_even(component));
+    material.components[component].stiffness = ScalarCurve::hermite(
+        {0.0}, {fixed_stiffness(study.fit, {component}).value_or(stiffness)}, is_even(component));
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);

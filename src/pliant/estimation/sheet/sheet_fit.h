@@ -23,7 +23,11 @@ struct SheetFit {
   bool converged = true;
 };
 
-/// What a search begins with: one stiffness for each component, and the measures of a model.
+/// The largest strain of a group in the fitted sheets, as far as it is known.
+double largest_strain(const SheetFit& fit, const ComponentGroup& group);
+
+/// What a search begins with: one stiffness for each component, which may be one that the study
+/// fixes, and the measures of a model.
 Material first_sheet_material(const Study& study);
 
 /// Fits the stages of a plan one after the other.

@@ -6,6 +6,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/parallel.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 #include "pliant/experiment/sheet/sheet_path.h"
 
@@ -52,7 +53,8 @@ std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Mate
 
 SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                            std::vector<ComponentGroup> groups, std::vector<double> strains,
-                           const RunContext& context, const CordFrictions& cords)
+                           const RunContext& context, const CordFrictions& cords,
+                           const FitOptions& options)
     : tests_(std::move(tests)),
       material_(material),
       groups_(std::move(groups)),
@@ -73,6 +75,11 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
     if (own.empty()) continue;
     start_.conservativeResize(static_cast<Eigen::Index>(unknowns_.size()));
     start_(places) = cord_widths(*test, cords);
+  }
+  apply_options(options, unknowns_);
+  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+    double& value = start_(static_cast<Eigen::Index>(u));
+    value = std::clamp(value, unknowns_[u].lower, unknowns_[u].upper);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
@@ -96,7 +97,9 @@ ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index 
     estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
   }
   estimate.note += cord ? loops_together(uncertainty, index) : uncertainty.told_by[index];
-  estimate.at_bound = estimate.value <= 0;
+  estimate.fixed = unknown.fixed;
+  if (unknown.fixed) return estimate;
+  estimate.at_bound = estimate.value <= unknown.lower || estimate.value >= unknown.upper;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
   const double half = *estimate.std_error * student_quantile_95(degrees);
@@ -113,9 +116,13 @@ double frames_of(const std::vector<const SheetTest*>& tests) {
   return frames;
 }
 
-/// What a fit found counts as measured, its guesses as assumed.
-void set_status(SheetFit& fit) {
+/// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
+void set_status(const Study& study, SheetFit& fit) {
   for (auto& [name, component] : fit.material.components) {
+    if (fixed_stiffness(study.fit, {name})) {
+      component.status = ComponentStatus::measured;
+      continue;
+    }
     const bool measured = std::ranges::any_of(fit.groups, [&](const ComponentGroup& group) {
       return std::ranges::find(group, name) != group.end();
     });
@@ -129,8 +136,7 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
   for (const ComponentGroup& group : fit.groups) {
     const ComponentLaw law = law_of(fit.material, group);
     const Eigen::Index count = law.parameter_count();
-    const auto strains = fit.strains.find(group.front());
-    const double largest = strains == fit.strains.end() ? 0.01 : strains->second;
+    const double largest = largest_strain(fit, group);
     const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
     for (const std::string& component : group) {
       result.curves.push_back(component_curve(component, law, largest, own));
@@ -224,10 +230,10 @@ struct Candidate {
   std::vector<ExperimentResult> experiments;
   std::string note;
 
-  Candidate(SheetFit fitted, const std::vector<SheetExperiment>& data, const RunContext& context,
-            std::string how)
+  Candidate(const Study& study, SheetFit fitted, const std::vector<SheetExperiment>& data,
+            const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
-    set_status(fit);
+    set_status(study, fit);
     experiments = predictions(data, fit.material, fit.cords, context);
   }
 };
@@ -236,9 +242,9 @@ struct Candidate {
 Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
-  Candidate best(fit_sheets(study, plan, context), experiments, context, "");
+  Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
   const auto consider = [&](SheetFit fit, std::string how) {
-    Candidate other(std::move(fit), experiments, context, std::move(how));
+    Candidate other(study, std::move(fit), experiments, context, std::move(how));
     if (misfit_percent(other.experiments) < misfit_percent(best.experiments)) {
       best = std::move(other);
     }
@@ -265,10 +271,6 @@ void refuse_foreign_options(const Study& study) {
   }
   if (study.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
-  }
-  if (!study.fit.fix.empty() || !study.fit.bounds.empty() || !study.fit.priors.empty()) {
-    refuse("fit", "bounds, fix and priors are not used in fits of sheets",
-           "a fit without them, of which `plan` says what is fitted to what");
   }
 }
 
@@ -350,6 +352,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
+  require_known_parameters(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   Candidate best = best_fit(study, plan, experiments, context, starts);
   SheetFit& fit = best.fit;
@@ -357,7 +360,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
     fit.material.density = area_density(experiments.front().test.session());
   }
   result.density = fit.material.density;
-  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, context);
+  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, study.fit, context);
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());

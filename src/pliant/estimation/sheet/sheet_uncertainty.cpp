@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 
 namespace pliant {
@@ -41,14 +42,16 @@ const SheetStage* last_stage(const std::vector<SheetStage>& plan, const Takes& t
   return last;
 }
 
-Unknowns all_unknowns(const SheetFit& fit, const std::vector<SheetStage>& plan) {
+Unknowns all_unknowns(const SheetFit& fit, const std::vector<SheetStage>& plan,
+                      const FitOptions& options) {
   Unknowns unknowns;
   std::vector<Eigen::Index> of_material;
   for (const ComponentGroup& group : fit.groups) {
     const SheetStage* last = last_stage(plan, [&](const SheetStage& stage) {
       return std::ranges::find(stage.groups, group) != stage.groups.end();
     });
-    for (const SheetUnknown& unknown : unknowns_of(fit.material, {group}, {1.0})) {
+    for (const SheetUnknown& unknown :
+         unknowns_of(fit.material, {group}, {largest_strain(fit, group)})) {
       of_material.push_back(static_cast<Eigen::Index>(unknowns.all.size()));
       unknowns.all.push_back(unknown);
       unknowns.stage_of.push_back(last);
@@ -73,6 +76,7 @@ Unknowns all_unknowns(const SheetFit& fit, const std::vector<SheetStage>& plan) 
       unknowns.places.emplace(test, std::move(places));
     }
   }
+  apply_options(options, unknowns.all);
   return unknowns;
 }
 
@@ -117,9 +121,9 @@ int lag_of(int frames) { return static_cast<int>(std::lround(std::sqrt(frames)))
 }  // namespace
 
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                                   const RunContext& context) {
+                                   const FitOptions& options, const RunContext& context) {
   SheetUncertainty result;
-  const Unknowns unknowns = all_unknowns(fit, plan);
+  const Unknowns unknowns = all_unknowns(fit, plan, options);
   const std::vector<const SheetStage*>& stage_of = unknowns.stage_of;
   result.unknowns = unknowns.all;
   result.values = unknowns.values;
@@ -182,6 +186,7 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
   std::vector<Eigen::Index> known;
   result.determined = std::vector<char>(result.unknowns.size(), 0);
   for (Eigen::Index u = 0; u < n; ++u) {
+    if (result.unknowns[static_cast<std::size_t>(u)].fixed) continue;
     double largest = 0;
     for (Eigen::Index v = 0; v < n; ++v) {
       const bool same =

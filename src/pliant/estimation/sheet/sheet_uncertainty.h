@@ -13,7 +13,7 @@ namespace pliant {
 struct SheetUncertainty {
   std::vector<SheetUnknown> unknowns;  ///< of all groups, then the cords of all tests
   Eigen::VectorXd values;
-  Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined
+  Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined or fixed
   std::vector<char> determined;
   std::vector<std::string> told_by;  ///< the tests, by their share of the information
 };
@@ -27,6 +27,6 @@ struct SheetUncertainty {
 /// what is wrong with a model is wrong in the same way in many nodes and frames, and counts once.
 /// A prior counts like one more difference that has the noise of the measured ones.
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                                   const RunContext& context);
+                                   const FitOptions& options, const RunContext& context);
 
 }  // namespace pliant

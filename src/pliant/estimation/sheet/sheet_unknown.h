@@ -30,6 +30,7 @@ struct SheetUnknown {
   bool of_friction = false;
   double lower = 0, upper = 0, scale = 1;
   std::optional<GaussianPrior> prior;
+  bool fixed = false;  ///< by the study; `lower` and `upper` are its value
 };
 
 /// The law that a group shares: that of its first component.

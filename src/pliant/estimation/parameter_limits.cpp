@@ -1,5 +1,6 @@
 #include "pliant/estimation/parameter_limits.h"
 
+#include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/parameter_option.h"
 
 namespace pliant {
@@ -79,6 +80,11 @@ ParameterLimits parameter_limits(const ComponentLaw& shape, const std::string& c
     limits.priors[i] = option_for(limits.names[i], options.priors);
   }
   if (shape.friction_law == FrictionLaw::none) hold_friction_nuisance(shape, nuisance, limits);
+  if (options.monotone_stress) {
+    const Eigen::MatrixXd tangents = elastic_tangents(shape.stiffness, data.strain);
+    limits.not_negative.setZero(tangents.rows(), count);
+    limits.not_negative.leftCols(tangents.cols()) = tangents;
+  }
   return limits;
 }
 

@@ -121,7 +121,8 @@ struct PlanStage {
 /// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
 struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
-  int control_points = 5;  ///< most control points of a hermite stiffness
+  int control_points = 5;        ///< most control points of a hermite stiffness
+  bool monotone_stress = false;  ///< elastic stress never falls where strain rises
   std::map<std::string, std::pair<double, double>> bounds;
   std::map<std::string, double> fix;
   std::map<std::string, GaussianPrior> priors;

@@ -6,6 +6,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/parallel.h"
+#include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 #include "pliant/experiment/sheet/sheet_path.h"
@@ -61,6 +62,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
       unknowns_(unknowns_of(material, groups_, strains)),
       scales_(first_scales(tests_)),
       start_(values_of(material, groups_)),
+      monotone_stress_(options.monotone_stress),
       context_(context) {
   PLIANT_ASSERT(!tests_.empty(), "a fit has data");
   for (const SheetTest* test : tests_) {
@@ -212,6 +214,21 @@ bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& resi
   return true;
 }
 
+Eigen::MatrixXd SheetProblem::tangents() const {
+  Eigen::MatrixXd all(0, static_cast<Eigen::Index>(unknowns_.size()));
+  Eigen::Index first = 0;
+  for (const ComponentGroup& group : groups_) {
+    const ComponentLaw law = law_of(material_, group);
+    const Eigen::MatrixXd own = elastic_tangents(law.stiffness, 0);
+    const Eigen::Index above = all.rows();
+    all.conservativeResize(above + own.rows(), Eigen::NoChange);
+    all.bottomRows(own.rows()).setZero();
+    all.block(above, first, own.rows(), own.cols()) = own;
+    first += law.parameter_count();
+  }
+  return all;
+}
+
 LeastSquaresProblem SheetProblem::least_squares() const {
   LeastSquaresProblem problem;
   problem.evaluate = [this](const Eigen::VectorXd& values, Eigen::VectorXd& residual,
@@ -220,6 +237,7 @@ LeastSquaresProblem SheetProblem::least_squares() const {
   };
   problem.residuals = measured_rows();
   for (const SheetUnknown& unknown : unknowns_) problem.residuals += unknown.prior ? 1 : 0;
+  if (monotone_stress_) problem.not_negative = tangents();
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
   problem.lower.resize(count);
   problem.upper.resize(count);

@@ -79,6 +79,8 @@ class SheetProblem {
   /// The widths of the loops of a test's cords.
   Eigen::VectorXd widths(std::size_t test, const Eigen::VectorXd& values) const;
   int measured_rows() const;
+  /// The elastic tangents of all groups, by all unknowns.
+  Eigen::MatrixXd tangents() const;
   double prior_weight(const SheetUnknown& unknown) const;
   bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* jacobian) const;
@@ -92,6 +94,7 @@ class SheetProblem {
   std::vector<Places> places_;           // of each test
   std::vector<std::vector<int>> cords_;  // unknowns that are cords of each test
   Eigen::VectorXd start_;
+  bool monotone_stress_;
   double noise_ = 1;
   const RunContext& context_;
 };

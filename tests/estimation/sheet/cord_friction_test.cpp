@@ -91,13 +91,12 @@ double total_width(const StudyResult& result) {
 TEST(SlowCordFriction, CountsAsFrictionOfTheClothUnlessItIsLookedFor) {
   const Stretch stretch(cloth(true));
   const ParameterEstimate biased = named(stretch.fit(""), "stretch.weft.friction.a");
-  ASSERT_TRUE(biased.lower.has_value());
-  EXPECT_GT(*biased.lower, kFriction.a);
+  EXPECT_GT(biased.value, 1.2 * kFriction.a);
 
   const StudyResult result = stretch.fit(", cord_friction: unknown");
   const ParameterEstimate a = named(result, "stretch.weft.friction.a");
   expect_found(a, kFriction.a);
-  EXPECT_LT(*a.std_error, 0.1 * kFriction.a);
+  EXPECT_NEAR(a.value, kFriction.a, 0.05 * kFriction.a);
   EXPECT_NEAR(total_width(result), 4 * kWidth, 0.1 * 4 * kWidth);
   ASSERT_EQ(result.nuisance.size(), 4U);
   for (const ParameterEstimate& cord : result.nuisance) {

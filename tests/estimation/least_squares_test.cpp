@@ -52,6 +52,38 @@ TEST(LeastSquares, StopsOnTheBoundWhereTheBottomLiesOutside) {
   EXPECT_NEAR(summary.cost, 0.125, 1e-9);
 }
 
+/// The nearest to a point of the points with x >= 2 y and 3 x >= -y.
+LeastSquaresSummary nearest_in_wedge(const Eigen::Vector2d& point) {
+  LeastSquaresProblem problem = valley();
+  problem.evaluate = [point](const Eigen::VectorXd& p, Eigen::VectorXd& residual,
+                             Eigen::MatrixXd* jacobian) {
+    residual = p - point;
+    if (jacobian != nullptr) *jacobian = Eigen::Matrix2d::Identity();
+    return true;
+  };
+  problem.not_negative.resize(2, 2);
+  problem.not_negative << 1, -2, 3, 1;
+  return solve_least_squares(problem, point, {}, {});
+}
+
+TEST(LeastSquares, StopsAtInequalitiesWhereTheBottomViolatesThem) {
+  // The margin that the solver keeps is 1e-7.
+  constexpr double kTolerance = 1e-6;
+  const LeastSquaresSummary inside = nearest_in_wedge({3, 1});
+  EXPECT_EQ(inside.cost, 0);
+  // The foot on the line x = 2 y through (1, 3): (2, 1), at the distance sqrt(5).
+  const LeastSquaresSummary foot = nearest_in_wedge({1, 3});
+  EXPECT_TRUE(foot.converged);
+  EXPECT_NEAR(foot.parameters(0), 2, kTolerance);
+  EXPECT_NEAR(foot.parameters(1), 1, kTolerance);
+  EXPECT_NEAR(foot.cost, 2.5, 5 * kTolerance);
+  EXPECT_GE(foot.parameters(0) - 2 * foot.parameters(1), 0);
+  // The corner of both, where neither line has its foot.
+  const LeastSquaresSummary corner = nearest_in_wedge({-3, 0});
+  EXPECT_TRUE(corner.converged);
+  EXPECT_LT(corner.parameters.norm(), kTolerance);
+}
+
 TEST(LeastSquares, HoldsFixedParameters) {
   LeastSquaresProblem problem = valley();
   problem.lower(0) = problem.upper(0) = -2;

@@ -39,13 +39,15 @@ experiments:
   - {name: h, type: bending-length, direction: warp, data: raw/c.csv, width: 1 in, angle: 43.21 deg, noise: {overhang: 0.5 mm}}
   - {name: d, type: buckling-bend, direction: weft, side: up, rest_length: unknown, data: raw/c.csv, length: 8 cm, width: 5 cm}
   - {name: i, type: press, data: raw/c.csv, finger: index}
+  - {name: j, type: session, data: raw/c.csv, objective: clip-forces, cord_friction: unknown}
+  - {name: k, type: session, data: raw/c.csv, cord_friction: 12.3456789 cN}
 model:
   membrane: soft-constraint
   strips: sheet
   stiffness: hermite
   friction: none
   components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl}}
-fit: {estimator: anchor, control_points: 3, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
+fit: {estimator: anchor, control_points: 3, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
       fix: {stretch.warp.k1: 4.5}, priors: {"*.k2": {mean: -30, sd: 2}}}
 validate: ["b", "c*"]
 )yaml";
@@ -76,6 +78,9 @@ void expect_same(const ExperimentSpec& a, const ExperimentSpec& b) {
   EXPECT_EQ(a.precondition_cycles, b.precondition_cycles);
   EXPECT_EQ(a.rested, b.rested);
   EXPECT_EQ(a.initial_friction, b.initial_friction);
+  EXPECT_EQ(a.objective, b.objective);
+  EXPECT_EQ(a.cord_friction.unknown, b.cord_friction.unknown);
+  expect_near(a.cord_friction.width, b.cord_friction.width);
   EXPECT_EQ(a.rest_length, b.rest_length);
   EXPECT_EQ(a.density_is_known, b.density_is_known);
   EXPECT_EQ(a.side, b.side);
@@ -112,6 +117,7 @@ void expect_same(const Study& a, const Study& b) {
   }
   EXPECT_EQ(a.fit.estimator, b.fit.estimator);
   EXPECT_EQ(a.fit.control_points, b.fit.control_points);
+  EXPECT_EQ(a.fit.monotone_stress, b.fit.monotone_stress);
   EXPECT_EQ(a.fit.bounds, b.fit.bounds);
   EXPECT_EQ(a.fit.fix, b.fit.fix);
   ASSERT_EQ(a.fit.priors.size(), b.fit.priors.size());

@@ -151,6 +151,9 @@ void refuse_anchors(const Study& study, const std::vector<const Experiment*>& ex
   constexpr int kFewest = 3;
   if (study.fit.estimator != EstimatorKind::anchor) return;
   const Location where{study.file, 0, "fit.estimator"};
+  if (study.fit.monotone_stress) {
+    throw InputError(where, "the published estimator knows no monotone_stress", "path");
+  }
   for (const Experiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;

@@ -131,6 +131,7 @@ LeastSquaresProblem ComponentProblem::least_squares(const ComponentLaw& shape,
   problem.lower = limits.lower;
   problem.upper = limits.upper;
   problem.scale = limits.scale;
+  problem.not_negative = limits.not_negative;
   const auto priors = limits.priors;
   problem.evaluate = [this, shape, with_prior, priors](const Eigen::VectorXd& p,
                                                        Eigen::VectorXd& residual,

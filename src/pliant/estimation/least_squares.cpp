@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kTouchShare = 1e-9;  // of the scale: nearer than this is at the bound
 constexpr int kBoundRounds = 10;
+constexpr double kMargin = 1e-7;  // of inequalities, in units of what the parameters change by
+constexpr int kMultiplierRounds = 30;
 
 // The free parameters in units of their scale.
 class ScaledParameters {
@@ -217,11 +219,10 @@ LeastSquaresProblem with_held(LeastSquaresProblem problem, const Eigen::VectorXd
   return problem;
 }
 
-}  // namespace
-
-LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
-                                        const Eigen::VectorXd& start,
-                                        const LeastSquaresOptions& options, const StopToken& stop) {
+LeastSquaresSummary solve_without_inequalities(const LeastSquaresProblem& problem,
+                                               const Eigen::VectorXd& start,
+                                               const LeastSquaresOptions& options,
+                                               const StopToken& stop) {
   LastEvaluation last(problem);
   LeastSquaresSummary summary = solve_in_bounds(problem, start, options, stop, last);
   if (!std::isfinite(summary.cost)) return summary;
@@ -237,6 +238,80 @@ LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
                               options, stop, last);
     summary.iterations += iterations;
   }
+  return summary;
+}
+
+// The rows of `not_negative` in units of what the parameters change by.
+Eigen::MatrixXd scaled_inequalities(const LeastSquaresProblem& problem) {
+  const Eigen::VectorXd size = problem.not_negative.cwiseAbs() * problem.scale;
+  return size.cwiseMax(1e-300).cwiseInverse().asDiagonal() * problem.not_negative;
+}
+
+// The problem with what its inequalities lack of `least` as further residuals.
+LeastSquaresProblem with_penalty(const LeastSquaresProblem& problem,
+                                 const Eigen::MatrixXd& inequalities, const Eigen::VectorXd& least,
+                                 double weight) {
+  LeastSquaresProblem penalised = problem;
+  penalised.residuals += static_cast<int>(inequalities.rows());
+  penalised.evaluate = [&problem, &inequalities, least, weight](const Eigen::VectorXd& p,
+                                                                Eigen::VectorXd& residual,
+                                                                Eigen::MatrixXd* jacobian) {
+    Eigen::VectorXd own(problem.residuals);
+    if (!problem.evaluate(p, own, jacobian)) return false;
+    const Eigen::VectorXd lacking = (inequalities * p - least).cwiseMin(0);
+    residual.resize(own.size() + lacking.size());
+    residual << own, std::sqrt(weight) * lacking;
+    if (jacobian == nullptr) return true;
+    jacobian->conservativeResize(residual.size(), Eigen::NoChange);
+    for (Eigen::Index i = 0; i < lacking.size(); ++i) {
+      jacobian->row(own.size() + i) =
+          (lacking(i) < 0 ? std::sqrt(weight) : 0) * inequalities.row(i);
+    }
+    return true;
+  };
+  return penalised;
+}
+
+double largest_curvature(const LeastSquaresProblem& problem, const Eigen::VectorXd& p) {
+  Eigen::VectorXd residual(problem.residuals);
+  Eigen::MatrixXd jacobian;
+  if (!problem.evaluate(p, residual, &jacobian)) return 1;
+  return (jacobian * problem.scale.asDiagonal()).colwise().squaredNorm().maxCoeff();
+}
+
+double cost_of(const LeastSquaresProblem& problem, const Eigen::VectorXd& p) {
+  Eigen::VectorXd residual(problem.residuals);
+  const bool found = problem.evaluate(p, residual, nullptr);
+  return found ? residual.squaredNorm() / 2 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
+                                        const Eigen::VectorXd& start,
+                                        const LeastSquaresOptions& options, const StopToken& stop) {
+  LeastSquaresSummary summary = solve_without_inequalities(problem, start, options, stop);
+  if (problem.not_negative.rows() == 0 || !std::isfinite(summary.cost)) return summary;
+  const Eigen::MatrixXd inequalities = scaled_inequalities(problem);
+  // Multipliers in units of the weight, which grows. An inequality with one is an equality.
+  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(inequalities.rows());
+  const auto holds = [&] {
+    const Eigen::VectorXd values = inequalities * summary.parameters;
+    return values.minCoeff() >= 0 && values.cwiseMin(multipliers).maxCoeff() < 10 * kMargin;
+  };
+  double weight = std::max(largest_curvature(problem, summary.parameters), 1e-12);
+  for (int round = 0; round < kMultiplierRounds && !holds(); ++round) {
+    const Eigen::VectorXd least = multipliers.array() + kMargin;
+    const int iterations = summary.iterations;
+    summary = solve_without_inequalities(with_penalty(problem, inequalities, least, weight),
+                                         summary.parameters, options, stop);
+    if (!std::isfinite(summary.cost)) return summary;
+    summary.iterations += iterations;
+    multipliers = (least - inequalities * summary.parameters).cwiseMax(0) / 2;
+    weight *= 2;
+  }
+  summary.converged = summary.converged && holds();
+  summary.cost = cost_of(problem, summary.parameters);
   return summary;
 }
 

@@ -10,8 +10,8 @@
 
 namespace pliant {
 
-/// A bounded nonlinear least-squares problem: minimise 1/2 |residual(p)|^2 with lower <= p <=
-/// upper.
+/// A bounded nonlinear least-squares problem: minimise 1/2 |residual(p)|^2 with lower <= p <= upper
+/// and linear combinations of p that must not be negative.
 struct LeastSquaresProblem {
   /// Fills the residual and, unless null, its Jacobian; returns false where p has no residual.
   using Evaluate = std::function<bool(const Eigen::VectorXd& p, Eigen::VectorXd& residual,
@@ -21,7 +21,8 @@ struct LeastSquaresProblem {
   int residuals = 0;
   Eigen::VectorXd lower;  ///< equal to `upper` where a parameter is fixed
   Eigen::VectorXd upper;
-  Eigen::VectorXd scale;  ///< a change of each parameter that matters, > 0
+  Eigen::VectorXd scale;              ///< a change of each parameter that matters, > 0
+  Eigen::MatrixXd not_negative = {};  ///< rows A with A p >= 0; none: no rows
 };
 
 struct LeastSquaresOptions {
@@ -42,7 +43,8 @@ struct LeastSquaresSummary {
   std::string message;  ///< why it stopped
 };
 
-/// Trust-region Levenberg-Marquardt with bounds (Ceres).
+/// Trust-region Levenberg-Marquardt with bounds (Ceres). Where a solution violates `not_negative`
+/// the search goes on with an augmented Lagrangian until it does not.
 /// @param start  is moved into the bounds
 /// @return cost infinity and `converged` false where `start` has no residual
 /// @throws Interrupted

@@ -1,20 +1,12 @@
 #include "pliant/estimation/parameter_limits.h"
 
+#include "pliant/estimation/monotone_stress.h"
+#include "pliant/estimation/parameter_option.h"
+
 namespace pliant {
 namespace {
 
 constexpr double kUnbounded = 1e12;
-
-// The value of the first pattern that matches; an exact name goes before patterns.
-template <class T>
-std::optional<T> find_option(const std::map<std::string, T>& options, const std::string& name) {
-  const auto exact = options.find(name);
-  if (exact != options.end()) return exact->second;
-  for (const auto& [pattern, value] : options) {
-    if (matches(pattern, name)) return value;
-  }
-  return std::nullopt;
-}
 
 void law_limits(const ComponentLaw& shape, const DataScale& data, ParameterLimits& limits) {
   const double stiffness = data.stress / data.strain;
@@ -77,17 +69,22 @@ ParameterLimits parameter_limits(const ComponentLaw& shape, const std::string& c
   limits.priors.resize(limits.names.size());
   for (size_t i = 0; i < limits.names.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
-    if (const auto bounds = find_option(options.bounds, limits.names[i])) {
+    if (const auto bounds = option_for(limits.names[i], options.bounds)) {
       limits.lower(index) = bounds->first;
       limits.upper(index) = bounds->second;
     }
-    if (const auto value = find_option(options.fix, limits.names[i])) {
+    if (const auto value = option_for(limits.names[i], options.fix)) {
       limits.lower(index) = limits.upper(index) = *value;
       limits.fixed[i] = 1;
     }
-    limits.priors[i] = find_option(options.priors, limits.names[i]);
+    limits.priors[i] = option_for(limits.names[i], options.priors);
   }
   if (shape.friction_law == FrictionLaw::none) hold_friction_nuisance(shape, nuisance, limits);
+  if (options.monotone_stress) {
+    const Eigen::MatrixXd tangents = elastic_tangents(shape.stiffness, data.strain);
+    limits.not_negative.setZero(tangents.rows(), count);
+    limits.not_negative.leftCols(tangents.cols()) = tangents;
+  }
   return limits;
 }
 

@@ -17,6 +17,7 @@ struct ParameterLimits {
   Eigen::VectorXd lower, upper, scale;
   std::vector<char> fixed;
   std::vector<std::optional<GaussianPrior>> priors;
+  Eigen::MatrixXd not_negative;  ///< rows A with A parameters >= 0
 };
 
 /// Characteristic magnitudes of a component's data, from which bounds and scales follow.

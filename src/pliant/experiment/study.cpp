@@ -197,6 +197,12 @@ void read_session_fields(Fields& fields, ExperimentSpec& spec) {
     spec.objective = sheet_objective(
         v->choice({"clip-forces", "parallel-clip-forces", "axial-clip-forces", "positions"}));
   }
+  if (auto v = fields.optional("cord_friction")) {
+    spec.cord_friction.unknown = v->text() == "unknown";
+    if (!spec.cord_friction.unknown) {
+      spec.cord_friction.width = v->quantity_from_zero(Dimension::force);
+    }
+  }
 }
 
 // The fields that belong to the type; those of types for later are kept as they are.
@@ -378,6 +384,7 @@ FitOptions read_fit(Fields& study) {
         v->choice({"path", "anchor"}) == "path" ? EstimatorKind::path : EstimatorKind::anchor;
   }
   if (auto v = fields.optional("control_points")) fit.control_points = v->integer(1, 20);
+  if (auto v = fields.optional("monotone_stress")) fit.monotone_stress = v->flag();
   if (auto v = fields.optional("plan")) {
     for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage));
   }

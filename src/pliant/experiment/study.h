@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/experiment.h"
+#include "pliant/experiment/sheet/cord_friction.h"
 #include "pliant/experiment/sheet/sheet_objective.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/material.h"
@@ -72,6 +73,7 @@ struct ExperimentSpec {
   bool density_is_known = true;             ///< cantilever: else it is estimated along
   BucklingSide side = BucklingSide::down;   ///< buckling-bend
   std::optional<SheetObjective> objective;  ///< session; absent: what is usual for its test
+  CordFriction cord_friction;               ///< session
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   ExperimentRole role = ExperimentRole::fit;
@@ -119,7 +121,8 @@ struct PlanStage {
 /// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
 struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
-  int control_points = 5;  ///< most control points of a hermite stiffness
+  int control_points = 5;        ///< most control points of a hermite stiffness
+  bool monotone_stress = false;  ///< elastic stress never falls where strain rises
   std::map<std::string, std::pair<double, double>> bounds;
   std::map<std::string, double> fix;
   std::map<std::string, GaussianPrior> priors;

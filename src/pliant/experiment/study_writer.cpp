@@ -117,6 +117,11 @@ void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
     if (spec.angle > 0) node["angle"] = exact_quantity(spec.angle, Dimension::angle);
   } else if (measures_sheets(spec.type)) {
     if (spec.objective) node["objective"] = std::string(name_of(*spec.objective));
+    if (spec.cord_friction.unknown) {
+      node["cord_friction"] = "unknown";
+    } else if (spec.cord_friction.width > 0) {
+      node["cord_friction"] = exact_quantity(spec.cord_friction.width, Dimension::force);
+    }
   } else {
     for (const auto& [key, value] : spec.other_fields) node[key] = value;
   }
@@ -168,6 +173,7 @@ YAML::Node fit_node(const FitOptions& fit) {
   YAML::Node node;
   node["estimator"] = fit.estimator == EstimatorKind::path ? "path" : "anchor";
   node["control_points"] = fit.control_points;
+  if (fit.monotone_stress) node["monotone_stress"] = true;
   for (const auto& [name, bounds] : fit.bounds) {
     node["bounds"][name] = std::vector<double>{bounds.first, bounds.second};
   }

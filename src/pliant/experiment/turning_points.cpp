@@ -9,7 +9,25 @@ namespace {
 constexpr double kRangeShare = 0.002;
 constexpr int kDenseSamples = 8;  // samples a stretch needs on both sides before it counts as dense
 
-// Index of the extreme sample that ends each stretch; the last one ends the path.
+struct Turn {
+  int last = 0;  // last sample before the path turned
+  double value = 0;
+};
+
+// At even speed the nearer neighbour of the extreme sample lies across the turn: when that is the
+// sample before it, the extreme sample itself came after the turn.
+Turn turn_near(std::span<const double> path, int extreme, int direction) {
+  const auto at = [&](int k) { return path[static_cast<size_t>(k)]; };
+  const double s = direction;
+  const bool passed = s * at(extreme - 1) > s * at(extreme + 1);
+  const double across = passed ? at(extreme - 1) : at(extreme + 1);
+  const double speed = std::abs(at(extreme - 1) - at(extreme - 5)) / 4;
+  const double beyond = s * (across - at(extreme) + s * speed) / 2;
+  return {passed ? extreme - 1 : extreme, at(extreme) + s * std::clamp(beyond, 0.0, speed / 2)};
+}
+
+}  // namespace
+
 std::vector<int> turning_samples(std::span<const double> path, double threshold) {
   std::vector<int> turns;
   const int count = static_cast<int>(path.size());
@@ -32,25 +50,6 @@ std::vector<int> turning_samples(std::span<const double> path, double threshold)
   if (turns.empty() || turns.back() != count - 1) turns.push_back(count - 1);
   return turns;
 }
-
-struct Turn {
-  int last = 0;  // last sample before the path turned
-  double value = 0;
-};
-
-// At even speed the nearer neighbour of the extreme sample lies across the turn: when that is the
-// sample before it, the extreme sample itself came after the turn.
-Turn turn_near(std::span<const double> path, int extreme, int direction) {
-  const auto at = [&](int k) { return path[static_cast<size_t>(k)]; };
-  const double s = direction;
-  const bool passed = s * at(extreme - 1) > s * at(extreme + 1);
-  const double across = passed ? at(extreme - 1) : at(extreme + 1);
-  const double speed = std::abs(at(extreme - 1) - at(extreme - 5)) / 4;
-  const double beyond = s * (across - at(extreme) + s * speed) / 2;
-  return {passed ? extreme - 1 : extreme, at(extreme) + s * std::clamp(beyond, 0.0, speed / 2)};
-}
-
-}  // namespace
 
 std::vector<Stretch> monotone_stretches(std::span<const double> path, double threshold) {
   const std::vector<int> extremes = turning_samples(path, threshold);

@@ -14,6 +14,10 @@ struct Stretch {
       0;  ///< value at which the path turned; beyond the last sample if it turned between two
 };
 
+/// Index of the extreme sample that ends each monotone stretch of a path; the last one ends the
+/// path. A reversal smaller than `threshold` is noise and does not count.
+std::vector<int> turning_samples(std::span<const double> path, double threshold);
+
 /// Splits a sampled path into monotone stretches.
 ///
 /// A reversal smaller than `threshold` is noise and does not count. The first stretch begins at

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/experiment/session/frame_measures.h"
 #include "pliant/experiment/sheet/sheet_system.h"
@@ -19,6 +21,8 @@ namespace {
 
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kOutlierShare = 0.01;    // of strains, before the range is taken
+constexpr int kNoiseRounds = 3;
+constexpr double kNoiseSettled = 0.1;
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
@@ -48,33 +52,75 @@ class Fitter {
 
  private:
   void run_stage(const SheetStage& stage) {
+    if (stage.kind == StageKind::friction) return fit_friction(stage, stage.groups.front());
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) guess(stage, group);
-      if (stage.kind == StageKind::friction && !guess_friction(stage, group)) return;
     }
     double rms = solve(stage);
     // Without a test of its own shear follows stretch.
     if (stage.groups.front().front().starts_with("stretch") && guess_shear()) rms = solve(stage);
     record(stage, rms, true);
     if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), rms);
-    if (stage.kind == StageKind::friction) grade(stage, stage.groups.front(), rms);
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) fitted_.push_back(group);
     }
+  }
+
+  /// Friction, where the loops of a stage are not those of its cords.
+  void fit_friction(const SheetStage& stage, const ComponentGroup& group) {
+    const bool cords_drag = has_unknown_cords(stage);
+    const double without = cords_drag ? solve(stage) : INFINITY;
+    const Material elastic = fit_.material;
+    const CordFrictions cords = fit_.cords;
+    // Else the cords would have taken up what the cloth may explain.
+    for (const SheetTest* test : stage.tests) {
+      for (const SheetUnknown& cord : cord_unknowns(*test)) fit_.cords.erase(cord.name);
+    }
+    if (!guess_friction(stage, group)) {
+      fit_.cords = cords;
+      return;
+    }
+    const double rms = solve(stage);
+    const bool worthwhile = !cords_drag || is_worth_friction(stage, without, rms);
+    record(stage, rms, worthwhile);
+    if (worthwhile) return grade(stage, group, rms);
+    fit_.material = elastic;
+    fit_.cords = cords;
+  }
+
+  /// Whether the residual falls by what three more parameters are worth: by the Bayesian
+  /// information criterion, and by as much as a control point.
+  static bool is_worth_friction(const SheetStage& stage, double without, double with) {
+    double rows = 0;
+    for (const SheetTest* test : stage.tests) rows += test->rows();
+    return with < (1 - kWorthwhileFall) * without &&
+           2 * rows * std::log(without / with) > 3 * std::log(rows);
+  }
+
+  static bool has_unknown_cords(const SheetStage& stage) {
+    return std::ranges::any_of(stage.tests, [](const SheetTest* test) {
+      return test->cord_friction().unknown && !test->cords().empty();
+    });
   }
 
   bool is_fitted(const ComponentGroup& group) const {
     return std::ranges::find(fitted_, group) != fitted_.end();
   }
 
+  /// Whether the study states the stiffness of a group.
+  bool is_fixed(const ComponentGroup& group) const {
+    return fixed_stiffness(study_.fit, group).has_value();
+  }
+
   /// One control point after the other, at equal distances.
   void grow(const SheetStage& stage, const ComponentGroup& group, double best) {
-    const double largest = largest_strain(stage, group);
+    const double largest = measure_strain(stage, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
-    if (study_.model.stiffness == CurveKind::constant) return;
+    if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return;
     const bool even = is_even(group.front());
     const int first = stiffness_of(group).size() + 1;
     Material accepted = fit_.material;
+    CordFrictions cords = fit_.cords;
     int useless = 0;
     for (int points = first; points <= study_.fit.control_points && useless < 2; ++points) {
       if (best < accuracy_of(stage)) break;
@@ -92,8 +138,10 @@ class Fitter {
       if (!worthwhile) continue;
       best = rms;
       accepted = fit_.material;
+      cords = fit_.cords;
     }
     fit_.material = accepted;
+    fit_.cords = cords;
   }
 
   /// The control points once more, denser towards rest, where friction no longer hides what the
@@ -102,6 +150,7 @@ class Fitter {
     const ScalarCurve curve = stiffness_of(group);
     if (curve.size() < 3 || even < accuracy_of(stage)) return;
     const Material before = fit_.material;
+    const CordFrictions cords = fit_.cords;
     std::vector<double> knots, values;
     for (int i = 0; i < curve.size(); ++i) {
       const double share = static_cast<double>(i) / (curve.size() - 1);
@@ -112,7 +161,9 @@ class Fitter {
     const double graded = solve(stage);
     const bool worthwhile = graded < (1 - kWorthwhileFall) * even;
     record(stage, graded, worthwhile);
-    if (!worthwhile) fit_.material = before;
+    if (worthwhile) return;
+    fit_.material = before;
+    fit_.cords = cords;
   }
 
   /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
@@ -175,17 +226,15 @@ class Fitter {
     return true;
   }
 
-  double strain_of(const ComponentGroup& group) const {
-    const auto known = fit_.strains.find(group.front());
-    return known == fit_.strains.end() ? 0.01 : known->second;
-  }
+  double strain_of(const ComponentGroup& group) const { return largest_strain(fit_, group); }
 
   SheetProblem problem_of(const SheetStage& stage) {
     std::vector<ComponentGroup> groups = going_along(stage.groups);
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
     SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
-                         context_);
+                         context_, fit_.cords, study_.fit);
+    problem.set_noise(accuracy_of(stage));
     problem.begin_at(shapes_);
     return problem;
   }
@@ -213,6 +262,7 @@ class Fitter {
   /// One stiffness to begin with. Forces tell it at once; how far a sheet hangs is tried from stiff
   /// to soft.
   void guess(const SheetStage& stage, const ComponentGroup& group) {
+    if (is_fixed(group)) return;
     const bool even = is_even(group.front());
     const ComponentGroup all = going_along({group}).front();
     const auto constant = [&](double value) {
@@ -262,7 +312,7 @@ class Fitter {
     const auto stretched = std::ranges::find_if(fit_.groups, [](const ComponentGroup& group) {
       return group.front().starts_with("stretch");
     });
-    if (stretched == fit_.groups.end() || is_fitted({"shear"})) return false;
+    if (stretched == fit_.groups.end() || is_fitted({"shear"}) || is_fixed({"shear"})) return false;
     const double stretch = fit_.material.components.at(stretched->front()).stiffness->value(0);
     fit_.material.components.at("shear").stiffness =
         ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
@@ -272,33 +322,43 @@ class Fitter {
   /// The search of a stage, whose result the material gets.
   /// @return the root mean square of the differences (N or m)
   double solve(const SheetStage& stage) {
-    const SheetProblem problem = problem_of(stage);
+    SheetProblem problem = problem_of(stage);
     const Numbers found = ask(problem, "search", stage, [&] { return search(stage, problem); });
     const auto count = static_cast<Eigen::Index>(problem.unknowns().size());
-    fit_.converged = fit_.converged && found[found.size() - 1] > 0;
-    fit_.material = problem.material_at(Eigen::VectorXd::Map(found.data(), count));
-    const double cost = found[found.size() - 2];
-    return std::sqrt(2 * cost / problem.rows()) * problem.scales().front();
+    const Eigen::VectorXd values = Eigen::VectorXd::Map(found.data(), count);
+    const double rms = found[found.size() - 2];
+    problem.keep_cords(values, fit_.cords);
+    fit_.converged = fit_.converged && found.back() > 0;
+    fit_.material = problem.material_at(values);
+    return rms;
   }
 
-  /// Where a stage's search ends: the unknowns, the cost, and whether it converged. One that was
-  /// stopped goes on where it was.
-  Numbers search(const SheetStage& stage, const SheetProblem& problem) {
+  /// Where a stage's search ends: the unknowns, the root mean square of the differences (N or m),
+  /// and whether it converged. One that was stopped goes on where it was.
+  Numbers search(const SheetStage& stage, SheetProblem& problem) {
     const Numbers& reached = context_.journal.reached();
-    const Eigen::VectorXd start =
-        reached.empty()
-            ? problem.start()
-            : Eigen::VectorXd(Eigen::VectorXd::Map(reached.data(), std::ssize(reached)));
-    const LeastSquaresSummary summary =
-        solve_least_squares(with_journal(problem.least_squares(), context_.journal), start,
-                            kStageSearch, context_.stop);
-    if (!std::isfinite(summary.cost)) {
-      throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
+    LeastSquaresSummary summary;
+    summary.parameters = problem.start();
+    if (!reached.empty()) {
+      summary.parameters = Eigen::VectorXd::Map(reached.data(), std::ssize(reached));
+    }
+    double noise = accuracy_of(stage), rms = 0;
+    // Priors are weighed against the noise, which the residuals tell.
+    for (int round = 0; round < (problem.has_priors() ? kNoiseRounds : 1); ++round) {
+      problem.set_noise(noise);
+      summary = solve_least_squares(with_journal(problem.least_squares(), context_.journal),
+                                    summary.parameters, kStageSearch, context_.stop);
+      if (!std::isfinite(summary.cost)) {
+        throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
+      }
+      rms = problem.rms(summary);
+      const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
+      if (std::abs(noise - before) < kNoiseSettled * before) break;
     }
     problem.keep(shapes_);
     keep_shapes(context_.journal, shapes_);
     Numbers found(summary.parameters.begin(), summary.parameters.end());
-    found.push_back(summary.cost);
+    found.push_back(rms);
     found.push_back(summary.converged ? 1 : 0);
     return found;
   }
@@ -340,7 +400,9 @@ class Fitter {
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group
   /// that is: a sheet does not bend along one thread alone.
   std::vector<ComponentGroup> going_along(std::vector<ComponentGroup> groups) const {
-    if (groups.size() != 1 || !is_bending(groups.front().front())) return groups;
+    if (groups.size() != 1 || !is_bending(groups.front().front()) || is_fixed(groups.front())) {
+      return groups;
+    }
     const auto first = std::ranges::find_if(
         fitted_, [](const ComponentGroup& group) { return is_bending(group.front()); });
     if (first != fitted_.end() && *first != groups.front()) return groups;
@@ -350,20 +412,20 @@ class Fitter {
       });
       ComponentGroup& group = groups.front();
       const bool own = std::ranges::find(group, component) != group.end();
-      if (!known && !own) group.emplace_back(component);
+      if (!known && !own && !is_fixed({component})) group.emplace_back(component);
     }
     return groups;
   }
 
-  double largest_strain(const SheetStage& stage, const ComponentGroup& group) {
+  double measure_strain(const SheetStage& stage, const ComponentGroup& group) {
     const SheetProblem problem = problem_of(stage);
-    return ask(problem, "strain", stage,
-               [&] { return Numbers{largest_strain(stage, group, problem)}; })
+    return ask(problem, "strain", stage, [&] { return Numbers{strain_in(problem, stage, group)}; })
         .front();
   }
 
-  double largest_strain(const SheetStage& stage, const ComponentGroup& group,
-                        const SheetProblem& problem) const {
+  /// What all but the outliers of the sheets' strains stay below.
+  double strain_in(const SheetProblem& problem, const SheetStage& stage,
+                   const ComponentGroup& group) const {
     std::vector<double> strains;
     for (std::size_t t = 0; t < stage.tests.size(); ++t) {
       const SheetTest& test = *stage.tests[t];
@@ -424,6 +486,12 @@ class Fitter {
 
 }  // namespace
 
+double largest_strain(const SheetFit& fit, const ComponentGroup& group) {
+  constexpr double kUsual = 0.01;
+  const auto known = fit.strains.find(group.front());
+  return known == fit.strains.end() ? kUsual : known->second;
+}
+
 Material first_sheet_material(const Study& study) {
   Material material;
   material.name = study.name;
@@ -433,8 +501,8 @@ Material first_sheet_material(const Study& study) {
   material.bending_of = "hinges";
   const bool springs = material.bending == "spring";
   const auto give = [&](const char* component, double stiffness) {
-    material.components[component].stiffness =
-        ScalarCurve::hermite({0.0}, {stiffness}, is_even(component));
+    material.components[component].stiffness = ScalarCurve::hermite(
+        {0.0}, {fixed_stiffness(study.fit, {component}).value_or(stiffness)}, is_even(component));
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);

@@ -6,13 +6,15 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
 
 namespace pliant {
 
 /// A material fitted to full-field sessions, stage by stage ([T] 3.4).
 struct SheetFit {
-  Material material;  ///< complete: components without test are guesses
+  Material material;    ///< complete: components without test are guesses
+  CordFrictions cords;  ///< of the tests whose cords are unknown
   std::vector<ComponentGroup> groups;
   std::vector<FitStage> stages;
   std::vector<std::string> warnings;
@@ -21,7 +23,11 @@ struct SheetFit {
   bool converged = true;
 };
 
-/// What a search begins with: one stiffness for each component, and the measures of a model.
+/// The largest strain of a group in the fitted sheets, as far as it is known.
+double largest_strain(const SheetFit& fit, const ComponentGroup& group);
+
+/// What a search begins with: one stiffness for each component, which may be one that the study
+/// fixes, and the measures of a model.
 Material first_sheet_material(const Study& study);
 
 /// Fits the stages of a plan one after the other.
@@ -29,6 +35,10 @@ Material first_sheet_material(const Study& study);
 /// The curve of a group grows from one control point by equal distances over the strains of the
 /// fitted sheet until the residual falls by less than 1 % ([T] 3.4.2). The thesis takes the strains
 /// of the measured shapes, in which noise shows as strain of small triangles.
+///
+/// Unknown friction of cords is fitted along in every stage that compares forces. The cloth has
+/// friction beside it only where that makes the residual fall by 1 % and by more than its three
+/// parameters are worth.
 /// @param start  null, or a material of the study's model whose curves are the first ones
 SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
                     const RunContext& context, const Material* start = nullptr);

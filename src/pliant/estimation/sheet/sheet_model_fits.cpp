@@ -32,7 +32,14 @@ class NamedProgress : public Progress {
 struct Solution {
   ModelVariant combination;
   Material material;
+  CordFrictions cords;
 };
+
+CordFrictions cords_of(const StudyResult& result) {
+  CordFrictions cords;
+  for (const ParameterEstimate& cord : result.nuisance) cords[cord.name] = cord.value;
+  return cords;
+}
 
 /// The solutions of one model's variants that another contains, but for those that are contained
 /// in one of these: linear-isotropic in linear-orthotropic.
@@ -50,7 +57,8 @@ std::vector<SheetStart> starts_of(const ModelVariant& wanted,
       between = between || (&other != &solution && contained(other, wanted.variant) &&
                             contained(solution, other.combination.variant));
     }
-    if (!between) starts.push_back({solution.combination.variant.name, solution.material});
+    if (between) continue;
+    starts.push_back({solution.combination.variant.name, solution.material, solution.cords});
   }
   return starts;
 }
@@ -71,7 +79,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
-      solutions.push_back({combination, fit.result.material});
+      solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {
       fail(error);
     } catch (const SolverError& error) {

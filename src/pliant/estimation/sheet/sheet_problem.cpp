@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "pliant/base/assert.h"
 #include "pliant/base/parallel.h"
+#include "pliant/estimation/monotone_stress.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 #include "pliant/experiment/sheet/sheet_path.h"
 
@@ -51,17 +54,34 @@ std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Mate
 
 SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                            std::vector<ComponentGroup> groups, std::vector<double> strains,
-                           const RunContext& context)
+                           const RunContext& context, const CordFrictions& cords,
+                           const FitOptions& options)
     : tests_(std::move(tests)),
       material_(material),
       groups_(std::move(groups)),
       unknowns_(unknowns_of(material, groups_, strains)),
       scales_(first_scales(tests_)),
+      start_(values_of(material, groups_)),
+      monotone_stress_(options.monotone_stress),
       context_(context) {
   PLIANT_ASSERT(!tests_.empty(), "a fit has data");
   for (const SheetTest* test : tests_) {
     predictors_.push_back(make_predictor(*test, material));
     places_.push_back(places_in(*predictors_.back()));
+  }
+  for (const SheetTest* test : tests_) {
+    const std::vector<SheetUnknown> own = cord_unknowns(*test);
+    std::vector<int>& places = cords_.emplace_back(own.size());
+    std::iota(places.begin(), places.end(), static_cast<int>(unknowns_.size()));
+    unknowns_.insert(unknowns_.end(), own.begin(), own.end());
+    if (own.empty()) continue;
+    start_.conservativeResize(static_cast<Eigen::Index>(unknowns_.size()));
+    start_(places) = cord_widths(*test, cords);
+  }
+  apply_options(options, unknowns_);
+  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+    double& value = start_(static_cast<Eigen::Index>(u));
+    value = std::clamp(value, unknowns_[u].lower, unknowns_[u].upper);
   }
 }
 
@@ -93,13 +113,42 @@ void SheetProblem::keep(SheetGuesses& guesses) const {
   }
 }
 
-int SheetProblem::rows() const {
+Eigen::VectorXd SheetProblem::widths(std::size_t test, const Eigen::VectorXd& values) const {
+  if (cords_[test].empty()) return cord_widths(*tests_[test], {});
+  return values(cords_[test]);
+}
+
+void SheetProblem::keep_cords(const Eigen::VectorXd& values, CordFrictions& cords) const {
+  for (const std::vector<int>& places : cords_) {
+    for (const int place : places) {
+      cords[unknowns_[static_cast<std::size_t>(place)].name] = values(place);
+    }
+  }
+}
+
+bool SheetProblem::has_priors() const {
+  return std::ranges::any_of(unknowns_, [](const SheetUnknown& u) { return u.prior.has_value(); });
+}
+
+double SheetProblem::prior_weight(const SheetUnknown& unknown) const {
+  return noise_ / scales_.front() / unknown.prior->sd;
+}
+
+int SheetProblem::measured_rows() const {
   int rows = 0;
   for (const SheetTest* test : tests_) rows += test->rows();
   return rows;
 }
 
-Eigen::VectorXd SheetProblem::start() const { return values_of(material_, groups_); }
+double SheetProblem::rms(const LeastSquaresSummary& solution) const {
+  double squares = 2 * solution.cost;
+  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+    if (!unknowns_[u].prior) continue;
+    const double off = solution.parameters(static_cast<Eigen::Index>(u)) - unknowns_[u].prior->mean;
+    squares -= std::pow(prior_weight(unknowns_[u]) * off, 2);
+  }
+  return scales_.front() * std::sqrt(std::max(squares, 0.0) / measured_rows());
+}
 
 Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
   Material material = material_;
@@ -114,8 +163,13 @@ std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
   const Places& places = places_[test];
   Eigen::VectorXd parameters = predictor.parameters();
   parameters(places.parameters) = values(places.unknowns);
-  return predictor.predict(parameters, derivatives ? places.parameters : std::vector<int>{},
-                           threads, context_.stop);
+  auto shapes = predictor.predict(parameters, derivatives ? places.parameters : std::vector<int>{},
+                                  threads, context_.stop);
+  if (shapes) {
+    const bool by_cords = derivatives && !cords_[test].empty();
+    add_cord_drags(tests_[test]->cords(), widths(test, values), by_cords, *shapes);
+  }
+  return shapes;
 }
 
 bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
@@ -139,15 +193,40 @@ bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& resi
           (test.predicted(frame, shape) - test.measured(frame)) / scales_[t];
       if (jacobian) {
         const Eigen::MatrixXd by_parameter = test.jacobian(frame, shape) / scales_[t];
-        for (std::size_t k = 0; k < places_[t].unknowns.size(); ++k) {
-          jacobian->block(row, places_[t].unknowns[k], rows, 1) +=
-              by_parameter.col(static_cast<Eigen::Index>(k));
+        Eigen::Index column = 0;
+        for (const std::vector<int>* unknowns : {&places_[t].unknowns, &cords_[t]}) {
+          for (const int unknown : *unknowns) {
+            jacobian->block(row, unknown, rows, 1) += by_parameter.col(column++);
+          }
         }
       }
       row += rows;
     }
   }
+  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+    if (!unknowns_[u].prior) continue;
+    const auto place = static_cast<Eigen::Index>(u);
+    const double weight = prior_weight(unknowns_[u]);
+    residual(row) = weight * (values(place) - unknowns_[u].prior->mean);
+    if (jacobian) (*jacobian)(row, place) = weight;
+    ++row;
+  }
   return true;
+}
+
+Eigen::MatrixXd SheetProblem::tangents() const {
+  Eigen::MatrixXd all(0, static_cast<Eigen::Index>(unknowns_.size()));
+  Eigen::Index first = 0;
+  for (const ComponentGroup& group : groups_) {
+    const ComponentLaw law = law_of(material_, group);
+    const Eigen::MatrixXd own = elastic_tangents(law.stiffness, 0);
+    const Eigen::Index above = all.rows();
+    all.conservativeResize(above + own.rows(), Eigen::NoChange);
+    all.bottomRows(own.rows()).setZero();
+    all.block(above, first, own.rows(), own.cols()) = own;
+    first += law.parameter_count();
+  }
+  return all;
 }
 
 LeastSquaresProblem SheetProblem::least_squares() const {
@@ -156,7 +235,9 @@ LeastSquaresProblem SheetProblem::least_squares() const {
                             Eigen::MatrixXd* jacobian) {
     return evaluate(values, residual, jacobian);
   };
-  problem.residuals = rows();
+  problem.residuals = measured_rows();
+  for (const SheetUnknown& unknown : unknowns_) problem.residuals += unknown.prior ? 1 : 0;
+  if (monotone_stress_) problem.not_negative = tangents();
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
   problem.lower.resize(count);
   problem.upper.resize(count);

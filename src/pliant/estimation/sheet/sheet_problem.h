@@ -9,6 +9,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/least_squares.h"
+#include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/estimation/sheet/sheet_unknown.h"
 #include "pliant/experiment/sheet/sheet_predictor.h"
 #include "pliant/experiment/sheet/sheet_test.h"
@@ -24,25 +25,36 @@ std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Mate
 
 /// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
 /// of forces or positions of all frames, each test's in units of its own `scale`, at equilibria.
+/// Unknowns are the parameters of the groups and the friction of cords, test by test. A prior adds
+/// a difference, weighed against the noise of the measured ones.
 class SheetProblem {
  public:
   /// @param tests     outlive the problem
   /// @param material  complete; says where a search begins
   /// @param strains   largest strain of each group, for bounds and scales of friction
+  /// @param cords     friction of cords where a search begins
+  /// @param options   bounds, fixed values and priors
   SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                std::vector<ComponentGroup> groups, std::vector<double> strains,
-               const RunContext& context);
+               const RunContext& context, const CordFrictions& cords = {},
+               const FitOptions& options = {});
 
   const std::vector<const SheetTest*>& tests() const { return tests_; }
   const std::vector<SheetUnknown>& unknowns() const { return unknowns_; }
-  /// Differences that are squared, of all tests.
-  int rows() const;
-  Eigen::VectorXd start() const;
+  const Eigen::VectorXd& start() const { return start_; }
   Material material_at(const Eigen::VectorXd& values) const;
+  /// Adds the frictions of cords.
+  void keep_cords(const Eigen::VectorXd& values, CordFrictions& cords) const;
 
   /// Weight of each test: what its differences are divided by (N or m).
   const std::vector<double>& scales() const { return scales_; }
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
+
+  bool has_priors() const;
+  /// Standard deviation of what is measured (N or m), against which priors are weighed.
+  void set_noise(double noise) { noise_ = noise; }
+  /// Root mean square of the measured differences (N or m) at a solution of `least_squares`.
+  double rms(const LeastSquaresSummary& solution) const;
 
   /// Searches begin at these shapes instead of the measured ones, of tests that have any.
   void begin_at(const SheetGuesses& guesses);
@@ -65,6 +77,12 @@ class SheetProblem {
     std::vector<int> parameters, unknowns;
   };
   Places places_in(const SheetPredictor& predictor) const;
+  /// The widths of the loops of a test's cords.
+  Eigen::VectorXd widths(std::size_t test, const Eigen::VectorXd& values) const;
+  int measured_rows() const;
+  /// The elastic tangents of all groups, by all unknowns.
+  Eigen::MatrixXd tangents() const;
+  double prior_weight(const SheetUnknown& unknown) const;
   bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* jacobian) const;
 
@@ -74,7 +92,11 @@ class SheetProblem {
   std::vector<SheetUnknown> unknowns_;
   std::vector<double> scales_;
   std::vector<std::unique_ptr<SheetPredictor>> predictors_;
-  std::vector<Places> places_;  // of each test
+  std::vector<Places> places_;           // of each test
+  std::vector<std::vector<int>> cords_;  // unknowns that are cords of each test
+  Eigen::VectorXd start_;
+  bool monotone_stress_;
+  double noise_ = 1;
   const RunContext& context_;
 };
 

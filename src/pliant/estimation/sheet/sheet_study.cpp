@@ -11,6 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
+#include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
@@ -66,24 +67,46 @@ Session on_fit_mesh(const Session& session, const ModelOptions& model) {
   return on_mesh(session, centred_on_rest(session, grid));
 }
 
-/// A control value is known where its interval leaves out zero.
+/// What is known of the cords of a clip together, which move alike or nearly so.
+std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord) {
+  std::vector<Eigen::Index> all;
+  for (std::size_t i = 0; i < uncertainty.unknowns.size(); ++i) {
+    const SheetUnknown &one = uncertainty.unknowns[cord], &other = uncertainty.unknowns[i];
+    if (one.owner == other.owner && one.clip == other.clip) {
+      all.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  if (all.size() < 2) return {};
+  return fmt::format("all {} cords of the clip: {:.3g} +- {:.2g} N", all.size(),
+                     uncertainty.values(all).sum(),
+                     std::sqrt(uncertainty.covariance(all, all).sum()));
+}
+
+/// A number is known where its interval leaves out zero; with a prior, where the data say more than
+/// the prior.
 ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i, double degrees) {
   const auto index = static_cast<std::size_t>(i);
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
   estimate.name = unknown.name;
-  estimate.owner = unknown.component;
+  estimate.owner = unknown.owner;
   estimate.unit = unknown.unit;
   estimate.value = uncertainty.values(i);
-  if (!unknown.of_friction) estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
-  estimate.note += uncertainty.told_by[index];
-  estimate.at_bound = estimate.value <= 0;
+  const bool cord = !unknown.clip.empty();
+  if (!cord && !unknown.of_friction) {
+    estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
+  }
+  estimate.note += cord ? loops_together(uncertainty, index) : uncertainty.told_by[index];
+  estimate.fixed = unknown.fixed;
+  if (unknown.fixed) return estimate;
+  estimate.at_bound = estimate.value <= unknown.lower || estimate.value >= unknown.upper;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
   const double half = *estimate.std_error * student_quantile_95(degrees);
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;
-  estimate.identified = *estimate.lower > 0;
+  estimate.identified =
+      unknown.prior ? *estimate.std_error < unknown.prior->sd / 2 : half < estimate.value;
   return estimate;
 }
 
@@ -93,9 +116,13 @@ double frames_of(const std::vector<const SheetTest*>& tests) {
   return frames;
 }
 
-/// What a fit found counts as measured, its guesses as assumed.
-void set_status(SheetFit& fit) {
+/// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
+void set_status(const Study& study, SheetFit& fit) {
   for (auto& [name, component] : fit.material.components) {
+    if (fixed_stiffness(study.fit, {name})) {
+      component.status = ComponentStatus::measured;
+      continue;
+    }
     const bool measured = std::ranges::any_of(fit.groups, [&](const ComponentGroup& group) {
       return std::ranges::find(group, name) != group.end();
     });
@@ -109,8 +136,7 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
   for (const ComponentGroup& group : fit.groups) {
     const ComponentLaw law = law_of(fit.material, group);
     const Eigen::Index count = law.parameter_count();
-    const auto strains = fit.strains.find(group.front());
-    const double largest = strains == fit.strains.end() ? 0.01 : strains->second;
+    const double largest = largest_strain(fit, group);
     const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
     for (const std::string& component : group) {
       result.curves.push_back(component_curve(component, law, largest, own));
@@ -151,7 +177,7 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
-                                const RunContext& context) {
+                                const CordFrictions& cords, const RunContext& context) {
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
   auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
   if (!shapes) {
@@ -159,21 +185,39 @@ std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
         fmt::format("the equilibrium of frame {} of {}", predictor->failed_frame(), test.name()),
         predictor->counts().iterations, 0);
   }
+  add_cord_drags(test.cords(), cord_widths(test, cords), false, *shapes);
   return std::move(*shapes);
 }
 
+/// How friction of cords was dealt with in a prediction.
+void tell_of_cords(const SheetTest& test, const CordFrictions& cords, ExperimentResult& result) {
+  if (test.cords().empty()) return;
+  const bool found = std::ranges::any_of(
+      cord_unknowns(test), [&](const SheetUnknown& cord) { return cords.contains(cord.name); });
+  if (!test.cord_friction().unknown) {
+    result.handled.push_back(fmt::format(
+        "the friction of its cords is taken to be a loop of {:.3g} N", test.cord_friction().width));
+  } else {
+    result.handled.push_back(found ? "the friction of each cord is estimated along"
+                                   : "the friction of its cords is not known and left out");
+  }
+}
+
 std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
-                                          const Material& material, const RunContext& context) {
+                                          const Material& material, const CordFrictions& cords,
+                                          const RunContext& context) {
   const Material usable = held_beyond_range(material);
   std::vector<ExperimentResult> rows;
   ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
   for (const SheetExperiment& experiment : experiments) {
-    rows.push_back(compare_sheet(experiment.test, predict(experiment.test, usable, context)));
+    const SheetTest& test = experiment.test;
+    rows.push_back(compare_sheet(test, predict(test, usable, cords, context)));
     rows.back().role = experiment.role;
     rows.back().type = experiment.type;
     rows.back().direction = experiment.direction;
     rows.back().handled = experiment.handled;
-    const auto components = usual_components(experiment.test.session().test);
+    tell_of_cords(test, cords, rows.back());
+    const auto components = usual_components(test.session().test);
     if (!components.empty()) rows.back().component = components.front();
     task.advance(static_cast<double>(rows.size()));
   }
@@ -186,11 +230,11 @@ struct Candidate {
   std::vector<ExperimentResult> experiments;
   std::string note;
 
-  Candidate(SheetFit fitted, const std::vector<SheetExperiment>& data, const RunContext& context,
-            std::string how)
+  Candidate(const Study& study, SheetFit fitted, const std::vector<SheetExperiment>& data,
+            const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
-    set_status(fit);
-    experiments = predictions(data, fit.material, context);
+    set_status(study, fit);
+    experiments = predictions(data, fit.material, fit.cords, context);
   }
 };
 
@@ -198,9 +242,9 @@ struct Candidate {
 Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
-  Candidate best(fit_sheets(study, plan, context), experiments, context, "");
+  Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
   const auto consider = [&](SheetFit fit, std::string how) {
-    Candidate other(std::move(fit), experiments, context, std::move(how));
+    Candidate other(study, std::move(fit), experiments, context, std::move(how));
     if (misfit_percent(other.experiments) < misfit_percent(best.experiments)) {
       best = std::move(other);
     }
@@ -209,6 +253,7 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
     SheetFit fit = fit_sheets(study, plan, context, &start.material);
     consider(fit, "the search that began at the solution of " + start.variant + " is the best");
     fit.material = start.material;
+    fit.cords = start.cords;
     fit.stages.clear();
     consider(std::move(fit), "no search found better than the solution of " + start.variant);
   }
@@ -226,10 +271,6 @@ void refuse_foreign_options(const Study& study) {
   }
   if (study.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
-  }
-  if (!study.fit.fix.empty() || !study.fit.bounds.empty() || !study.fit.priors.empty()) {
-    refuse("fit", "bounds, fix and priors are not used in fits of sheets",
-           "a fit without them, of which `plan` says what is fitted to what");
   }
 }
 
@@ -270,9 +311,19 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
     Session session = on_fit_mesh(measured, study.model);
     require_grid_for_springs(spec, session, study.model);
     const SheetObjective objective = spec.objective.value_or(usual_objective(session));
+    if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
+      throw InputError(spec.where,
+                       fmt::format("positions are compared in {}, which say nothing of the "
+                                   "friction of cords",
+                                   quoted_value(spec.name)),
+                       "`cord_friction` where forces are compared");
+    }
     const std::string test = session.test;
-    experiments.push_back(
-        {SheetTest(spec.name, std::move(session), objective), spec.role, spec.type, test, {}});
+    experiments.push_back({SheetTest(spec.name, std::move(session), objective, spec.cord_friction),
+                           spec.role,
+                           spec.type,
+                           test,
+                           {}});
   }
   return experiments;
 }
@@ -301,6 +352,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
+  require_known_parameters(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   Candidate best = best_fit(study, plan, experiments, context, starts);
   SheetFit& fit = best.fit;
@@ -308,7 +360,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
     fit.material.density = area_density(experiments.front().test.session());
   }
   result.density = fit.material.density;
-  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, context);
+  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, study.fit, context);
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
@@ -316,7 +368,9 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const double degrees = std::max(
       frames_of(tests_to_fit(experiments)) - static_cast<double>(uncertainty.values.size()), 1.0);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    result.parameters.push_back(estimate_of(uncertainty, i, degrees));
+    ParameterEstimate estimate = estimate_of(uncertainty, i, degrees);
+    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].clip.empty();
+    (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
   result.material = fit.material;
   result.experiments = std::move(best.experiments);
@@ -348,7 +402,7 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  for (ExperimentResult& row : predictions(experiments, material, context)) {
+  for (ExperimentResult& row : predictions(experiments, material, {}, context)) {
     result.experiments.push_back(std::move(row));
   }
   for (const ExperimentResult& row : result.experiments) {

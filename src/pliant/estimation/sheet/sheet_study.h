@@ -5,6 +5,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/experiment/sheet/sheet_test.h"
 #include "pliant/experiment/study.h"
 
@@ -35,6 +36,7 @@ double misfit_percent(const std::vector<ExperimentResult>& experiments);
 struct SheetStart {
   std::string variant;
   Material material;
+  CordFrictions cords = {};
 };
 
 /// Fits a material to the sessions of a study, and predicts all of them with it.

@@ -11,9 +11,9 @@ namespace pliant {
 
 /// What the data of an incremental fit says about its unknowns.
 struct SheetUncertainty {
-  std::vector<SheetUnknown> unknowns;  ///< of all groups
+  std::vector<SheetUnknown> unknowns;  ///< of all groups, then the cords of all tests
   Eigen::VectorXd values;
-  Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined
+  Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined or fixed
   std::vector<char> determined;
   std::vector<std::string> told_by;  ///< the tests, by their share of the information
 };
@@ -25,7 +25,8 @@ struct SheetUncertainty {
 /// which carries the errors of earlier stages into later ones, and M the sum over frames of the
 /// products of their parts of g, neighbouring frames included with falling weight (Newey and West):
 /// what is wrong with a model is wrong in the same way in many nodes and frames, and counts once.
+/// A prior counts like one more difference that has the noise of the measured ones.
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                                   const RunContext& context);
+                                   const FitOptions& options, const RunContext& context);
 
 }  // namespace pliant

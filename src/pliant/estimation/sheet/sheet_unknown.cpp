@@ -7,8 +7,6 @@
 namespace pliant {
 namespace {
 
-constexpr double kNoLimit = 1e12;
-
 void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double strain,
                   std::vector<SheetUnknown>& unknowns) {
   const std::vector<std::string> names = parameter_names(law, group.front());
@@ -19,7 +17,7 @@ void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double s
   for (std::size_t i = 0; i < names.size(); ++i) {
     SheetUnknown unknown;
     unknown.name = names[i];
-    unknown.component = group.front();
+    unknown.owner = group.front();
     unknown.unit = units[i];
     unknown.upper = kNoLimit;
     unknown.scale = stiffness;
@@ -38,7 +36,6 @@ void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double s
   }
 }
 
-/// Bending springs are stiff per strain, hinges per curvature.
 }  // namespace
 
 ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
@@ -68,7 +65,7 @@ std::vector<SheetUnknown> unknowns_of(const Material& material,
   }
   // Springs of the second ring have a stiffness in N, as their energy is per length.
   for (SheetUnknown& unknown : unknowns) {
-    const bool spring = is_bending(unknown.component) && material.bending == "spring";
+    const bool spring = is_bending(unknown.owner) && material.bending == "spring";
     if (spring && !unknown.of_friction) unknown.unit = std::string(1, 'N');
   }
   return unknowns;

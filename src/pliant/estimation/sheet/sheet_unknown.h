@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -13,15 +15,22 @@ namespace pliant {
 /// one. The first names them.
 using ComponentGroup = std::vector<std::string>;
 
-/// A number that a fit of sheets looks for: a parameter of the law of a group.
+/// As good as no bound.
+inline constexpr double kNoLimit = 1e12;
+
+/// A number that a fit of sheets looks for: a parameter of the law of a group, or the friction of a
+/// cord.
 struct SheetUnknown {
   std::string name;                     ///< of the first component's parameter
-  std::string component;                ///< the first
+  std::string owner;                    ///< the first component; the test of a cord
+  std::string clip;                     ///< of a cord, else empty
   std::vector<std::string> parameters;  ///< of all components of the group
   std::string unit;
   double strain = 0;  ///< of a control point
   bool of_friction = false;
   double lower = 0, upper = 0, scale = 1;
+  std::optional<GaussianPrior> prior;
+  bool fixed = false;  ///< by the study; `lower` and `upper` are its value
 };
 
 /// The law that a group shares: that of its first component.

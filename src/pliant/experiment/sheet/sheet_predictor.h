@@ -15,7 +15,8 @@ namespace pliant {
 /// A frame of a session as a material predicts it.
 struct SheetShape {
   Eigen::Matrix3Xd positions;    ///< of the nodes (m)
-  Eigen::Matrix3Xd clip_forces;  ///< that the cords of each clip pull with (N)
+  Eigen::Matrix3Xd clip_forces;  ///< that the cords of each clip pull with, as their load cells
+                                 ///< show it (N)
 
   /// @name Derivatives by chosen parameters: 3 nodes and 3 clips x parameters; empty unless asked
   /// for

@@ -53,8 +53,13 @@ std::vector<std::string> usual_components(std::string_view test) {
   return {};
 }
 
-SheetTest::SheetTest(std::string name, Session session, SheetObjective objective)
-    : name_(std::move(name)), session_(std::move(session)), objective_(objective) {
+SheetTest::SheetTest(std::string name, Session session, SheetObjective objective,
+                     CordFriction friction)
+    : name_(std::move(name)),
+      session_(std::move(session)),
+      objective_(objective),
+      friction_(friction) {
+  if (friction_.unknown || friction_.width > 0) cords_ = cord_drags(session_);
   for (int frame = 0; frame < frame_count(); ++frame) {
     frames_.push_back(compared_in(frame));
     rows_ += rows(frame);

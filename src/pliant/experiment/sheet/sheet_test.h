@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 
 #include "pliant/experiment/session.h"
+#include "pliant/experiment/sheet/cord_drag.h"
+#include "pliant/experiment/sheet/cord_friction.h"
 #include "pliant/experiment/sheet/sheet_objective.h"
 #include "pliant/experiment/sheet/sheet_predictor.h"
 
@@ -26,11 +28,15 @@ class SheetTest {
  public:
   /// @param session  on the mesh that is simulated
   /// @throws InputError where the session has nothing of the objective
-  SheetTest(std::string name, Session session, SheetObjective objective);
+  SheetTest(std::string name, Session session, SheetObjective objective,
+            CordFriction friction = {});
 
   const std::string& name() const { return name_; }
   const Session& session() const { return session_; }
   SheetObjective objective() const { return objective_; }
+  const CordFriction& cord_friction() const { return friction_; }
+  /// The drags of its cords; none where they are known to have none.
+  const std::vector<CordDrag>& cords() const { return cords_; }
 
   int frame_count() const { return session_.frame_count(); }
   int rows() const { return rows_; }
@@ -59,6 +65,8 @@ class SheetTest {
   std::string name_;
   Session session_;
   SheetObjective objective_;
+  CordFriction friction_;
+  std::vector<CordDrag> cords_;
   std::vector<Frame> frames_;
   int rows_ = 0;
 };

@@ -1,0 +1,90 @@
+#include "pliant/estimation/sheet/sheet_options.h"
+
+#include <algorithm>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/parameter_option.h"
+#include "pliant/estimation/sheet/cord_unknown.h"
+#include "pliant/material/fill.h"
+
+namespace pliant {
+namespace {
+
+/// What a study calls a parameter: COMPONENT.k of each control value.
+std::string name_in_studies(const std::string& parameter) {
+  return parameter.ends_with(']') ? parameter.substr(0, parameter.rfind('[')) : parameter;
+}
+
+/// Of the first name of an unknown that there is one for.
+template <class T>
+std::optional<T> option_for_unknown(const SheetUnknown& unknown,
+                                    const std::map<std::string, T>& options) {
+  if (unknown.parameters.empty()) return option_for(unknown.name, options);
+  for (const std::string& parameter : unknown.parameters) {
+    if (auto value = option_for(name_in_studies(parameter), options)) return value;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& tests) {
+  std::vector<std::string> names;
+  for (const std::string& component : sheet_component_names()) {
+    names.push_back(component + ".k");
+    if (is_bending(component)) continue;
+    for (const char* part : {".friction.a", ".friction.b", ".friction.tau"}) {
+      names.push_back(component + part);
+    }
+  }
+  for (const SheetTest* test : tests) {
+    for (const SheetUnknown& cord : cord_unknowns(*test)) names.push_back(cord.name);
+  }
+  return names;
+}
+
+template <class T>
+void require_known(const std::map<std::string, T>& options, const char* field,
+                   const std::vector<std::string>& names, const Study& study) {
+  for (const auto& [key, value] : options) {
+    const bool known =
+        std::ranges::any_of(names, [&](const std::string& name) { return matches(key, name); });
+    if (known) continue;
+    throw InputError({study.file, 0, field},
+                     quoted_value(key) + " matches no parameter of a fit of sheets",
+                     "COMPONENT.k, which stands for all control values of a stiffness; of stretch "
+                     "and shear .friction.a, .friction.b, .friction.tau; "
+                     "EXPERIMENT.CLIP.CORD.cord_friction where it is unknown; patterns with *");
+  }
+}
+
+}  // namespace
+
+void apply_options(const FitOptions& options, std::vector<SheetUnknown>& unknowns) {
+  for (SheetUnknown& unknown : unknowns) {
+    if (const auto bounds = option_for_unknown(unknown, options.bounds)) {
+      unknown.lower = bounds->first;
+      unknown.upper = bounds->second;
+    }
+    if (const auto prior = option_for_unknown(unknown, options.priors)) unknown.prior = prior;
+    if (const auto value = option_for_unknown(unknown, options.fix)) {
+      unknown.lower = unknown.upper = *value;
+      unknown.prior.reset();
+      unknown.fixed = true;
+    }
+  }
+}
+
+std::optional<double> fixed_stiffness(const FitOptions& options, const ComponentGroup& group) {
+  for (const std::string& component : group) {
+    if (const auto value = option_for(component + ".k", options.fix)) return value;
+  }
+  return std::nullopt;
+}
+
+void require_known_parameters(const Study& study, const std::vector<const SheetTest*>& tests) {
+  const std::vector<std::string> names = known_parameters(tests);
+  require_known(study.fit.bounds, "fit.bounds", names, study);
+  require_known(study.fit.fix, "fit.fix", names, study);
+  require_known(study.fit.priors, "fit.priors", names, study);
+}
+
+}  // namespace pliant

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/experiment/session.h"
+#include "pliant/experiment/sheet/sheet_predictor.h"
+
+namespace pliant {
+
+/// What the load cell of a cord shows of the cord's own friction, per newton of the width of its
+/// loop: half of it more while the cord pulls its clip along, half of it less while it gives way,
+/// and as much as last while it is still.
+struct CordDrag {
+  int clip = 0;
+  std::string cord;          ///< its name, else its number among the cords of the clip, from 1
+  Eigen::Matrix3Xd forces;   ///< along the cord, one column a frame; zero where it was not measured
+  Eigen::Matrix3Xd moments;  ///< of them about the middle of the clip's vertices (m)
+};
+
+/// The drags of all cords of a session, clip by clip.
+///
+/// A cord moves with its clip, along its own pull; reversals of less than 0.1 mm, which is the
+/// noise of a pose, do not count. In the first frame it has pulled the sheet taut.
+std::vector<CordDrag> cord_drags(const Session& session);
+
+/// Adds the drags of cords to what pulls at clips in predicted shapes, all frames of a session.
+/// @param widths       of the loop of each cord (N)
+/// @param derivatives  derivatives by the widths are appended to those of the shapes
+void add_cord_drags(const std::vector<CordDrag>& cords, const Eigen::VectorXd& widths,
+                    bool derivatives, std::vector<SheetShape>& shapes);
+
+}  // namespace pliant

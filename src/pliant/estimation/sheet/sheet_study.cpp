@@ -18,11 +18,11 @@
 #include "pliant/estimation/study_experiments.h"
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
+#include "pliant/experiment/session/clip_grid.h"
 #include "pliant/experiment/session/on_mesh.h"
 #include "pliant/experiment/sheet/strip_sheets.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
-#include "pliant/geometry/regular_grid.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
@@ -53,17 +53,10 @@ void require_grid_for_springs(const ExperimentSpec& spec, const Session& session
                    "another model, or a rectangular sheet that `model.mesh` gives a grid");
 }
 
-int nodes_along(double side, double edge) {
-  return std::max(static_cast<int>(std::lround(side / edge)), 2) + 1;
-}
-
 Session on_fit_mesh(const Session& session, const ModelOptions& model) {
   if (model.measured_mesh || !is_rectangle(session)) return session;
-  const double width = session.sample.width, height = session.sample.height;
-  const double edge = model.mesh_edge.value_or(std::max(width, height) / kCells);
-  const TriangleMesh grid =
-      regular_grid(width, height, nodes_along(width, edge), nodes_along(height, edge));
-  return on_mesh(session, centred_on_rest(session, grid));
+  const double longer = std::max(session.sample.width, session.sample.height);
+  return on_mesh(session, grid_on_clips(session, model.mesh_edge.value_or(longer / kCells)));
 }
 
 /// A control value is known where its interval leaves out zero.
@@ -117,6 +110,14 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
     }
     first += count;
   }
+}
+
+/// The mesh of the first sheet on a table: those between clips have cells of several sizes.
+const TriangleMesh& bent_mesh(const std::vector<SheetExperiment>& experiments) {
+  const auto bent = std::ranges::find_if(experiments, [](const SheetExperiment& experiment) {
+    return experiment.test.session().table.has_value();
+  });
+  return (bent == experiments.end() ? experiments.front() : *bent).test.session().rest;
 }
 
 /// What hinges make of a sheet: its bending stiffness, which other meshes and strips can be
@@ -329,7 +330,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const bool bends = std::ranges::any_of(
       fit.groups, [](const ComponentGroup& group) { return is_bending(group.front()); });
   if (bends && fit.material.bending == "discrete-shells") {
-    result.assumptions.push_back(sheet_bending(fit, experiments.front().test.session().rest));
+    result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
   }
   result.assumptions.push_back(
       fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",

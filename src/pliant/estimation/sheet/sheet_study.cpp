@@ -60,7 +60,7 @@ Session on_fit_mesh(const Session& session, const ModelOptions& model) {
 }
 
 /// A control value is known where its interval leaves out zero.
-ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i, double degrees) {
+ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
@@ -73,17 +73,11 @@ ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index 
   estimate.at_bound = estimate.value <= 0;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
-  const double half = *estimate.std_error * student_quantile_95(degrees);
+  const double half = *estimate.std_error * student_quantile_95(uncertainty.degrees(i));
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;
   estimate.identified = *estimate.lower > 0;
   return estimate;
-}
-
-double frames_of(const std::vector<const SheetTest*>& tests) {
-  double frames = 0;
-  for (const SheetTest* test : tests) frames += test->frame_count();
-  return frames;
 }
 
 /// What a fit found counts as measured, its guesses as assumed.
@@ -314,10 +308,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   result.covariance = uncertainty.covariance;
-  const double degrees = std::max(
-      frames_of(tests_to_fit(experiments)) - static_cast<double>(uncertainty.values.size()), 1.0);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    result.parameters.push_back(estimate_of(uncertainty, i, degrees));
+    result.parameters.push_back(estimate_of(uncertainty, i));
   }
   result.material = fit.material;
   result.experiments = std::move(best.experiments);

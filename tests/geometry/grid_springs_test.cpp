@@ -75,6 +75,19 @@ INSTANTIATE_TEST_SUITE_P(Patterns, GridSpringsOf,
                                            Diagonals::falling),
                          pattern_name);
 
+TEST(GridSprings, AreAtRestOnUnequalRectangles) {
+  const TriangleMesh mesh = grid_of_lines({0, 0.05, 0.15, 0.25}, {0, 0.1, 0.4, 0.45});
+  const GridSprings springs = grid_springs(mesh);
+  for (const auto* family : {&springs.along_u, &springs.along_v, &springs.diagonal,
+                             &springs.bending_u, &springs.bending_v, &springs.bending_diagonal}) {
+    for (const GridSpring& spring : *family) {
+      const auto [a, b] = spring.vertices;
+      EXPECT_NEAR(spring.rest_length, (mesh.positions.col(b) - mesh.positions.col(a)).norm(),
+                  1e-15);
+    }
+  }
+}
+
 TEST(GridSprings, NeedAGrid) {
   TriangleMesh mesh = regular_grid(0.1, 0.1, 3, 3);
   mesh.rest_corners.col(0) -= Eigen::Vector2d(0.01, 0.02);

@@ -80,6 +80,43 @@ TEST_F(IrregularRectangle, HasEdgesOfAllDirectionsAlike) {
   for (const double part : parts) EXPECT_NEAR(part / count, 1.0 / 6, 0.15 / 6);
 }
 
+// Whether the edges along a line cover all of it, without a gap.
+bool is_line_of_edges(const TriangleMesh& mesh, const Eigen::Vector2d& from,
+                      const Eigen::Vector2d& to) {
+  const Eigen::AlignedBox2d line(from.cwiseMin(to), from.cwiseMax(to));
+  double covered = 0;
+  for (const MeshEdge& edge : find_edges(mesh.triangles)) {
+    const Eigen::Vector2d a = mesh.positions.col(edge.vertices[0]).head<2>();
+    const Eigen::Vector2d b = mesh.positions.col(edge.vertices[1]).head<2>();
+    if (line.contains(a) && line.contains(b)) covered += (b - a).norm();
+  }
+  return std::abs(covered - (to - from).norm()) < 1e-12;
+}
+
+TEST_F(IrregularRectangle, HasEdgesAlongTheSidesOfRegions) {
+  const auto box = [](double u0, double v0, double u1, double v1) {
+    return Eigen::AlignedBox2d(Eigen::Vector2d(u0, v0), Eigen::Vector2d(u1, v1));
+  };
+  // A bar along a side, one in a part of another, a corner, and one that touches nothing; their
+  // sides are no multiples of an edge.
+  const std::vector<Eigen::AlignedBox2d> regions{box(0, 0.02, 0.005, 0.08), box(0.095, 0, 0.1, 0.1),
+                                                 box(0, 0.0937, 0.0063, 0.1),
+                                                 box(0.03, 0.04, 0.06, 0.047)};
+  const TriangleMesh mesh = irregular_rectangle(0.1, 0.1, 0.0025, regions);
+  EXPECT_TRUE(find_mesh_problems(mesh).empty());
+  EXPECT_NEAR(rest_area(mesh), 0.01, 1e-14);
+  for (const Eigen::AlignedBox2d& region : regions) {
+    const Eigen::Vector2d low = region.min(), high = region.max();
+    EXPECT_TRUE(is_line_of_edges(mesh, low, {high.x(), low.y()}));
+    EXPECT_TRUE(is_line_of_edges(mesh, {high.x(), low.y()}, high));
+    EXPECT_TRUE(is_line_of_edges(mesh, {low.x(), high.y()}, high));
+    EXPECT_TRUE(is_line_of_edges(mesh, low, {low.x(), high.y()}));
+  }
+  const MeshQuality quality = mesh_quality(mesh);
+  EXPECT_GT(quality.smallest_angle, 25 * std::numbers::pi / 180);
+  EXPECT_NEAR(quality.mean_edge, 0.0025, 0.06 * 0.0025);  // as its header promises
+}
+
 TEST_F(IrregularRectangle, IsTheSameForTheSameArguments) {
   const TriangleMesh first = irregular_rectangle(0.2, 0.1, 0.005);
   const TriangleMesh second = irregular_rectangle(0.2, 0.1, 0.005);

@@ -28,6 +28,15 @@ TEST(RegularGrid, NumbersItsVerticesRowByRow) {
   EXPECT_TRUE(mesh.positions.col(11).isApprox(Eigen::Vector3d(0.3, 0.2, 0)));
 }
 
+TEST(GridOfLines, HasItsVerticesWhereLinesCross) {
+  const TriangleMesh mesh = grid_of_lines({-0.1, 0, 0.3}, {0.2, 0.25});
+  ASSERT_EQ(mesh.vertex_count(), 6);
+  EXPECT_TRUE(mesh.positions.col(5).isApprox(Eigen::Vector3d(0.3, 0.25, 0)));
+  EXPECT_NEAR(rest_area(mesh), 0.4 * 0.05, 1e-15);
+  EXPECT_THROW(grid_of_lines({0, 0.1, 0.1}, {0, 1}), AssertionError);
+  EXPECT_THROW(grid_of_lines({0}, {0, 1}), AssertionError);
+}
+
 TEST(RegularGrid, IsItsOwnRestShape) {
   const TriangleMesh mesh = regular_grid(0.3, 0.2, 4, 3);
   for (int t = 0; t < mesh.triangle_count(); ++t) {

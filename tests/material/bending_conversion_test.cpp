@@ -1,5 +1,7 @@
 #include "pliant/material/bending_conversion.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "pliant/base/assert.h"
@@ -54,6 +56,18 @@ TEST(BendingConversion, MeetsAllButOneDirectionOnRectanglesOfOneDiagonalDirectio
   const Eigen::Vector4d errors =
       convert(regular_grid(0.15, 0.1, 11, 11, Diagonals::rising), {1, 2, 1.5}).errors;
   EXPECT_LT(Eigen::Vector3d(errors(0), errors(1), errors(3)).norm(), kSolved);
+}
+
+// Lines that are moved to the edges of clips leave most cells nearly squares.
+TEST(BendingConversion, OfAGridWithAFewUnequalLinesIsNearThatOfSquares) {
+  std::vector<double> lines{0, 0.005, 0.01};
+  for (int i = 1; i < 20; ++i) lines.push_back(0.01 + 0.08 * i / 19);
+  lines.insert(lines.end(), {0.095, 0.1});
+  const BendingVector sheet(1, 2, 1.5);
+  const BendingConversion squares = convert(regular_grid(0.1, 0.1, 25, 25), sheet);
+  const BendingConversion moved = convert(grid_of_lines(lines, lines), sheet);
+  EXPECT_TRUE(moved.factors.isApprox(squares.factors, 0.03)) << moved.factors.transpose();
+  EXPECT_LT(moved.errors.cwiseAbs().maxCoeff(), 0.03);
 }
 
 // Each direction within 4 %; the mean of the two at 45 degrees, which the mesh knows apart, better.

@@ -6,6 +6,8 @@
 
 #include <Eigen/SVD>
 
+#include "pliant/estimation/autocorrelation.h"
+
 namespace pliant {
 namespace {
 
@@ -18,24 +20,6 @@ bool is_at_bound(const LawFit& fit, Eigen::Index i) {
   const double gap = kBoundShare * fit.limits.scale(i);
   const double value = fit.solution.parameters(i);
   return value - fit.limits.lower(i) <= gap || fit.limits.upper(i) - value <= gap;
-}
-
-// 1 + 2 sum of the autocorrelations of one series, up to the first that noise could explain.
-double integrated_autocorrelation(const std::vector<double>& series) {
-  const auto n = series.size();
-  if (n < 8) return 1;
-  double variance = 0;
-  for (const double r : series) variance += r * r;
-  if (variance == 0) return 1;
-  double sum = 1;
-  for (size_t lag = 1; lag < n / 2; ++lag) {
-    double covariance = 0;
-    for (size_t i = lag; i < n; ++i) covariance += series[i] * series[i - lag];
-    const double correlation = covariance / variance;
-    if (correlation < 2 / std::sqrt(static_cast<double>(n))) break;
-    sum += 2 * correlation;
-  }
-  return sum;
 }
 
 // Mean over the specimens, by number of rows.

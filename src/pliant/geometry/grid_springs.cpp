@@ -51,10 +51,10 @@ std::vector<GridSpring> list(const Springs& springs) {
   return result;
 }
 
-// The next vertex along an axis and how far it is.
+// The next vertex along an axis or across a rectangle, and the way there in the rest plane.
 struct Neighbour {
   int vertex = -1;
-  double distance = 0;
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();  // m
 };
 using Neighbours = std::map<int, Neighbour>;
 
@@ -68,7 +68,7 @@ std::vector<GridSpring> second_ring(const Neighbours& along) {
   for (const auto& [vertex, first] : along) {
     const Neighbour second = next(along, first.vertex);
     if (second.vertex < 0) continue;
-    springs.push_back({{vertex, second.vertex}, first.distance + second.distance, 0});
+    springs.push_back({{vertex, second.vertex}, (first.way + second.way).norm(), 0});
   }
   return springs;
 }
@@ -78,9 +78,7 @@ Neighbours across(const Neighbours& first, const Neighbours& second) {
   Neighbours result;
   for (const auto& [vertex, side] : first) {
     const Neighbour end = next(second, side.vertex);
-    if (end.vertex >= 0) {
-      result[vertex] = {end.vertex, std::hypot(side.distance, end.distance)};
-    }
+    if (end.vertex >= 0) result[vertex] = {end.vertex, side.way + end.way};
   }
   return result;
 }
@@ -104,9 +102,10 @@ GridSprings grid_springs(const TriangleMesh& mesh) {
     if (!is_first) add(entry->second, half.corner, half.side.norm(), area, diagonal);
 
     const bool rightwards = half.side.x() > 0, upwards = half.side.y() > 0;
-    right[rightwards ? half.corner : half.to_u] = {rightwards ? half.to_u : half.corner, width};
-    up[upwards ? half.corner : half.to_v] = {upwards ? half.to_v : half.corner, height};
-    down[upwards ? half.to_v : half.corner] = {upwards ? half.corner : half.to_v, height};
+    const Eigen::Vector2d along(width, 0), up_by(0, height);
+    right[rightwards ? half.corner : half.to_u] = {rightwards ? half.to_u : half.corner, along};
+    up[upwards ? half.corner : half.to_v] = {upwards ? half.to_v : half.corner, up_by};
+    down[upwards ? half.to_v : half.corner] = {upwards ? half.corner : half.to_v, -up_by};
   }
   GridSprings springs{list(along_u),      list(along_v),   list(diagonal),
                       second_ring(right), second_ring(up), second_ring(across(right, up))};

@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
-#include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -41,34 +40,81 @@ constexpr double kShapeBound = 0.2;
 constexpr double kSmallestAngle = 25 * std::numbers::pi / 180;
 constexpr int kSmoothingSteps = 10;
 
-/// Part i of a side cut into equal parts; exact at its ends, so that the outline has straight
-/// sides.
-double cut_point(double side, int i, int parts) { return i == parts ? side : side * i / parts; }
+/// A straight line along an axis that edges of the mesh run along.
+struct Line {
+  Eigen::Vector2d from, to;
 
-/// The outline, cut into equal parts, counter-clockwise from the lower left.
-std::vector<Point> outline_points(double width, double height, double edge_length) {
-  const auto parts_of = [&](double side) {
-    return static_cast<int>(std::max(1L, std::lround(side / edge_length)));
-  };
-  const int across = parts_of(width), up = parts_of(height);
+  /// Without tolerance: points on a line have its very coordinate.
+  bool holds(const Eigen::Vector2d& point) const {
+    return Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to)).contains(point);
+  }
+};
+
+/// Counter-clockwise from the lower left.
+Eigen::Matrix<double, 2, 4> corners_of(const Eigen::AlignedBox2d& box) {
+  Eigen::Matrix<double, 2, 4> corners;
+  corners << box.min().x(), box.max().x(), box.max().x(), box.min().x(),  //
+      box.min().y(), box.min().y(), box.max().y(), box.max().y();
+  return corners;
+}
+
+/// The sides of boxes, counter-clockwise from the lower left of each.
+std::vector<Line> sides_of(const std::vector<Eigen::AlignedBox2d>& boxes) {
+  std::vector<Line> sides;
+  for (const Eigen::AlignedBox2d& box : boxes) {
+    const Eigen::Matrix<double, 2, 4> corners = corners_of(box);
+    for (int i = 0; i < 4; ++i) sides.push_back({corners.col(i), corners.col((i + 1) % 4)});
+  }
+  return sides;
+}
+
+/// The points of a set that lie on a line, in its order.
+std::vector<int> indices_on(const Line& line, const Eigen::Matrix2Xd& points) {
+  std::vector<int> indices;
+  for (int i = 0; i < points.cols(); ++i) {
+    if (line.holds(points.col(i))) indices.push_back(i);
+  }
+  const Eigen::Vector2d along = line.to - line.from;
+  std::sort(indices.begin(), indices.end(),
+            [&](int a, int b) { return along.dot(points.col(a)) < along.dot(points.col(b)); });
+  return indices;
+}
+
+/// A line, cut at the corners that lie on it and between them into equal parts. The same points in
+/// whichever direction it runs, its corners exactly.
+std::vector<Point> cut(const Line& line, const Eigen::Matrix2Xd& corners, double edge_length) {
+  const std::vector<int> stops = indices_on(line, corners);
   std::vector<Point> points;
-  for (int i = 0; i < across; ++i) points.emplace_back(cut_point(width, i, across), 0);
-  for (int i = 0; i < up; ++i) points.emplace_back(width, cut_point(height, i, up));
-  for (int i = across; i > 0; --i) points.emplace_back(cut_point(width, i, across), height);
-  for (int i = up; i > 0; --i) points.emplace_back(0, cut_point(height, i, up));
+  for (std::size_t s = 0; s + 1 < stops.size(); ++s) {
+    const Eigen::Vector2d from = corners.col(stops[s]), to = corners.col(stops[s + 1]);
+    const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
+    const double length = (high - low).sum();
+    if (length == 0) continue;
+    const auto parts = std::max(1L, std::lround(length / edge_length));
+    const bool rises = from == low;
+    points.emplace_back(from.x(), from.y());
+    for (long i = 1; i < parts; ++i) {
+      const double part = static_cast<double>(rises ? i : parts - i);
+      const Eigen::Vector2d point = low + (high - low) * part / static_cast<double>(parts);
+      points.emplace_back(point.x(), point.y());
+    }
+  }
+  points.emplace_back(line.to.x(), line.to.y());
   return points;
 }
 
-/// The outline's points and those that Delaunay refinement (Ruppert, Shewchuk) puts inside.
-std::vector<Point> refined_points(const std::vector<Point>& outline, double edge_length) {
+/// The points of lines, each cut, and those that Delaunay refinement (Ruppert, Shewchuk) adds.
+std::vector<Point> refined_points(const std::vector<Line>& lines, const Eigen::Matrix2Xd& corners,
+                                  double edge_length) {
   using Structure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
                                                          CGAL::Delaunay_mesh_face_base_2<Kernel>>;
   using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
   Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (const Point& point : outline) vertices.push_back(triangulation.insert(point));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
+  for (const Line& line : lines) {
+    const std::vector<Point> points = cut(line, corners, edge_length);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      triangulation.insert_constraint(points[i], points[i + 1]);
+    }
   }
   using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
   CGAL::refine_Delaunay_mesh_2(triangulation,
@@ -89,16 +135,26 @@ void sort_by_strips(double edge_length, std::vector<Point>& points) {
             [&](const Point& a, const Point& b) { return key(a) < key(b); });
 }
 
-Eigen::Matrix3Xi delaunay_triangles(const Eigen::Matrix2Xd& points) {
-  using Structure = CGAL::Triangulation_data_structure_2<
-      CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>>;
-  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, Structure>;
+Eigen::Matrix3Xi delaunay_triangles(const Eigen::Matrix2Xd& points,
+                                    const std::vector<Line>& lines) {
+  using Structure =
+      CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>,
+                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
   Triangulation triangulation;
+  std::vector<Triangulation::Vertex_handle> vertices;
   Triangulation::Face_handle near;
   for (int i = 0; i < points.cols(); ++i) {
-    const auto vertex = triangulation.insert({points(0, i), points(1, i)}, near);
-    vertex->info() = i;
-    near = vertex->face();
+    vertices.push_back(triangulation.insert({points(0, i), points(1, i)}, near));
+    vertices.back()->info() = i;
+    near = vertices.back()->face();
+  }
+  for (const Line& line : lines) {
+    const std::vector<int> on_line = indices_on(line, points);
+    for (std::size_t i = 0; i + 1 < on_line.size(); ++i) {
+      triangulation.insert_constraint(vertices[static_cast<std::size_t>(on_line[i])],
+                                      vertices[static_cast<std::size_t>(on_line[i + 1])]);
+    }
   }
   std::vector<std::array<int, 3>> faces;
   for (const auto& face : triangulation.finite_face_handles()) {
@@ -112,10 +168,11 @@ Eigen::Matrix3Xi delaunay_triangles(const Eigen::Matrix2Xd& points) {
                                             static_cast<Eigen::Index>(faces.size()));
 }
 
-/// One step of Lloyd's method: every inner point moves to the centroid of the triangles around it.
+/// One step of Lloyd's method: every point off the lines moves to the centroid of the triangles
+/// around it.
 /// CGAL's own optimizer visits vertices in the order of their addresses, so that its results differ
 /// from run to run.
-TriangleMesh smoothed(const TriangleMesh& mesh, double width, double height) {
+TriangleMesh smoothed(const TriangleMesh& mesh, const std::vector<Line>& lines) {
   Eigen::Matrix2Xd points = mesh.positions.topRows<2>();
   Eigen::Matrix2Xd moments = Eigen::Matrix2Xd::Zero(2, points.cols());
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(points.cols());
@@ -128,26 +185,35 @@ TriangleMesh smoothed(const TriangleMesh& mesh, double width, double height) {
     }
   }
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const bool inside =
-        points(0, i) > 0 && points(0, i) < width && points(1, i) > 0 && points(1, i) < height;
-    if (inside) points.col(i) = moments.col(i) / areas[i];
+    const bool stays =
+        std::ranges::any_of(lines, [&](const Line& line) { return line.holds(points.col(i)); });
+    if (!stays) points.col(i) = moments.col(i) / areas[i];
   }
-  return flat_mesh(points, delaunay_triangles(points));
+  return flat_mesh(points, delaunay_triangles(points, lines));
 }
 
 }  // namespace
 
-TriangleMesh irregular_rectangle(double width, double height, double edge_length) {
+TriangleMesh irregular_rectangle(double width, double height, double edge_length,
+                                 const std::vector<Eigen::AlignedBox2d>& regions) {
   PLIANT_ASSERT(width > 0 && height > 0, "a rectangle has a positive width and height");
   PLIANT_ASSERT(edge_length > 0, "edges have a positive length");
-  std::vector<Point> refined =
-      refined_points(outline_points(width, height, edge_length), edge_length);
+  const Eigen::AlignedBox2d whole(Eigen::Vector2d::Zero(), Eigen::Vector2d(width, height));
+  std::vector<Eigen::AlignedBox2d> boxes{whole};
+  boxes.insert(boxes.end(), regions.begin(), regions.end());
+  Eigen::Matrix2Xd corners(2, 4 * boxes.size());
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    PLIANT_ASSERT(whole.contains(boxes[b]), "regions lie within the rectangle");
+    corners.middleCols<4>(static_cast<Eigen::Index>(4 * b)) = corners_of(boxes[b]);
+  }
+  const std::vector<Line> lines = sides_of(boxes);
+  std::vector<Point> refined = refined_points(lines, corners, edge_length);
   sort_by_strips(edge_length, refined);
   Eigen::Matrix2Xd points(2, refined.size());
   for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) << refined[i].x(), refined[i].y();
-  TriangleMesh mesh = flat_mesh(points, delaunay_triangles(points));
+  TriangleMesh mesh = flat_mesh(points, delaunay_triangles(points, lines));
   for (int step = 0; step < kSmoothingSteps; ++step) {
-    TriangleMesh next = smoothed(mesh, width, height);
+    TriangleMesh next = smoothed(mesh, lines);
     if (mesh_quality(next).smallest_angle < kSmallestAngle) break;
     mesh = std::move(next);
   }
@@ -162,7 +228,7 @@ bool has_irregular_meshes() { return true; }
 
 namespace pliant {
 
-TriangleMesh irregular_rectangle(double, double, double) {
+TriangleMesh irregular_rectangle(double, double, double, const std::vector<Eigen::AlignedBox2d>&) {
   throw InputError({}, "this build of Pliant makes no irregular meshes (CGAL was missing)",
                    "a regular grid or a mesh file, or a build with libcgal-dev installed");
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "pliant/geometry/triangle_mesh.h"
 
 namespace pliant {
@@ -17,5 +19,10 @@ enum class Diagonals {
 /// @param nodes_u, nodes_v  at least 2
 TriangleMesh regular_grid(double width, double height, int nodes_u, int nodes_v,
                           Diagonals diagonals = Diagonals::alternating);
+
+/// The same of lines at any distances: vertex (i, j) is at (u_i, v_j).
+/// @param lines_u, lines_v  rest coordinates (m), at least two each, increasing
+TriangleMesh grid_of_lines(const std::vector<double>& lines_u, const std::vector<double>& lines_v,
+                           Diagonals diagonals = Diagonals::alternating);
 
 }  // namespace pliant

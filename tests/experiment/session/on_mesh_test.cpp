@@ -125,16 +125,5 @@ TEST(SessionOnMesh, RefusesAMeshThatIsElsewhere) {
   EXPECT_THAT(error.expected(), HasSubstr("2 mm"));
 }
 
-TEST(SessionOnMesh, CentresAMeshOnTheRestMesh) {
-  Session session = stretch_session(9, 1);
-  session.rest.positions.topRows<2>().array() -= 0.05;
-  session.rest.rest_corners.array() -= 0.05;
-  const TriangleMesh mesh = centred_on_rest(session, regular_grid(0.102, 0.1, 5, 5));
-  EXPECT_NEAR(mesh.positions(0, 0), -0.051, 1e-15);
-  EXPECT_NEAR(mesh.positions(1, 24), 0.05, 1e-15);
-  EXPECT_LT((mesh.rest_corners.col(0) - mesh.positions.col(mesh.triangles(0, 0)).head<2>()).norm(),
-            1e-15);
-}
-
 }  // namespace
 }  // namespace pliant::test

@@ -19,11 +19,11 @@
 #include "pliant/estimation/study_experiments.h"
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
+#include "pliant/experiment/session/clip_grid.h"
 #include "pliant/experiment/session/on_mesh.h"
 #include "pliant/experiment/sheet/strip_sheets.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
-#include "pliant/geometry/regular_grid.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
@@ -54,17 +54,10 @@ void require_grid_for_springs(const ExperimentSpec& spec, const Session& session
                    "another model, or a rectangular sheet that `model.mesh` gives a grid");
 }
 
-int nodes_along(double side, double edge) {
-  return std::max(static_cast<int>(std::lround(side / edge)), 2) + 1;
-}
-
 Session on_fit_mesh(const Session& session, const ModelOptions& model) {
   if (model.measured_mesh || !is_rectangle(session)) return session;
-  const double width = session.sample.width, height = session.sample.height;
-  const double edge = model.mesh_edge.value_or(std::max(width, height) / kCells);
-  const TriangleMesh grid =
-      regular_grid(width, height, nodes_along(width, edge), nodes_along(height, edge));
-  return on_mesh(session, centred_on_rest(session, grid));
+  const double longer = std::max(session.sample.width, session.sample.height);
+  return on_mesh(session, grid_on_clips(session, model.mesh_edge.value_or(longer / kCells)));
 }
 
 /// What is known of the cords of a clip together, which move alike or nearly so.
@@ -84,7 +77,7 @@ std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord
 
 /// A number is known where its interval leaves out zero; with a prior, where the data say more than
 /// the prior.
-ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i, double degrees) {
+ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   const SheetUnknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
@@ -102,18 +95,12 @@ ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index 
   estimate.at_bound = estimate.value <= unknown.lower || estimate.value >= unknown.upper;
   if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
   estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
-  const double half = *estimate.std_error * student_quantile_95(degrees);
+  const double half = *estimate.std_error * student_quantile_95(uncertainty.degrees(i));
   estimate.lower = estimate.value - half;
   estimate.upper = estimate.value + half;
   estimate.identified =
       unknown.prior ? *estimate.std_error < unknown.prior->sd / 2 : half < estimate.value;
   return estimate;
-}
-
-double frames_of(const std::vector<const SheetTest*>& tests) {
-  double frames = 0;
-  for (const SheetTest* test : tests) frames += test->frame_count();
-  return frames;
 }
 
 /// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
@@ -143,6 +130,14 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
     }
     first += count;
   }
+}
+
+/// The mesh of the first sheet on a table: those between clips have cells of several sizes.
+const TriangleMesh& bent_mesh(const std::vector<SheetExperiment>& experiments) {
+  const auto bent = std::ranges::find_if(experiments, [](const SheetExperiment& experiment) {
+    return experiment.test.session().table.has_value();
+  });
+  return (bent == experiments.end() ? experiments.front() : *bent).test.session().rest;
 }
 
 /// What hinges make of a sheet: its bending stiffness, which other meshes and strips can be
@@ -365,10 +360,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   result.covariance = uncertainty.covariance;
-  const double degrees = std::max(
-      frames_of(tests_to_fit(experiments)) - static_cast<double>(uncertainty.values.size()), 1.0);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    ParameterEstimate estimate = estimate_of(uncertainty, i, degrees);
+    ParameterEstimate estimate = estimate_of(uncertainty, i);
     const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].clip.empty();
     (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
@@ -383,7 +376,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const bool bends = std::ranges::any_of(
       fit.groups, [](const ComponentGroup& group) { return is_bending(group.front()); });
   if (bends && fit.material.bending == "discrete-shells") {
-    result.assumptions.push_back(sheet_bending(fit, experiments.front().test.session().rest));
+    result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
   }
   result.assumptions.push_back(
       fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "pliant/estimation/autocorrelation.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 
@@ -15,212 +17,283 @@ namespace {
 
 /// Information below this part of the largest one, in units of the values, is none.
 constexpr double kNoInformation = 1e-10;
+/// What is left of the information on an unknown without one of the frames, at least.
+constexpr double kLeftWithout = 1e-3;
 
-/// Residuals and derivatives of the frames of a test, by all unknowns.
-struct Linearised {
-  std::vector<Eigen::VectorXd> residual;
-  std::vector<Eigen::MatrixXd> jacobian;
+using Indices = std::vector<Eigen::Index>;
+
+/// What a frame adds to G and g, in units of the values: zero rows for unknowns of other tests.
+struct FramePart {
+  Eigen::MatrixXd slope;
+  Eigen::VectorXd part;
+};
+
+/// What a test tells.
+struct TestPart {
+  std::vector<FramePart> frames;
+  double together = 1;          // frames whose parts go together
   double variance = 0;          // of the residuals
-  Eigen::VectorXd information;  // of each unknown, in units of it
+  Eigen::VectorXd information;  // on each unknown, in units of the test's residual variance
 };
 
-/// All unknowns of a fit.
-struct Unknowns {
-  std::vector<SheetUnknown> all;
-  std::vector<const SheetStage*> stage_of;                       // the last of each
-  std::map<const SheetTest*, std::vector<Eigen::Index>> places;  // in tests, whose own cords are
-                                                                 // the last ones
-  Eigen::VectorXd values;
-};
-
-template <class Takes>
-const SheetStage* last_stage(const std::vector<SheetStage>& plan, const Takes& takes) {
-  const SheetStage* last = nullptr;
-  for (const SheetStage& stage : plan) {
-    if (takes(stage)) last = &stage;
+/// Mean over unknowns: how many frames have parts that go together. Parts are counted in units of
+/// their scatter under noise.
+double frames_together(const std::vector<FramePart>& frames, const Indices& own) {
+  double sum = 0;
+  for (const Eigen::Index u : own) {
+    std::vector<double> series;
+    for (const FramePart& frame : frames) {
+      const double scatter = std::sqrt(frame.slope(u, u));
+      series.push_back(scatter > 0 ? frame.part(u) / scatter : 0);
+    }
+    sum += integrated_autocorrelation(series);
   }
-  return last;
+  return sum / static_cast<double>(own.size());
 }
 
-Unknowns all_unknowns(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                      const FitOptions& options) {
-  Unknowns unknowns;
-  std::vector<Eigen::Index> of_material;
-  for (const ComponentGroup& group : fit.groups) {
-    const SheetStage* last = last_stage(plan, [&](const SheetStage& stage) {
-      return std::ranges::find(stage.groups, group) != stage.groups.end();
-    });
-    for (const SheetUnknown& unknown :
-         unknowns_of(fit.material, {group}, {largest_strain(fit, group)})) {
-      of_material.push_back(static_cast<Eigen::Index>(unknowns.all.size()));
-      unknowns.all.push_back(unknown);
-      unknowns.stage_of.push_back(last);
+/// The unknowns that the prediction of a test depends on: those of the material and its own cords.
+Indices places_in(const SheetTest& test, const std::vector<SheetUnknown>& unknowns) {
+  Indices places;
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    const bool of_material = unknowns[u].clip.empty();
+    if (of_material || unknowns[u].owner == test.name()) {
+      places.push_back(static_cast<Eigen::Index>(u));
     }
   }
-  unknowns.values = values_of(fit.material, fit.groups);
-  for (const SheetStage& stage : plan) {
-    for (const SheetTest* test : stage.tests) {
-      if (unknowns.places.contains(test)) continue;
-      const std::vector<SheetUnknown> cords = cord_unknowns(*test);
-      const auto first = static_cast<Eigen::Index>(unknowns.all.size());
-      const auto count = static_cast<Eigen::Index>(cords.size());
-      std::vector<Eigen::Index> places = of_material;
-      for (Eigen::Index i = 0; i < count; ++i) places.push_back(first + i);
-      const SheetStage* last = last_stage(plan, [&](const SheetStage& other) {
-        return std::ranges::find(other.tests, test) != other.tests.end();
-      });
-      unknowns.stage_of.insert(unknowns.stage_of.end(), cords.size(), last);
-      unknowns.all.insert(unknowns.all.end(), cords.begin(), cords.end());
-      unknowns.values.conservativeResize(first + count);
-      if (count > 0) unknowns.values.tail(count) = cord_widths(*test, fit.cords);
-      unknowns.places.emplace(test, std::move(places));
-    }
-  }
-  apply_options(options, unknowns.all);
-  return unknowns;
+  return places;
 }
 
-Linearised linearise(const SheetTest& test, const SheetFit& fit, const Unknowns& unknowns,
-                     const RunContext& context) {
+/// @param own     unknowns whose last stage takes the test
+/// @param places  unknowns that its prediction depends on
+/// @param unit    of each unknown
+TestPart part_of(const SheetTest& test, const SheetFit& fit, const Indices& own,
+                 const Indices& places, const Eigen::VectorXd& unit, const RunContext& context) {
   const SheetProblem problem({&test}, fit.material, fit.groups,
                              std::vector<double>(fit.groups.size(), 1), context, fit.cords);
   const LeastSquaresProblem squares = problem.least_squares();
   Eigen::VectorXd residual(squares.residuals);
-  Eigen::MatrixXd own;
-  Linearised result;
-  if (!squares.evaluate(problem.start(), residual, &own)) return result;
+  Eigen::MatrixXd by_places;
+  TestPart result;
+  if (!squares.evaluate(problem.start(), residual, &by_places)) return result;
   const double scale = problem.scales().front();
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(test.rows(), unknowns.values.size());
-  jacobian(Eigen::all, unknowns.places.at(&test)) = scale * own.topRows(test.rows());
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(test.rows(), unit.size());
+  jacobian(Eigen::all, places) = scale * by_places.topRows(test.rows());
   residual = scale * residual.head(test.rows()).eval();
-  Eigen::Index row = 0;
-  for (int frame = 0; frame < test.frame_count(); ++frame) {
-    const int rows = test.rows(frame);
-    result.residual.push_back(residual.segment(row, rows));
-    result.jacobian.push_back(jacobian.middleRows(row, rows));
-    row += rows;
-  }
   result.variance = std::max(residual.squaredNorm() / test.rows(), 1e-20 * scale * scale);
   result.information = jacobian.colwise().squaredNorm().transpose() / result.variance;
+  jacobian *= unit.asDiagonal();
+  const Eigen::Index n = unit.size();
+  Eigen::Index row = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const auto rows = jacobian.middleRows(row, test.rows(frame));
+    const Eigen::MatrixXd product = rows.transpose() * rows;
+    const Eigen::VectorXd upright = rows.transpose() * residual.segment(row, test.rows(frame));
+    FramePart& part = result.frames.emplace_back();
+    part.slope = Eigen::MatrixXd::Zero(n, n);
+    part.part = Eigen::VectorXd::Zero(n);
+    part.slope(own, Eigen::all) = product(own, Eigen::all);
+    part.part(own) = upright(own);
+    row += test.rows(frame);
+  }
+  result.together = frames_together(result.frames, own);
   return result;
 }
 
-/// Of what a stage compares.
-double mean_variance(const SheetStage& stage, const std::map<const SheetTest*, Linearised>& tests) {
-  double squares = 0, rows = 0;
-  for (const SheetTest* test : stage.tests) {
-    squares += tests.at(test).variance * test->rows();
-    rows += test->rows();
+/// The tests of a plan, in its order, and the last stage of each.
+std::vector<std::pair<const SheetTest*, const SheetStage*>> last_stages(
+    const std::vector<SheetStage>& plan) {
+  std::vector<std::pair<const SheetTest*, const SheetStage*>> tests;
+  for (const SheetStage& stage : plan) {
+    for (const SheetTest* test : stage.tests) {
+      const auto known =
+          std::ranges::find(tests, test, &std::pair<const SheetTest*, const SheetStage*>::first);
+      if (known == tests.end())
+        tests.emplace_back(test, &stage);
+      else
+        known->second = &stage;
+    }
   }
-  return squares / rows;
+  return tests;
 }
 
-/// Frames whose parts of g go together.
-int lag_of(int frames) { return static_cast<int>(std::lround(std::sqrt(frames))); }
+/// The unknowns of a fit, and the last stage of each.
+std::vector<const SheetStage*> take_unknowns(const SheetFit& fit,
+                                             const std::vector<SheetStage>& plan,
+                                             const FitOptions& options, SheetUncertainty& result) {
+  std::vector<const SheetStage*> stage_of;
+  for (const ComponentGroup& group : fit.groups) {
+    const SheetStage* last = nullptr;
+    for (const SheetStage& stage : plan) {
+      if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
+    }
+    for (const SheetUnknown& unknown :
+         unknowns_of(fit.material, {group}, {largest_strain(fit, group)})) {
+      result.unknowns.push_back(unknown);
+      stage_of.push_back(last);
+    }
+  }
+  result.values = values_of(fit.material, fit.groups);
+  for (const auto& [test, stage] : last_stages(plan)) {
+    const std::vector<SheetUnknown> cords = cord_unknowns(*test);
+    if (cords.empty()) continue;
+    result.unknowns.insert(result.unknowns.end(), cords.begin(), cords.end());
+    stage_of.insert(stage_of.end(), cords.size(), stage);
+    const auto count = static_cast<Eigen::Index>(cords.size());
+    result.values.conservativeResize(result.values.size() + count);
+    result.values.tail(count) = cord_widths(*test, fit.cords);
+  }
+  apply_options(options, result.unknowns);
+  return stage_of;
+}
+
+/// In units of the values: g and p are both of the size of 1.
+Eigen::VectorXd units_of(const SheetUncertainty& result) {
+  Eigen::VectorXd unit = result.values.cwiseAbs();
+  for (Eigen::Index u = 0; u < unit.size(); ++u) {
+    if (unit(u) == 0) unit(u) = result.unknowns[static_cast<std::size_t>(u)].scale;
+  }
+  return unit;
+}
+
+using TestParts = std::map<const SheetTest*, TestPart>;
+
+/// The unknowns on which there is information, in more than one frame.
+Indices known_unknowns(const Eigen::MatrixXd& slope, const TestParts& tests,
+                       const std::vector<const SheetStage*>& stage_of,
+                       const std::vector<SheetUnknown>& unknowns) {
+  Eigen::VectorXd of_one = Eigen::VectorXd::Zero(slope.rows());
+  for (const auto& [test, part] : tests) {
+    for (const FramePart& frame : part.frames) of_one = of_one.cwiseMax(frame.slope.diagonal());
+  }
+  Indices known;
+  for (Eigen::Index u = 0; u < slope.rows(); ++u) {
+    if (unknowns[static_cast<std::size_t>(u)].fixed) continue;
+    double largest = 0;
+    for (Eigen::Index v = 0; v < slope.rows(); ++v) {
+      const bool same =
+          stage_of[static_cast<std::size_t>(v)] == stage_of[static_cast<std::size_t>(u)];
+      if (same) largest = std::max(largest, slope(v, v));
+    }
+    const bool informed = slope(u, u) > kNoInformation * largest;
+    if (informed && slope(u, u) - of_one(u) > kLeftWithout * slope(u, u)) known.push_back(u);
+  }
+  return known;
+}
+
+/// In units of the values; nothing where a frame cannot be left out.
+std::optional<Eigen::MatrixXd> jackknife(const Eigen::MatrixXd& slope, const TestParts& tests,
+                                         const Indices& known) {
+  const auto n = static_cast<Eigen::Index>(known.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& [test, part] : tests) {
+    for (const FramePart& frame : part.frames) {
+      const Eigen::FullPivLU<Eigen::MatrixXd> without(
+          Eigen::MatrixXd((slope - frame.slope)(known, known)));
+      if (!without.isInvertible()) return std::nullopt;
+      const Eigen::VectorXd change = without.solve(Eigen::VectorXd(frame.part(known)));
+      covariance += part.together * change * change.transpose();
+    }
+  }
+  return covariance;
+}
+
+/// What priors add to G, on its diagonal, and their own noise to g, squared: in units of the
+/// values, against the noise of what a stage compares.
+struct PriorPart {
+  Eigen::VectorXd slope, variance;
+};
+
+PriorPart prior_part(const SheetUncertainty& result, const Eigen::VectorXd& unit,
+                     const TestParts& tests, const std::vector<const SheetStage*>& stage_of) {
+  PriorPart part{Eigen::VectorXd::Zero(unit.size()), Eigen::VectorXd::Zero(unit.size())};
+  for (Eigen::Index u = 0; u < unit.size(); ++u) {
+    const auto& prior = result.unknowns[static_cast<std::size_t>(u)].prior;
+    if (!prior) continue;
+    double squares = 0, rows = 0;
+    for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
+      squares += tests.at(test).variance * test->rows();
+      rows += test->rows();
+    }
+    part.slope(u) = std::pow(unit(u) / prior->sd, 2) * squares / rows;
+    part.variance(u) = part.slope(u) * squares / rows;
+  }
+  return part;
+}
+
+/// Independent frames of the tests of an unknown, less the unknowns that are found in them.
+double degrees_of(const SheetStage& stage, const TestParts& tests, std::ptrdiff_t unknowns) {
+  double frames = 0;
+  for (const SheetTest* test : stage.tests) {
+    const TestPart& part = tests.at(test);
+    frames += static_cast<double>(part.frames.size()) / part.together;
+  }
+  return std::max(frames - static_cast<double>(unknowns), 1.0);
+}
+
+/// The tests of a stage by their share of the information on an unknown.
+std::string told_by(const SheetStage& stage, const TestParts& tests, Eigen::Index unknown) {
+  double all = 0;
+  std::vector<std::pair<double, std::string>> shares;
+  for (const SheetTest* test : stage.tests) {
+    const TestPart& part = tests.at(test);
+    if (part.information.size() == 0) continue;
+    shares.emplace_back(part.information(unknown), test->name());
+    all += part.information(unknown);
+  }
+  std::ranges::sort(shares, std::greater());
+  std::string text;
+  for (const auto& [share, name] : shares) {
+    if (all <= 0 || share < 0.01 * all) continue;
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name, 100 * share / all);
+  }
+  return text;
+}
 
 }  // namespace
 
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
                                    const FitOptions& options, const RunContext& context) {
   SheetUncertainty result;
-  const Unknowns unknowns = all_unknowns(fit, plan, options);
-  const std::vector<const SheetStage*>& stage_of = unknowns.stage_of;
-  result.unknowns = unknowns.all;
-  result.values = unknowns.values;
-  const Eigen::Index n = unknowns.values.size();
+  const std::vector<const SheetStage*> stage_of = take_unknowns(fit, plan, options, result);
+  const Eigen::VectorXd unit = units_of(result);
+  const Eigen::Index n = unit.size();
 
-  std::map<const SheetTest*, Linearised> tests;
-  for (const SheetStage* stage : stage_of) {
-    for (const SheetTest* test : stage->tests) {
-      if (!tests.contains(test)) {
-        tests.emplace(test, linearise(*test, fit, unknowns, context));
-      }
-    }
-  }
-
-  // In units of the values: g_i and p_i are both of the size of 1.
-  Eigen::VectorXd unit = unknowns.values.cwiseAbs();
+  std::map<const SheetTest*, Indices> unknowns_in;
   for (Eigen::Index u = 0; u < n; ++u) {
-    if (unit(u) == 0) unit(u) = result.unknowns[static_cast<std::size_t>(u)].scale;
+    const SheetUnknown& unknown = result.unknowns[static_cast<std::size_t>(u)];
+    for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
+      if (unknown.clip.empty() || unknown.owner == test->name()) unknowns_in[test].push_back(u);
+    }
   }
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n), meat = Eigen::MatrixXd::Zero(n, n);
-  const auto takes = [&](Eigen::Index unknown, const SheetTest* test) {
-    const auto& used = stage_of[static_cast<std::size_t>(unknown)]->tests;
-    return std::ranges::find(used, test) != used.end();
-  };
-  for (const auto& [test, linear] : tests) {
-    const int frames = static_cast<int>(linear.residual.size());
-    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(n, frames);
-    for (int f = 0; f < frames; ++f) {
-      const auto i = static_cast<std::size_t>(f);
-      const Eigen::MatrixXd jacobian = linear.jacobian[i] * unit.asDiagonal();
-      const Eigen::MatrixXd product = jacobian.transpose() * jacobian;
-      const Eigen::VectorXd part = jacobian.transpose() * linear.residual[i];
-      for (Eigen::Index u = 0; u < n; ++u) {
-        if (!takes(u, test)) continue;
-        slope.row(u) += product.row(u);
-        parts(u, f) = part(u);
-      }
-    }
-    const int lag = lag_of(frames);
-    for (int l = 0; l <= lag && l < frames; ++l) {
-      const double weight = 1 - static_cast<double>(l) / (lag + 1);
-      const Eigen::MatrixXd product =
-          parts.rightCols(frames - l) * parts.leftCols(frames - l).transpose();
-      if (l == 0)
-        meat += product;
-      else
-        meat += weight * (product + product.transpose());
-    }
+  TestParts tests;
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& [test, own] : unknowns_in) {
+    const Indices places = places_in(*test, result.unknowns);
+    TestPart& part =
+        tests.emplace(test, part_of(*test, fit, own, places, unit, context)).first->second;
+    for (const FramePart& frame : part.frames) slope += frame.slope;
   }
 
-  for (Eigen::Index u = 0; u < n; ++u) {
-    const auto& prior = result.unknowns[static_cast<std::size_t>(u)].prior;
-    if (!prior) continue;
-    const double variance = mean_variance(*stage_of[static_cast<std::size_t>(u)], tests);
-    const double weight = unit(u) * unit(u) / (prior->sd * prior->sd) * variance;
-    slope(u, u) += weight;
-    meat(u, u) += weight * variance;
-  }
-
-  std::vector<Eigen::Index> known;
-  result.determined = std::vector<char>(result.unknowns.size(), 0);
-  for (Eigen::Index u = 0; u < n; ++u) {
-    if (result.unknowns[static_cast<std::size_t>(u)].fixed) continue;
-    double largest = 0;
-    for (Eigen::Index v = 0; v < n; ++v) {
-      const bool same =
-          stage_of[static_cast<std::size_t>(v)] == stage_of[static_cast<std::size_t>(u)];
-      if (same) largest = std::max(largest, slope(v, v));
-    }
-    if (slope(u, u) > kNoInformation * largest && slope(u, u) > 0) known.push_back(u);
-  }
-  const Eigen::MatrixXd part = slope(known, known);
-  const Eigen::FullPivLU<Eigen::MatrixXd> factor(part);
+  const PriorPart priors = prior_part(result, unit, tests, stage_of);
+  slope.diagonal() += priors.slope;
+  const Indices known = known_unknowns(slope, tests, stage_of, result.unknowns);
+  auto covariance = jackknife(slope, tests, known);
   result.covariance = Eigen::MatrixXd::Zero(n, n);
-  if (factor.isInvertible()) {
-    const Eigen::MatrixXd inverse = factor.inverse();
-    const Eigen::MatrixXd scaled = unit(known).asDiagonal() * inverse;
-    result.covariance(known, known) = scaled * meat(known, known) * scaled.transpose();
+  result.determined = std::vector<char>(result.unknowns.size(), 0);
+  if (covariance) {
+    const Eigen::MatrixXd inverse = Eigen::MatrixXd(slope(known, known)).inverse();
+    *covariance +=
+        inverse * Eigen::VectorXd(priors.variance(known)).asDiagonal() * inverse.transpose();
+    const Eigen::VectorXd units = unit(known);
+    result.covariance(known, known) = units.asDiagonal() * *covariance * units.asDiagonal();
     for (const Eigen::Index u : known) result.determined[static_cast<std::size_t>(u)] = 1;
   }
 
+  result.degrees.resize(n);
   for (Eigen::Index u = 0; u < n; ++u) {
-    double all = 0;
-    std::vector<std::pair<double, std::string>> shares;
-    for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
-      const Linearised& linear = tests.at(test);
-      if (linear.information.size() == 0) continue;
-      shares.emplace_back(linear.information(u), test->name());
-      all += linear.information(u);
-    }
-    std::ranges::sort(shares, std::greater());
-    std::string text;
-    for (const auto& [share, name] : shares) {
-      if (all <= 0 || share < 0.01 * all) continue;
-      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name, 100 * share / all);
-    }
-    result.told_by.push_back(text);
+    const SheetStage* stage = stage_of[static_cast<std::size_t>(u)];
+    result.degrees(u) = degrees_of(*stage, tests, std::ranges::count(stage_of, stage));
+    result.told_by.push_back(told_by(*stage, tests, u));
   }
   return result;
 }

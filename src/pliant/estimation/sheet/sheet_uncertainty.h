@@ -15,17 +15,23 @@ struct SheetUncertainty {
   Eigen::VectorXd values;
   Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined or fixed
   std::vector<char> determined;
+  Eigen::VectorXd degrees;           ///< of freedom, >= 1: independent frames to judge the noise by
   std::vector<std::string> told_by;  ///< the tests, by their share of the information
 };
 
 /// Linearised uncertainty of stages that were fitted one after the other.
 ///
 /// Each unknown makes the residuals of the tests of its last stage stand upright on its own
-/// derivative: g_i(all unknowns) = sum J_i r = 0. The covariance is G^-1 M G^-T with G = dg/dp,
-/// which carries the errors of earlier stages into later ones, and M the sum over frames of the
-/// products of their parts of g, neighbouring frames included with falling weight (Newey and West):
-/// what is wrong with a model is wrong in the same way in many nodes and frames, and counts once.
-/// A prior counts like one more difference that has the noise of the measured ones.
+/// derivative: g(all unknowns) = sum of g_f = 0, g_f = J^T r being the part of a frame. With G =
+/// dg/dp, G_f of a frame, the covariance is the sum over frames of d_f d_f^T, where d_f = (G -
+/// G_f)^-1 g_f is by how much the fit would change without that frame (the jackknife; with G^-1
+/// alone frames that tell much would seem to have little noise). That carries the errors of earlier
+/// stages into later ones, and what is wrong in the same way in many nodes of a frame counts once.
+/// What is wrong in the same way in many frames counts once, too: the share of a test is multiplied
+/// by the number of frames whose parts go together (`integrated_autocorrelation`).
+///
+/// What a single frame tells alone is not determined: nothing says how well. A prior counts like
+/// one more difference that has the noise of the measured ones.
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
                                    const FitOptions& options, const RunContext& context);
 

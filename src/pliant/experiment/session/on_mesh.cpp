@@ -14,11 +14,6 @@
 namespace pliant {
 namespace {
 
-/// The middle of a flat mesh's bounding box.
-Eigen::Vector2d middle_of(const TriangleMesh& mesh) {
-  return (mesh.rest_corners.rowwise().minCoeff() + mesh.rest_corners.rowwise().maxCoeff()) / 2;
-}
-
 std::vector<RestPoint> places_of_nodes(const Session& session, const TriangleMesh& mesh) {
   const double most = kMeshOverhang * std::max(session.sample.width, session.sample.height);
   const RestSearch search(session.rest);
@@ -51,8 +46,10 @@ int clip_at(const Eigen::Vector2d& node, const std::vector<Eigen::Matrix2Xd>& re
 }
 
 std::vector<SessionClip> clips_on(const Session& session, const TriangleMesh& mesh) {
-  // Vertices stand for the cloth half-way to their neighbours.
-  const double reach = mesh_quality(session.rest).mean_edge / 2;
+  // Vertices stand for the cloth half-way to their neighbours, but a line of nodes on a clip's edge
+  // must not draw in the next one.
+  const double reach =
+      std::min(mesh_quality(session.rest).mean_edge, mesh_quality(mesh).mean_edge) / 2;
   const Eigen::Matrix2Xd vertices = session.rest.positions.topRows<2>();
   std::vector<SessionClip> clips = session.clips;
   std::vector<Eigen::Matrix2Xd> regions;
@@ -74,14 +71,6 @@ std::vector<SessionClip> clips_on(const Session& session, const TriangleMesh& me
 }
 
 }  // namespace
-
-TriangleMesh centred_on_rest(const Session& session, const TriangleMesh& mesh) {
-  const Eigen::Vector2d shift = middle_of(session.rest) - middle_of(mesh);
-  TriangleMesh moved = mesh;
-  moved.positions.topRows<2>().colwise() += shift;
-  moved.rest_corners.colwise() += shift;
-  return moved;
-}
 
 Session on_mesh(const Session& session, const TriangleMesh& mesh) {
   const std::vector<RestPoint> places = places_of_nodes(session, mesh);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "pliant/experiment/virtual_session/test_clips.h"
 #include "pliant/geometry/irregular_mesh.h"
 #include "pliant/geometry/regular_grid.h"
 
@@ -19,7 +21,9 @@ TriangleMesh rectangle(const VirtualSession& options) {
     return regular_grid(options.width, options.height, options.nodes->first, options.nodes->second);
   }
   if (has_irregular_meshes()) {
-    return irregular_rectangle(options.width, options.height, options.edge);
+    std::vector<Eigen::AlignedBox2d> held;
+    for (const TestClip& clip : test_clips(options)) held.push_back(clip.holds);
+    return irregular_rectangle(options.width, options.height, options.edge, held);
   }
   return regular_grid(options.width, options.height, nodes_along(options.width, options.edge),
                       nodes_along(options.height, options.edge));

@@ -15,8 +15,9 @@ struct CutSheet {
   TriangleMesh rest;        ///< in the axes of weft and warp, from 0 on
 };
 
-/// The sheet of a session on its mesh. A build that can make no irregular ones takes a grid of
-/// about that edge.
+/// The sheet of a session on its mesh. Edges of an irregular mesh run along those of clips, so that
+/// the vertices in a clip hold exactly the cloth that it clamps. A build that can make no irregular
+/// ones takes a grid of about that edge.
 CutSheet cut_sheet(const VirtualSession& options);
 
 }  // namespace pliant

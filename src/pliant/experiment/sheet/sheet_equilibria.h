@@ -42,9 +42,10 @@ class SheetEquilibria : public SheetPredictor {
   std::unique_ptr<Lane> prepared(int state, const Eigen::VectorXd& parameters,
                                  const std::vector<int>& by);
   void give_back(std::unique_ptr<Lane> lane);
-  /// Shapes to begin a search at, one after the other.
+  /// Shapes to begin a search at, one after the other, before the measured one.
   std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
   bool find(int state, Lane& lane, const Eigen::VectorXd& parameters, Eigen::Matrix3Xd start);
+  bool find_from_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
   bool find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
   bool differentiate(int state, Lane& lane, const std::vector<int>& by);
   void reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);

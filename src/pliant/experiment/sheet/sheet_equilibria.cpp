@@ -16,9 +16,8 @@ namespace pliant {
 namespace {
 
 constexpr DensityOptions kElastic{.friction = false};
-constexpr int kMostIterations = 1000;
 /// Springs softer than this against bending need no softer ones before them (N).
-constexpr double kSoftSpring = 0.05;
+constexpr double kSoftSpring = 1;
 
 }  // namespace
 
@@ -35,11 +34,8 @@ class SheetEquilibria::Lane {
 
   NewtonSummary relax(Configuration& at, const StopToken& stop) {
     return minimize(objective(),
-                    {.tolerance = sheet_.tolerance(),
-                     .max_iterations = kMostIterations,
-                     .reuse_factor = true,
-                     .stop = stop},
-                    solver_, hessian_, at);
+                    {.tolerance = sheet_.tolerance(), .reuse_factor = true, .stop = stop}, solver_,
+                    hessian_, at);
   }
 
   /// Springs that are stiff against bending lead a search along narrow valleys, which take hundreds
@@ -47,17 +43,16 @@ class SheetEquilibria::Lane {
   /// @param at  where to begin, then near the equilibrium of `parameters`
   void stiffen_springs(const Eigen::VectorXd& parameters, Configuration& at,
                        const StopToken& stop) {
-    constexpr double kSoftest = 1e-3, kStiffer = 10, kTolerance = 1e-6;
+    constexpr double kStiffer = 10, kTolerance = 1e-6;
     const std::vector<std::string>& names = sheet_.parameters().names;
     std::vector<Eigen::Index> bending;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (names[i].starts_with("bend.")) bending.push_back(static_cast<Eigen::Index>(i));
     }
     const double stiffest = parameters(bending).maxCoeff();
-    for (double share = kSoftest; share < 0.5; share *= kStiffer) {
-      if (share * stiffest < kSoftSpring) continue;
+    for (double soft = kSoftSpring; soft < stiffest; soft *= kStiffer) {
       Eigen::VectorXd softer = parameters;
-      softer(bending) *= share;
+      softer(bending) *= soft / stiffest;
       sheet_.system().set_parameters(softer);
       minimize(objective(), {.tolerance = kTolerance, .reuse_factor = true, .stop = stop}, solver_,
                hessian_, at);

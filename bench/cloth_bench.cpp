@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -267,6 +268,27 @@ void BM_SensitivitiesByBackSubstitution(benchmark::State& run) {
   run.counters["parameters"] = static_cast<double>(problem.forces.cols());
 }
 BENCHMARK(BM_SensitivitiesByBackSubstitution)->Unit(benchmark::kMillisecond);
+
+// The factorisation alone, in dense fronts and column by column.
+void BM_FactorInFronts(benchmark::State& run) {
+  const SensitivityProblem problem;
+  SparseCholesky solver(problem.hessian.matrix);
+  for (auto _ : run) benchmark::DoNotOptimize(solver.factorize(problem.hessian.matrix));
+}
+BENCHMARK(BM_FactorInFronts)->Unit(benchmark::kMillisecond);
+
+void BM_FactorByColumns(benchmark::State& run) {
+  const SensitivityProblem problem;
+  Eigen::SparseMatrix<double> lower = problem.hessian.matrix.lower_triangle();
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;
+  factor.analyzePattern(lower);
+  for (auto _ : run) {
+    problem.hessian.matrix.copy_to(lower);
+    factor.factorize(lower);
+    benchmark::DoNotOptimize(factor.info());
+  }
+}
+BENCHMARK(BM_FactorByColumns)->Unit(benchmark::kMillisecond);
 
 // The argument is the relative residual, 10^-N; back-substitution leaves about 10^-12.
 void BM_SensitivitiesByConjugateGradients(benchmark::State& run) {

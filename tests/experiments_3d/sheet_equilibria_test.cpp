@@ -3,6 +3,7 @@
 #include "pliant/experiment/sheet/sheet_equilibria.h"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -112,6 +113,20 @@ TEST(SheetEquilibria, KnowTheirDerivatives) {
     const Eigen::VectorXd derivative = (*shapes)[1].clip_forces_by_parameter.col(k);
     EXPECT_LT((difference - derivative).norm(), 1e-3 * difference.norm() + 1e-5) << k;
   }
+}
+
+TEST(SheetEquilibria, BeginAtANeighbourWhereTheMeasuredShapeLeadsNowhere) {
+  Session session = test::stretch_session(7, 3);
+  const Material material = linear_cloth(100, 30, 1e-5);
+  SheetEquilibria measured(session, material);
+  const auto shapes = measured.predict(measured.parameters(), {}, 1, {});
+  ASSERT_TRUE(shapes.has_value());
+  session.frames[1].positions.setConstant(std::numeric_limits<double>::quiet_NaN());
+  SheetEquilibria blind(session, material);
+  const auto found = blind.predict(blind.parameters(), {}, 2, {});
+  ASSERT_TRUE(found.has_value());
+  // 10 uN left on a node, over the stiffness with which its weight tightens the sheet.
+  EXPECT_LT(((*found)[1].positions - (*shapes)[1].positions).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 // The mean height of the row that hangs out furthest.

@@ -31,6 +31,50 @@ TEST(SparseCholesky, SolvesLikeADenseFactorisation) {
   }
 }
 
+// Large enough for panels of many columns, and for branches of the elimination tree that meet
+// again.
+TEST(SparseCholesky, SolvesLargeGridsAndManyColumnsAtOnce) {
+  RandomStream random(6);
+  for (const int nodes : {12, 25}) {
+    const BlockMatrix matrix = cloth_matrix(random, nodes, 25, 100, 1);
+    SparseCholesky solver(matrix);
+    ASSERT_TRUE(solver.factorize(matrix));
+    Eigen::MatrixXd b(75 * nodes, 3);
+    for (auto column : b.colwise()) column = random_vector(random, b.rows());
+    const Eigen::MatrixXd x = solver.solve_all(b);
+    // The condition number is about a thousand.
+    EXPECT_TRUE((dense(matrix) * x).isApprox(b, 1e-11));
+    Eigen::VectorXd alone;
+    solver.solve(b.col(1), alone);
+    EXPECT_TRUE(alone.isApprox(x.col(1), 1e-12));
+  }
+}
+
+// Two cloths that do not touch, and a point that touches nothing: the elimination is a forest.
+TEST(SparseCholesky, SolvesMatricesOfSeveralParts) {
+  RandomStream random(7);
+  std::vector<std::pair<int, int>> couplings;
+  for (const auto& [i, j] : test::grid_couplings(3, 4)) {
+    couplings.emplace_back(i, j);
+    couplings.emplace_back(13 + i, 13 + j);
+  }
+  BlockMatrix matrix(std::make_shared<BlockPattern>(25, couplings));
+  for (const auto& [i, j] : couplings) {
+    const Eigen::Vector3d along = test::random_block(random).col(0);
+    const Eigen::Matrix3d spring = along * along.transpose();
+    matrix.add(i, i, spring);
+    matrix.add(j, j, spring);
+    matrix.add(i, j, -spring);
+  }
+  for (int i = 0; i < 25; ++i) matrix.add_to_diagonal(i, 1);
+  SparseCholesky solver(matrix);
+  ASSERT_TRUE(solver.factorize(matrix));
+  const Eigen::VectorXd b = random_vector(random, 75);
+  Eigen::VectorXd x;
+  solver.solve(b, x);
+  EXPECT_TRUE(x.isApprox(dense(matrix).llt().solve(b), 1e-12));
+}
+
 TEST(SparseCholesky, TakesNewValuesOfTheSamePattern) {
   RandomStream random(2);
   const BlockMatrix first = cloth_matrix(random, 5, 5, 100, 1);

@@ -113,6 +113,26 @@ void expect_derivatives(LoadedSheet& sheet) {
   }
 }
 
+TEST(StaticPath, GoesTheSameWayFromGuessesNearIt) {
+  LoadedSheet sheet(growing_cotton());
+  const Walk plain = walk(sheet,
+                          Eigen::Map<const Eigen::VectorXd>(sheet.parameters.values.data(),
+                                                            std::ssize(sheet.parameters.values)),
+                          false);
+  StaticPath path(sheet.system, {.newton = tight()});
+  for (size_t i = 0; i < sheet.loads.size(); ++i) {
+    Configuration guess = path.state().configuration;
+    sheet.system.drive(static_cast<double>(i + 1), guess);
+    for (int p = 0; p < sheet.system.points(); ++p) {
+      if (sheet.system.coordinates().is_free(p)) guess.positions(2, p) += 1e-5;
+    }
+    path.step(static_cast<double>(i + 1), guess);
+    const Eigen::VectorXd found = path.state().configuration.positions.reshaped();
+    // What the tolerance leaves, over the stiffness of bending.
+    EXPECT_LT((found - plain.positions[i]).norm(), 1e-8) << i;
+  }
+}
+
 TEST(StaticPath, SensitivitiesAreThoseOfWholePathsWithFriction) {
   LoadedSheet sheet(growing_cotton());
   expect_derivatives(sheet);

@@ -1,6 +1,7 @@
 #include "pliant/math/block_matrix.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pliant/base/assert.h"
 
@@ -48,6 +49,10 @@ void BlockMatrix::add(int i, int j, const Eigen::Matrix3d& value) {
 
 void BlockMatrix::add_to_diagonal(int row, double value) {
   block(pattern_->diagonal(row)).diagonal().array() += value;
+}
+
+bool BlockMatrix::all_finite() const {
+  return std::all_of(values_.begin(), values_.end(), [](double x) { return std::isfinite(x); });
 }
 
 Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {

@@ -54,6 +54,8 @@ class BlockMatrix {
   /// Adds `value` to every entry of the diagonal of row `row`.
   void add_to_diagonal(int row, double value);
 
+  bool all_finite() const;
+
   Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
 
   /// The lower triangle, entry by entry.

@@ -1,22 +1,155 @@
 #include "pliant/math/sparse_cholesky.h"
 
-namespace pliant {
+#include <algorithm>
 
-SparseCholesky::SparseCholesky(const BlockMatrix& matrix) : lower_(matrix.lower_triangle()) {
-  factor_.analyzePattern(lower_);
+#include <Eigen/Cholesky>
+
+namespace pliant {
+namespace {
+
+/// Block row of a front that an eliminated row stands in.
+int row_in_front(const Supernode& node, int row) {
+  if (row < node.first + node.columns) return row - node.first;
+  const auto found = std::ranges::lower_bound(node.rows, row);
+  return node.columns + static_cast<int>(found - node.rows.begin());
+}
+
+/// The supernode of each eliminated column.
+std::vector<std::size_t> nodes_of_columns(const SymbolicFactor& symbolic) {
+  std::vector<std::size_t> node_of(symbolic.place.size());
+  for (std::size_t s = 0; s < symbolic.supernodes.size(); ++s) {
+    const Supernode& node = symbolic.supernodes[s];
+    std::fill_n(node_of.begin() + node.first, node.columns, s);
+  }
+  return node_of;
+}
+
+/// Adds the lower triangle of what a child has left to its parent's front.
+void extend_add(const Eigen::MatrixXd& left, const std::vector<int>& rows, Eigen::MatrixXd& front) {
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(3 * j);
+    for (std::size_t i = j; i < rows.size(); ++i) {
+      front.block<3, 3>(3 * rows[i], 3 * rows[j]) +=
+          left.block<3, 3>(static_cast<Eigen::Index>(3 * i), column);
+    }
+  }
+}
+
+}  // namespace
+
+SparseCholesky::SparseCholesky(const BlockMatrix& matrix)
+    : symbolic_(matrix.pattern()),
+      entries_(symbolic_.supernodes.size()),
+      children_(symbolic_.supernodes.size()),
+      parent_rows_(symbolic_.supernodes.size()),
+      panels_(symbolic_.supernodes.size()),
+      left_(symbolic_.supernodes.size()) {
+  const BlockPattern& pattern = matrix.pattern();
+  const std::vector<std::size_t> node_of = nodes_of_columns(symbolic_);
+  for (int i = 0; i < pattern.size(); ++i) {
+    for (int k = pattern.row_begin(i); k < pattern.row_end(i); ++k) {
+      const int p = symbolic_.place[static_cast<std::size_t>(i)];
+      const int q = symbolic_.place[static_cast<std::size_t>(pattern.column(k))];
+      const std::size_t s = node_of[static_cast<std::size_t>(std::min(p, q))];
+      const Supernode& node = symbolic_.supernodes[s];
+      entries_[s].push_back(
+          {k, row_in_front(node, std::max(p, q)), std::min(p, q) - node.first, q > p});
+    }
+  }
+  for (std::size_t s = 0; s < symbolic_.supernodes.size(); ++s) {
+    const Supernode& node = symbolic_.supernodes[s];
+    panels_[s].resize(3 * node.size(), 3 * node.columns);
+    if (node.parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(node.parent);
+    children_[parent].push_back(static_cast<int>(s));
+    for (const int row : node.rows) {
+      parent_rows_[s].push_back(row_in_front(symbolic_.supernodes[parent], row));
+    }
+  }
+}
+
+void SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front) {
+  const Eigen::Index size = 3 * symbolic_.supernodes[node].size();
+  front.setZero(size, size);
+  for (const Entry& entry : entries_[node]) {
+    auto place = front.block<3, 3>(3 * entry.row, 3 * entry.column);
+    if (entry.transposed) {
+      place = matrix.block(entry.block).transpose();
+    } else {
+      place = matrix.block(entry.block);
+    }
+  }
+  for (const int child : children_[node]) {
+    const auto c = static_cast<std::size_t>(child);
+    extend_add(left_[c], parent_rows_[c], front);
+    left_[c].resize(0, 0);
+  }
 }
 
 bool SparseCholesky::factorize(const BlockMatrix& matrix) {
-  if (lower_.rows() == 0) return true;
-  matrix.copy_to(lower_);
   // A pivot that is not a number would pass for positive.
-  if (!lower_.coeffs().allFinite()) return false;
-  factor_.factorize(lower_);
-  return factor_.info() == Eigen::Success;
+  if (!matrix.all_finite()) return false;
+  Eigen::MatrixXd front;
+  for (std::size_t s = 0; s < panels_.size(); ++s) {
+    gather(matrix, s, front);
+    const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
+    Eigen::Ref<Eigen::MatrixXd> pivots = front.topLeftCorner(own, own);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(pivots);
+    if (llt.info() != Eigen::Success) return false;
+    auto rest = front.bottomLeftCorner(below, own);
+    pivots.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rest);
+    panels_[s] = front.leftCols(own);
+    if (below == 0) continue;
+    auto left = front.bottomRightCorner(below, below);
+    left.selfadjointView<Eigen::Lower>().rankUpdate(rest, -1.0);
+    left_[s] = left;
+  }
+  return true;
+}
+
+// Forwards through the lower factor and backwards through its transpose, panel by panel.
+void SparseCholesky::substitute(Eigen::MatrixXd& x) const {
+  const auto rows_below = [&](std::size_t s) {
+    std::vector<Eigen::Index> rows;
+    for (const int row : symbolic_.supernodes[s].rows) {
+      for (int a = 0; a < 3; ++a) rows.push_back(3 * row + a);
+    }
+    return rows;
+  };
+  for (std::size_t s = 0; s < panels_.size(); ++s) {
+    const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
+    auto part = x.middleRows(3 * symbolic_.supernodes[s].first, own);
+    panels_[s].topRows(own).triangularView<Eigen::Lower>().solveInPlace(part);
+    if (below > 0) x(rows_below(s), Eigen::all) -= panels_[s].bottomRows(below) * part;
+  }
+  for (std::size_t s = panels_.size(); s-- > 0;) {
+    const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
+    auto part = x.middleRows(3 * symbolic_.supernodes[s].first, own);
+    if (below > 0) {
+      const Eigen::MatrixXd known = x(rows_below(s), Eigen::all);
+      part.noalias() -= panels_[s].bottomRows(below).transpose() * known;
+    }
+    panels_[s].topRows(own).triangularView<Eigen::Lower>().transpose().solveInPlace(part);
+  }
+}
+
+Eigen::MatrixXd SparseCholesky::solve_all(const Eigen::MatrixXd& b) const {
+  Eigen::MatrixXd eliminated(b.rows(), b.cols());
+  for (std::size_t i = 0; i < symbolic_.place.size(); ++i) {
+    eliminated.middleRows<3>(3 * symbolic_.place[i]) =
+        b.middleRows<3>(static_cast<Eigen::Index>(3 * i));
+  }
+  substitute(eliminated);
+  Eigen::MatrixXd x(b.rows(), b.cols());
+  for (std::size_t i = 0; i < symbolic_.place.size(); ++i) {
+    x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) =
+        eliminated.middleRows<3>(3 * symbolic_.place[i]);
+  }
+  return x;
 }
 
 LinearSummary SparseCholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  x = b.size() == 0 ? b : Eigen::VectorXd(factor_.solve(b));
+  x = solve_all(b);
   return {};
 }
 

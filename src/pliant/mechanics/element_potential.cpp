@@ -61,7 +61,7 @@ struct ElementPotential<Measure>::Batch {
 
   Batch(const ElementPotential& potential, int batch, const Configuration& configuration,
         const double* history)
-      : positions(potential.gather(batch, configuration)),
+      : positions(potential.gather(batch, configuration.positions.data())),
         strain(kLanes, Measure::kStrains),
         samples(potential.samples(batch, strain, history)),
         rests(potential.rests_near(batch, samples.last)),
@@ -142,10 +142,8 @@ void ElementPotential<Measure>::bind(const Coordinates& coordinates, const Block
 }
 
 template <class Measure>
-LanePositions<Measure> ElementPotential<Measure>::gather(int batch,
-                                                         const Configuration& configuration) const {
+LanePositions<Measure> ElementPotential<Measure>::gather(int batch, const double* all) const {
   LanePositions<Measure> positions;
-  const double* all = configuration.positions.data();
   for (int l = 0; l < kLanes; ++l) {
     const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
     for (int i = 0; i < Measure::kNodes; ++i) {
@@ -191,7 +189,11 @@ Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at
                                                  const Derivatives& derivatives) const {
   Batch elements(*this, batch, at.configuration, at.history);
   density_->add(elements.samples, at.time, elements.response);
-  if (derivatives.gradient) add_gradient(batch, elements, *derivatives.gradient);
+  if (derivatives.gradient) {
+    LanePositions<Measure> forces;
+    elements.kernel.gradient(elements.response, elements.size, forces);
+    scatter(batch, forces, derivatives.gradient->data());
+  }
   if (derivatives.hessian) {
     if (at.curvature == Curvature::convex) {
       make_tangent_convex(elements.response, Measure::kStrains);
@@ -203,16 +205,13 @@ Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at
 }
 
 template <class Measure>
-void ElementPotential<Measure>::add_gradient(int batch, const Batch& elements,
-                                             Eigen::Matrix3Xd& gradient) const {
-  LanePositions<Measure> values;
-  elements.kernel.gradient(elements.response, elements.size, values);
+void ElementPotential<Measure>::scatter(int batch, const LanePositions<Measure>& values,
+                                        double* all) const {
   for (int l = 0; l < kLanes; ++l) {
     const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
     for (int i = 0; i < Measure::kNodes; ++i) {
-      for (int a = 0; a < 3; ++a) {
-        gradient(a, nodes[static_cast<size_t>(i)]) += values(l, 3 * i + a);
-      }
+      double* x = all + Eigen::Index(3) * nodes[static_cast<size_t>(i)];
+      for (int a = 0; a < 3; ++a) x[a] += values(l, 3 * i + a);
     }
   }
 }
@@ -301,39 +300,85 @@ bool ElementPotential<Measure>::depends_on_parameters() const {
                      [](int column) { return column >= 0; });
 }
 
-// Rows of a stencil's numbers in the potential's history: column c of lane l is 8 c + l.
+namespace {
+
+// Derivatives of eight stencils: column i + j rows holds entry (i, j) of the matrix of that name in
+// SampleDerivatives.
+struct LaneDerivatives {
+  using Entries = Eigen::Array<double, kLanes, Eigen::Dynamic>;
+  Entries stress_by_last, stress_by_history, stress_by_parameter;
+  Entries next_by_strain, next_by_last, next_by_history, next_by_parameter;
+
+  LaneDerivatives(const ParametricDensity& density, const Samples& samples, int parameters) {
+    for (int l = 0; l < kLanes; ++l) {
+      SampleDerivatives d(static_cast<int>(samples.strain.cols()), density.history_size(),
+                          parameters);
+      density.differentiate(samples, l, 0, 0, d);
+      set(l, d.stress_by_last, stress_by_last);
+      set(l, d.stress_by_history, stress_by_history);
+      set(l, d.stress_by_parameter, stress_by_parameter);
+      set(l, d.next_by_strain, next_by_strain);
+      set(l, d.next_by_last, next_by_last);
+      set(l, d.next_by_history, next_by_history);
+      set(l, d.next_by_parameter, next_by_parameter);
+    }
+  }
+
+ private:
+  static void set(int lane, const Eigen::MatrixXd& matrix, Entries& entries) {
+    if (lane == 0) entries.resize(kLanes, matrix.size());
+    entries.row(lane) = matrix.reshaped().transpose();
+  }
+};
+
+// Adds a matrix, eight times, to the product with a vector, eight times.
+template <class Vector, class Result>
+void add_product(const LaneDerivatives::Entries& matrix, const Vector& vector, Result& result) {
+  const Eigen::Index rows = result.cols();
+  for (Eigen::Index j = 0; j < vector.cols(); ++j) {
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      result.col(i) += matrix.col(i + j * rows) * vector.col(j);
+    }
+  }
+}
+
+// Adds the columns of the parameters that stand in column `column` of the derivatives.
+template <class Result>
+void add_own_parameters(const LaneDerivatives::Entries& by_parameter,
+                        const std::vector<int>& columns, Eigen::Index column, Result& result) {
+  const Eigen::Index rows = result.cols();
+  for (std::size_t p = 0; p < columns.size(); ++p) {
+    if (columns[p] != column) continue;
+    result += by_parameter.middleCols(static_cast<Eigen::Index>(p) * rows, rows);
+  }
+}
+
+}  // namespace
+
+// The stencils' own numbers in the potential's history are a matrix of eight rows, a batch after
+// the other: strains, the strains before, what the density keeps.
 template <class Measure>
 void ElementPotential<Measure>::add_force_sensitivity(
     const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
     Eigen::MatrixXd& gradient_by_parameter) const {
   if (!depends_on_parameters()) return;
   constexpr int m = Measure::kStrains;
-  const int own = density_->history_size(), count = static_cast<int>(parameter_columns_.size());
+  const int own = density_->history_size();
   const auto parameters = static_cast<int>(density_->parameters().size());
-  for (int e = 0; e < count_; ++e) {
-    const int batch = e / kLanes, lane = e % kLanes;
+  for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    SampleDerivatives d(m, own, parameters);
-    density_->differentiate(elements.samples, lane, 0, 0, d);
-    const Eigen::Index first = Eigen::Index(kLanes) * columns() * batch + lane;
-    Eigen::MatrixXd stress = Eigen::MatrixXd::Zero(m, history_by_parameter.cols());
-    for (int k = 0; k < count; ++k) {
-      const int column = parameter_columns_[static_cast<size_t>(k)];
-      if (column >= 0) stress.col(column) += d.stress_by_parameter.col(k);
-    }
-    for (int c = 0; c < m; ++c) {
-      stress += d.stress_by_last.col(c) * history_by_parameter.row(first + kLanes * c);
-    }
-    for (int c = 0; c < own; ++c) {
-      stress += d.stress_by_history.col(c) * history_by_parameter.row(first + kLanes * (2 * m + c));
-    }
-    const auto l = static_cast<size_t>(lane);
-    const Eigen::MatrixXd force =
-        elements.size(lane) *
-        Measure::gradient(elements.rests[l], elements.kernel.at(lane)).transpose() * stress;
-    for (int i = 0; i < Measure::kNodes; ++i) {
-      const int node = points_[static_cast<size_t>(e)][static_cast<size_t>(i)];
-      gradient_by_parameter.middleRows<3>(3 * node) += force.middleRows<3>(3 * i);
+    const LaneDerivatives d(*density_, elements.samples, parameters);
+    for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
+      const LaneView history(
+          history_by_parameter.col(k).data() + Eigen::Index(kLanes) * columns() * batch, kLanes,
+          columns());
+      Response response(m);
+      add_own_parameters(d.stress_by_parameter, parameter_columns_, k, response.stress);
+      add_product(d.stress_by_last, history.leftCols(m), response.stress);
+      add_product(d.stress_by_history, history.rightCols(own), response.stress);
+      LanePositions<Measure> forces;
+      elements.kernel.gradient(response, elements.size, forces);
+      scatter(batch, forces, gradient_by_parameter.col(k).data());
     }
   }
 }
@@ -343,39 +388,44 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
                                                     const Eigen::MatrixXd& positions_by_parameter,
                                                     Eigen::MatrixXd& history_by_parameter) const {
   constexpr int m = Measure::kStrains;
-  const int own = density_->history_size(), count = static_cast<int>(parameter_columns_.size());
+  const int own = density_->history_size();
+  if (own == 0) return;  // nothing depends on the strains of an elastic material's steps
   const auto parameters = static_cast<int>(density_->parameters().size());
-  const Eigen::Index all = history_by_parameter.cols();
-  for (int e = 0; e < count_; ++e) {
-    const int batch = e / kLanes, lane = e % kLanes;
-    const auto l = static_cast<size_t>(lane);
+  for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    SampleDerivatives d(m, own, parameters);
-    density_->differentiate(elements.samples, lane, 0, 0, d);
-
-    Eigen::MatrixXd nodes(Measure::kUnknowns, all);
-    for (int i = 0; i < Measure::kNodes; ++i) {
-      const int node = points_[static_cast<size_t>(e)][static_cast<size_t>(i)];
-      nodes.middleRows<3>(3 * i) = positions_by_parameter.middleRows<3>(3 * node);
+    const LaneDerivatives d(*density_, elements.samples, parameters);
+    const auto gradients = strain_gradients(elements);
+    for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
+      const LanePositions<Measure> motion = gather(batch, positions_by_parameter.col(k).data());
+      Eigen::Array<double, kLanes, m> strain;
+      for (int i = 0; i < m; ++i) {
+        strain.col(i) = (gradients[static_cast<size_t>(i)] * motion).rowwise().sum();
+      }
+      MutableLaneView history(
+          history_by_parameter.col(k).data() + Eigen::Index(kLanes) * columns() * batch, kLanes,
+          columns());
+      const Eigen::Array<double, kLanes, m> last = history.leftCols(m);
+      Eigen::ArrayXXd next = Eigen::ArrayXXd::Zero(kLanes, own);
+      add_own_parameters(d.next_by_parameter, parameter_columns_, k, next);
+      add_product(d.next_by_strain, strain, next);
+      add_product(d.next_by_last, last, next);
+      add_product(d.next_by_history, history.rightCols(own), next);
+      history << strain, last, next;
     }
-    const Eigen::MatrixXd strain =
-        Measure::gradient(elements.rests[l], elements.kernel.at(lane)) * nodes;
-    const Eigen::Index first = Eigen::Index(kLanes) * columns() * batch + lane;
-    const auto rows = [&](int from, int n) {
-      return Eigen::seqN(first + kLanes * from, n, kLanes);
-    };
-    const Eigen::MatrixXd last = history_by_parameter(rows(0, m), Eigen::all);
-    const Eigen::MatrixXd kept = history_by_parameter(rows(2 * m, own), Eigen::all);
-    Eigen::MatrixXd next =
-        d.next_by_strain * strain + d.next_by_last * last + d.next_by_history * kept;
-    for (int k = 0; k < count; ++k) {
-      const int column = parameter_columns_[static_cast<size_t>(k)];
-      if (column >= 0) next.col(column) += d.next_by_parameter.col(k);
-    }
-    history_by_parameter(rows(0, m), Eigen::all) = strain;
-    history_by_parameter(rows(m, m), Eigen::all) = last;
-    history_by_parameter(rows(2 * m, own), Eigen::all) = next;
   }
+}
+
+// Gradients of the strains of eight stencils, one after the other.
+template <class Measure>
+auto ElementPotential<Measure>::strain_gradients(const Batch& elements)
+    -> std::array<LanePositions<Measure>, Measure::kStrains> {
+  std::array<LanePositions<Measure>, Measure::kStrains> gradients;
+  for (int i = 0; i < Measure::kStrains; ++i) {
+    Response unit(Measure::kStrains);
+    unit.stress.col(i) = 1;
+    elements.kernel.gradient(unit, Lane::Ones(), gradients[static_cast<size_t>(i)]);
+  }
+  return gradients;
 }
 
 template <class Measure>

@@ -53,11 +53,14 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   bool depends_on_parameters() const;
   int batches() const { return static_cast<int>(points_.size()) / kLanes; }
   int columns() const { return 2 * Measure::kStrains + density_->history_size(); }
-  LanePositions<Measure> gather(int batch, const Configuration& configuration) const;
+  /// Vectors of all points, one after the other, in the order of a batch; and back, added.
+  LanePositions<Measure> gather(int batch, const double* all) const;
+  void scatter(int batch, const LanePositions<Measure>& values, double* all) const;
   Samples samples(int batch, const LaneStrains& strain, const double* history) const;
   Rests rests_near(int batch, const LaneView& last) const;
   Energy evaluate_batch(int batch, const Evaluation& at, const Derivatives& derivatives) const;
-  void add_gradient(int batch, const Batch& elements, Eigen::Matrix3Xd& gradient) const;
+  static std::array<LanePositions<Measure>, Measure::kStrains> strain_gradients(
+      const Batch& elements);
   void add_hessian(int batch, const Batch& elements, const Evaluation& at, Hessian& hessian) const;
 
   std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches

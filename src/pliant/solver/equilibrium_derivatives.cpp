@@ -47,7 +47,7 @@ std::optional<Curvature> factorize_at(const Objective& objective, const Configur
 EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
                                                  const Configuration& at,
                                                  const Eigen::MatrixXd& history_by_parameter,
-                                                 const LinearSolver& solver) {
+                                                 const SparseCholesky& solver, bool with_forces) {
   const System& system = objective.system();
   const Coordinates& coordinates = system.coordinates();
   const Eigen::Index rows = 3 * system.points(), columns = system.derivative_count();
@@ -55,12 +55,19 @@ EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
   result.forces.setZero(rows, columns);
   result.positions.resize(rows, columns);
   system.add_force_sensitivity(at, objective.from(), history_by_parameter, result.forces);
-  Eigen::VectorXd rates;
+  Eigen::MatrixXd reduced(coordinates.unknowns(), columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
-    solver.solve(-coordinates.reduce(at, by_points(result.forces, k)), rates);
-    result.positions.col(k) = coordinates.motion(at, rates).reshaped();
+    reduced.col(k) = -coordinates.reduce(at, by_points(result.forces, k));
   }
-  result.forces += forces_along(objective, at, result.positions);
+  const Eigen::MatrixXd rates = solver.solve_all(reduced);
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    result.positions.col(k) = coordinates.motion(at, rates.col(k)).reshaped();
+  }
+  if (with_forces) {
+    result.forces += forces_along(objective, at, result.positions);
+  } else {
+    result.forces.resize(0, columns);
+  }
   return result;
 }
 

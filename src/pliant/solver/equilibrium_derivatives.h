@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "pliant/math/linear_solver.h"
+#include "pliant/math/sparse_cholesky.h"
 #include "pliant/solver/objective.h"
 
 namespace pliant {
@@ -26,9 +26,12 @@ std::optional<Curvature> factorize_at(const Objective& objective, const Configur
 /// Derivatives of an equilibrium by the parameters that its system differentiates by.
 /// @param history_by_parameter  of what its potentials remember; rows of the whole history
 /// @param solver                with the Hessian at the equilibrium, factorised
+/// @param with_forces           whether those of the forces are wanted; they cost two evaluations a
+///                              parameter
 EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
                                                  const Configuration& at,
                                                  const Eigen::MatrixXd& history_by_parameter,
-                                                 const LinearSolver& solver);
+                                                 const SparseCholesky& solver,
+                                                 bool with_forces = true);
 
 }  // namespace pliant

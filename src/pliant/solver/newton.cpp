@@ -54,21 +54,30 @@ double largest_force(const Coordinates& coordinates, const Configuration& at,
   return largest;
 }
 
+// Where a search stands.
+struct Iterate {
+  Configuration at;
+  Eigen::Matrix3Xd gradient;  // dE / d points (N)
+  Energy energy;
+};
+
 // Halves the step until the energy falls by a part of what its slope promises. Where the change is
-// lost in rounding, the step must bring the forces down instead.
+// lost in rounding, the step must bring the forces down instead. Most steps are taken whole, so
+// that the forces that the next one starts from come with the energy.
 bool line_search(const Objective& objective, const Eigen::VectorXd& step, double slope,
-                 const Energy& energy, double residual, Configuration& at) {
+                 double residual, Iterate& now) {
   constexpr double kShare = 1e-4, kShortest = 1e-10;
   const Coordinates& coordinates = objective.system().coordinates();
-  const double rounding = 1e-13 * (std::abs(energy.stored) + std::abs(energy.work));
+  const double rounding = 1e-13 * (std::abs(now.energy.stored) + std::abs(now.energy.work));
+  Iterate trial;
   for (double length = 1; length > kShortest; length /= 2) {
-    const Configuration trial = coordinates.moved(at, length * step);
-    const double change = objective.energy(trial).total() - energy.total();
+    trial.at = coordinates.moved(now.at, length * step);
+    trial.energy = objective.evaluate(trial.at, trial.gradient);
+    const double change = trial.energy.total() - now.energy.total();
     const bool falls = change <= kShare * length * slope;
     const bool lost = std::abs(length * slope) < rounding && change < rounding;
-    if (falls ||
-        (lost && largest_force(coordinates, trial, objective.gradient(trial)) < residual)) {
-      at = trial;
+    if (falls || (lost && largest_force(coordinates, trial.at, trial.gradient) < residual)) {
+      now = std::move(trial);
       return true;
     }
   }
@@ -116,11 +125,13 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
   NewtonSummary summary;
   bool has_factor = false;
   double last_residual = INFINITY;
+  Iterate now{at, {}, {}};
+  now.energy = objective.evaluate(now.at, now.gradient);
   for (;; ++summary.iterations) {
     options.stop.throw_if_requested();
-    Eigen::Matrix3Xd gradient;
-    summary.energy = objective.evaluate(at, gradient);
-    const Eigen::VectorXd force = -coordinates.reduce(at, gradient);
+    const Eigen::VectorXd force = -coordinates.reduce(now.at, now.gradient);
+    at = now.at;
+    summary.energy = now.energy;
     summary.residual = largest_force(coordinates, at, force);
     summary.converged = summary.residual < options.tolerance;
     if (summary.converged || summary.iterations == options.max_iterations ||
@@ -130,7 +141,7 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
     Eigen::VectorXd step;
     const auto descend = [&] {
       const double slope = -force.dot(step);
-      return slope < 0 && line_search(objective, step, slope, summary.energy, summary.residual, at);
+      return slope < 0 && line_search(objective, step, slope, summary.residual, now);
     };
     const bool reuse =
         options.reuse_factor && has_factor && summary.residual < kFast * last_residual;

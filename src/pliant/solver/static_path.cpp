@@ -37,10 +37,18 @@ void StaticPath::go_on_from(const State& state) {
   if (options_.sensitivities) history_by_parameter_.setZero();
 }
 
-PathEquilibrium StaticPath::step(double time) {
+PathEquilibrium StaticPath::step(double time, const Configuration& guess) {
   PLIANT_ASSERT(time >= state_.time, "a path goes forward in time");
   const double start = state_.time;
   PathEquilibrium point;
+  if (guess.positions.size() > 0) {
+    PLIANT_ASSERT(options_.substeps == 1, "a guess is of the only equilibrium of a step");
+    Configuration at = guess;
+    if (find_equilibrium(time, point, at)) {
+      accept(time, std::move(at), point);
+      return point;
+    }
+  }
   for (int i = 1; i <= options_.substeps; ++i) {
     const double part = static_cast<double>(i) / options_.substeps;
     reach(i == options_.substeps ? time : start + part * (time - start), 0, point);
@@ -49,7 +57,7 @@ PathEquilibrium StaticPath::step(double time) {
 }
 
 void StaticPath::reach(double time, int halvings, PathEquilibrium& point) {
-  Configuration at;
+  Configuration at = state_.configuration;
   if (find_equilibrium(time, point, at)) {
     accept(time, std::move(at), point);
     return;
@@ -64,7 +72,6 @@ void StaticPath::reach(double time, int halvings, PathEquilibrium& point) {
 }
 
 bool StaticPath::find_equilibrium(double time, PathEquilibrium& point, Configuration& at) {
-  at = state_.configuration;
   system_.drive(time, at);
   const NewtonSummary found =
       minimize(Objective(system_, state_), options_.newton, solver_, hessian_, at);

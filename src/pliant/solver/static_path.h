@@ -46,7 +46,8 @@ class StaticPath {
   /// @throws SolverError when an equilibrium is not found, even of the smallest step, or when
   ///         sensitivities are asked for and it is not stable; the path then stands at the last
   ///         one accepted, which may lie between two times of the schedule
-  PathEquilibrium step(double time);
+  /// @param guess  where the search begins; without points: where the path stands
+  PathEquilibrium step(double time, const Configuration& guess = {});
 
   const State& state() const { return state_; }
   /// Goes on from another state of the system, on whose history no parameter has an influence yet.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <string>
 #include <utility>
 
 #include "pliant/base/parallel.h"
@@ -15,6 +16,8 @@ namespace pliant {
 namespace {
 
 constexpr DensityOptions kElastic{.friction = false};
+/// Springs softer than this against bending need no softer ones before them (N).
+constexpr double kSoftSpring = 1;
 
 }  // namespace
 
@@ -35,15 +38,41 @@ class SheetEquilibria::Lane {
                     hessian_, at);
   }
 
-  /// @return false where only a convex stand-in of the Hessian can be factorised
-  bool differentiate(const Configuration& at, EquilibriumDerivatives& derivatives) {
+  /// Springs that are stiff against bending lead a search along narrow valleys, which take hundreds
+  /// of iterations; with soft ones first, and then ever stiffer ones, it is a sixth of that.
+  /// @param at  where to begin, then near the equilibrium of `parameters`
+  void stiffen_springs(const Eigen::VectorXd& parameters, Configuration& at,
+                       const StopToken& stop) {
+    constexpr double kStiffer = 10, kTolerance = 1e-6;
+    const std::vector<std::string>& names = sheet_.parameters().names;
+    std::vector<Eigen::Index> bending;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i].starts_with("bend.")) bending.push_back(static_cast<Eigen::Index>(i));
+    }
+    const double stiffest = parameters(bending).maxCoeff();
+    for (double soft = kSoftSpring; soft < stiffest; soft *= kStiffer) {
+      Eigen::VectorXd softer = parameters;
+      softer(bending) *= soft / stiffest;
+      sheet_.system().set_parameters(softer);
+      minimize(objective(), {.tolerance = kTolerance, .reuse_factor = true, .stop = stop}, solver_,
+               hessian_, at);
+    }
+    sheet_.system().set_parameters(parameters);
+  }
+
+  /// @return which Hessian the derivatives are of; nothing, and no derivatives, where neither can
+  /// be
+  ///         factorised
+  std::optional<Curvature> differentiate(const Configuration& at,
+                                         EquilibriumDerivatives& derivatives) {
     Eigen::Matrix3Xd gradient;
     const auto factorized = factorize_at(objective(), at, gradient, hessian_, solver_);
-    if (!factorized) return false;
+    if (!factorized) return std::nullopt;
     const Eigen::MatrixXd no_history =
         Eigen::MatrixXd::Zero(rest_.history.size(), sheet_.system().derivative_count());
-    derivatives = differentiate_equilibrium(objective(), at, no_history, solver_);
-    return factorized == Curvature::exact;
+    derivatives =
+        differentiate_equilibrium(objective(), at, no_history, solver_, sheet_.has_clips());
+    return factorized;
   }
 
   SheetShape shape(const Configuration& at) const {
@@ -65,8 +94,9 @@ class SheetEquilibria::Lane {
 };
 
 struct SheetEquilibria::Reached {
-  bool found = false, differentiated = false;
-  double distance = 0;                                       // from the measured shape (m, RMS)
+  bool found = false;           // with the last parameters
+  bool differentiated = false;  // the shape, which is that of the last parameters that had one
+  double distance = 0;          // from the measured shape (m, RMS)
   double nearest = std::numeric_limits<double>::infinity();  // of all that were found
   Eigen::VectorXd parameters;
   std::vector<int> by;
@@ -114,9 +144,7 @@ void SheetEquilibria::give_back(std::unique_ptr<Lane> lane) {
 
 std::vector<Eigen::Matrix3Xd> SheetEquilibria::guesses() const {
   std::vector<Eigen::Matrix3Xd> shapes;
-  for (const Reached& reached : reached_) {
-    shapes.push_back(reached.found ? reached.shape.positions : Eigen::Matrix3Xd());
-  }
+  for (const Reached& reached : reached_) shapes.push_back(reached.shape.positions);
   return shapes;
 }
 
@@ -125,7 +153,7 @@ std::vector<Eigen::Matrix3Xd> SheetEquilibria::starts(int state,
   const auto s = static_cast<std::size_t>(state);
   const Reached& reached = reached_[s];
   std::vector<Eigen::Matrix3Xd> starts;
-  if (reached.found) {
+  if (reached.shape.positions.size() > 0) {
     starts.push_back(reached.shape.positions);
     if (reached.differentiated) {
       const Eigen::VectorXd change = parameters(reached.by) - reached.parameters(reached.by);
@@ -135,9 +163,6 @@ std::vector<Eigen::Matrix3Xd> SheetEquilibria::starts(int state,
   } else if (!guesses_.empty() && guesses_[s].size() > 0) {
     starts.push_back(guesses_[s]);
   }
-  starts.push_back(session_.frames[static_cast<std::size_t>(states_.states[s].frame)].positions);
-  // A neighbour's: of another frame, but in balance.
-  if (state > 0 && reached_[s - 1].found) starts.push_back(reached_[s - 1].shape.positions);
   return starts;
 }
 
@@ -150,9 +175,9 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   reached.counts.iterations += newton.iterations;
   reached.counts.factors += newton.factorizations;
   reached.found = newton.converged;
-  reached.differentiated = false;
   if (!reached.found) return false;
   ++reached.counts.equilibria;
+  reached.differentiated = false;
   reached.parameters = parameters;
   reached.shape = lane.shape(at);
   const auto frame = static_cast<std::size_t>(states_.states[s].frame);
@@ -162,19 +187,30 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   return true;
 }
 
-void SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int>& by) {
+bool SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int>& by) {
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
   const Configuration at =
       lane.sheet().configuration(states_.states[s].frame, reached.shape.positions);
   EquilibriumDerivatives derivatives;
   ++reached.counts.factors;
-  if (!lane.differentiate(at, derivatives)) ++reached.counts.unstable;
+  const std::optional<Curvature> curvature = lane.differentiate(at, derivatives);
+  if (!curvature) return false;
+  if (curvature == Curvature::convex) ++reached.counts.unstable;
   reached.shape.clip_forces_by_parameter =
       lane.sheet().clip_forces_by_parameter(derivatives.forces);
   reached.shape.positions_by_parameter = std::move(derivatives.positions);
   reached.differentiated = true;
   reached.by = by;
+  return true;
+}
+
+bool SheetEquilibria::find_from_measured(int state, Lane& lane, const Eigen::VectorXd& parameters) {
+  const int frame = states_.states[static_cast<std::size_t>(state)].frame;
+  Configuration at =
+      lane.sheet().configuration(frame, session_.frames[static_cast<std::size_t>(frame)].positions);
+  if (material_.bending == "spring") lane.stiffen_springs(parameters, at, stop_);
+  return find(state, lane, parameters, std::move(at.positions));
 }
 
 // A sheet has many equilibria, and a search may fall into one that others then begin at: where it
@@ -188,12 +224,11 @@ bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::Vec
     found = find(state, lane, parameters, std::move(start));
     if (found) break;
   }
-  if (!found) return false;
+  if (!found && !find_from_measured(state, lane, parameters)) return false;
   const double side = std::max(session_.sample.width, session_.sample.height);
   if (reached.distance > kFarther * reached.nearest + kSmall * side) {
     const Reached farther = reached;
-    const auto frame = static_cast<std::size_t>(states_.states[s].frame);
-    const bool again = find(state, lane, parameters, session_.frames[frame].positions);
+    const bool again = find_from_measured(state, lane, parameters);
     if (!again || reached.distance > farther.distance) {
       const EquilibriumCounts counts = reached.counts;
       reached = farther;
@@ -204,20 +239,47 @@ bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::Vec
   return true;
 }
 
-bool SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
+std::unique_ptr<SheetEquilibria::Lane> SheetEquilibria::prepared(int state,
+                                                                 const Eigen::VectorXd& parameters,
+                                                                 const std::vector<int>& by) {
+  std::unique_ptr<Lane> lane = borrow(states_.states[static_cast<std::size_t>(state)].held);
+  lane->sheet().system().set_parameters(parameters);
+  lane->sheet().system().differentiate_by(by);
+  return lane;
+}
+
+void SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
                             const std::vector<int>& by) {
   Reached& reached = reached_[static_cast<std::size_t>(state)];
   reached.counts = {};
   const bool here = reached.found && reached.parameters == parameters;
-  if (here && (by.empty() || (reached.differentiated && reached.by == by))) return true;
+  if (here && (by.empty() || (reached.differentiated && reached.by == by))) return;
 
-  std::unique_ptr<Lane> lane = borrow(states_.states[static_cast<std::size_t>(state)].held);
-  lane->sheet().system().set_parameters(parameters);
-  lane->sheet().system().differentiate_by(by);
+  std::unique_ptr<Lane> lane = prepared(state, parameters, by);
   const bool found = here || find_near_measured(state, *lane, parameters);
-  if (found && !by.empty()) differentiate(state, *lane, by);
+  // An equilibrium that nothing can be said of but where it is does not count as found.
+  if (found && !by.empty()) reached.found = differentiate(state, *lane, by);
   give_back(std::move(lane));
-  return found;
+}
+
+// A shape of another frame is farther away than the measured one, but in balance. One state after
+// the other, so that no result depends on the order of threads.
+void SheetEquilibria::reach_from_neighbours(const Eigen::VectorXd& parameters,
+                                            const std::vector<int>& by) {
+  const int count = equilibria_each();
+  const auto try_from = [&](int state, int neighbour) {
+    if (neighbour < 0 || neighbour >= count) return;
+    Reached& reached = reached_[static_cast<std::size_t>(state)];
+    const Reached& other = reached_[static_cast<std::size_t>(neighbour)];
+    if (reached.found || !other.found) return;
+    std::unique_ptr<Lane> lane = prepared(state, parameters, by);
+    if (find(state, *lane, parameters, other.shape.positions) && !by.empty()) {
+      reached.found = differentiate(state, *lane, by);
+    }
+    give_back(std::move(lane));
+  };
+  for (int state = 0; state < count; ++state) try_from(state, state - 1);
+  for (int state = count; state-- > 0;) try_from(state, state + 1);
 }
 
 SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
@@ -249,6 +311,7 @@ std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::Vec
     stop.throw_if_requested();
     reach(state, parameters, by);
   });
+  reach_from_neighbours(parameters, by);
   for (const Reached& reached : reached_) counts_ += reached.counts;
   for (std::size_t s = 0; s < reached_.size(); ++s) {
     if (reached_[s].found) continue;

@@ -17,8 +17,8 @@ namespace pliant {
 
 /// The frames of a session as equilibria of an elastic material, each for itself ([T] 3.4.1).
 ///
-/// A search begins where the parameters before have ended, moved along the derivatives there, and
-/// at the measured shape where that fails.
+/// A search begins where the parameters before have ended, moved along the derivatives there, where
+/// that fails at the measured shape, and at last at the equilibrium of a neighbouring frame.
 class SheetEquilibria : public SheetPredictor {
  public:
   /// @param session   on the mesh that is simulated; outlives this
@@ -39,13 +39,17 @@ class SheetEquilibria : public SheetPredictor {
   struct Reached;  // an equilibrium with its derivatives
 
   std::unique_ptr<Lane> borrow(const std::vector<int>& held);
+  std::unique_ptr<Lane> prepared(int state, const Eigen::VectorXd& parameters,
+                                 const std::vector<int>& by);
   void give_back(std::unique_ptr<Lane> lane);
-  /// Shapes to begin a search at, one after the other.
+  /// Shapes to begin a search at, one after the other, before the measured one.
   std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
   bool find(int state, Lane& lane, const Eigen::VectorXd& parameters, Eigen::Matrix3Xd start);
+  bool find_from_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
   bool find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
-  void differentiate(int state, Lane& lane, const std::vector<int>& by);
-  bool reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
+  bool differentiate(int state, Lane& lane, const std::vector<int>& by);
+  void reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
+  void reach_from_neighbours(const Eigen::VectorXd& parameters, const std::vector<int>& by);
   SheetShape blended(int frame, bool derivatives) const;
 
   const Session& session_;

@@ -14,6 +14,33 @@ SheetPath::SheetPath(const Session& session, const Material& material)
   warnings_ = sheet_.warnings();
 }
 
+std::vector<Eigen::Matrix3Xd> SheetPath::guesses() const {
+  std::vector<Eigen::Matrix3Xd> shapes;
+  for (const SheetShape& shape : last_.shapes) shapes.push_back(shape.positions);
+  return shapes;
+}
+
+Eigen::Matrix3Xd SheetPath::guess(int frame, const Eigen::VectorXd& parameters) const {
+  const auto f = static_cast<std::size_t>(frame);
+  if (last_.shapes.empty()) return f < guesses_.size() ? guesses_[f] : Eigen::Matrix3Xd();
+  const SheetShape& before = last_.shapes[f];
+  if (last_.by.empty()) return before.positions;
+  const Eigen::VectorXd change = parameters(last_.by) - last_.parameters(last_.by);
+  return before.positions +
+         (before.positions_by_parameter * change).reshaped(3, before.positions.cols());
+}
+
+SheetShape SheetPath::shape(const State& state, PathEquilibrium& point) const {
+  SheetShape shape;
+  shape.positions = state.configuration.positions;
+  shape.clip_forces = sheet_.clip_forces(point.forces);
+  shape.clip_moments = sheet_.clip_moments(shape.positions, point.forces);
+  if (point.by_parameter.positions.size() == 0) return shape;
+  shape.clip_forces_by_parameter = sheet_.clip_forces_by_parameter(point.by_parameter.forces);
+  shape.positions_by_parameter = std::move(point.by_parameter.positions);
+  return shape;
+}
+
 std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd& parameters,
                                                           const std::vector<int>& by, int threads,
                                                           const StopToken& stop) {
@@ -27,22 +54,17 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
   std::vector<SheetShape> shapes;
   try {
     for (int frame = 0; frame < session_.frame_count(); ++frame) {
-      PathEquilibrium point = path.step(frame + 1);
+      PathEquilibrium point = path.step(frame + 1, {guess(frame, parameters), {}});
       counts_.equilibria += point.equilibria;
       counts_.iterations += point.newton.iterations;
       counts_.factors += point.newton.factorizations + (by.empty() ? 0 : point.equilibria);
-      SheetShape& shape = shapes.emplace_back();
-      shape.positions = path.state().configuration.positions;
-      shape.clip_forces = sheet_.clip_forces(point.forces);
-      shape.clip_moments = sheet_.clip_moments(shape.positions, point.forces);
-      if (by.empty()) continue;
-      shape.clip_forces_by_parameter = sheet_.clip_forces_by_parameter(point.by_parameter.forces);
-      shape.positions_by_parameter = std::move(point.by_parameter.positions);
+      shapes.push_back(shape(path.state(), point));
     }
   } catch (const SolverError&) {
     failed_frame_ = static_cast<int>(shapes.size());
     return std::nullopt;
   }
+  last_ = {parameters, by, shapes};
   return shapes;
 }
 

@@ -25,6 +25,27 @@ std::vector<int> clip_of_nodes(const Session& session) {
   return clips;
 }
 
+std::vector<int> clips_of(const Session& session, const std::vector<int>& held) {
+  const std::vector<int> clips = clip_of_nodes(session);
+  std::vector<int> result;
+  for (const int node : held) result.push_back(clips[static_cast<std::size_t>(node)]);
+  return result;
+}
+
+// Where held nodes are in a frame: clamped ones where the pose of their clip puts them, those on
+// the table where they rest (m, one column a node of `held`).
+Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held,
+                                const std::vector<int>& clip_of_held) {
+  const std::vector<Pose>& poses = session.frames[static_cast<std::size_t>(frame)].poses;
+  Eigen::Matrix3Xd positions = session.rest.positions(Eigen::all, held);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int clip = clip_of_held[i];
+    auto place = positions.col(static_cast<Eigen::Index>(i));
+    if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
+  }
+  return positions;
+}
+
 }  // namespace
 
 std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge) {
@@ -39,28 +60,16 @@ std::vector<int> held_nodes(const Session& session, const std::optional<double>&
   return held;
 }
 
-Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held) {
-  const std::vector<int> clips = clip_of_nodes(session);
-  const std::vector<Pose>& poses = session.frames[static_cast<std::size_t>(frame)].poses;
-  Eigen::Matrix3Xd positions = session.rest.positions(Eigen::all, held);
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const int clip = clips[static_cast<std::size_t>(held[i])];
-    auto place = positions.col(static_cast<Eigen::Index>(i));
-    if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
-  }
-  return positions;
-}
-
 System::Drive held_drive(const Session& session, const std::vector<int>& held) {
-  return [&session, &held](double time, Configuration& at) {
+  return [&session, &held, clips = clips_of(session, held)](double time, Configuration& at) {
     const int frame =
         std::clamp(static_cast<int>(std::ceil(time)) - 1, 0, session.frame_count() - 1);
     const double share = time - frame;
-    Eigen::Matrix3Xd places = held_positions(session, frame, held);
+    Eigen::Matrix3Xd places = held_positions(session, frame, held, clips);
     if (share < 1) {
       const Eigen::Matrix3Xd before =
           frame == 0 ? Eigen::Matrix3Xd(session.rest.positions(Eigen::all, held))
-                     : held_positions(session, frame - 1, held);
+                     : held_positions(session, frame - 1, held, clips);
       places = before + share * (places - before);
     }
     at.positions(Eigen::all, held) = places;
@@ -71,6 +80,7 @@ SheetSystem::SheetSystem(const Session& session, const Material& material,
                          const DensityOptions& options, std::vector<int> held)
     : session_(session),
       held_(std::move(held)),
+      clip_of_held_(clips_of(session, held_)),
       system_(session.rest.positions, vertex_masses(session)) {
   for (const int node : held_) system_.coordinates().prescribe(node);
   Cloth cloth = add_cloth(system_, session.rest, material, options, parameters_);
@@ -104,7 +114,7 @@ double SheetSystem::tolerance() const {
 
 Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {
   Configuration at{std::move(start), {}};
-  at.positions(Eigen::all, held_) = held_positions(session_, frame, held_);
+  at.positions(Eigen::all, held_) = held_positions(session_, frame, held_, clip_of_held_);
   return at;
 }
 

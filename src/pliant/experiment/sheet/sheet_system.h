@@ -14,10 +14,6 @@ namespace pliant {
 /// table where it reaches to `edge` (m, rest plane).
 std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge);
 
-/// Where held nodes are in a frame: clamped ones where the pose of their clip puts them, those on
-/// the table where they rest (m, one column a node of `held`).
-Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held);
-
 /// Moves held nodes evenly from frame to frame. Frame f is at the time f + 1; at the time 0 the
 /// sheet lies at rest.
 /// @param session, held  outlive the drive
@@ -35,6 +31,7 @@ class SheetSystem {
   System& system() { return system_; }
   const System& system() const { return system_; }
   const std::vector<int>& held() const { return held_; }
+  bool has_clips() const { return !session_.clips.empty(); }
   const ParameterList& parameters() const { return parameters_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The strains of a component in all elements that measure it, the nodes being at `positions`.
@@ -62,6 +59,7 @@ class SheetSystem {
  private:
   const Session& session_;
   std::vector<int> held_;
+  std::vector<int> clip_of_held_;  // -1: on the table
   System system_;
   ParameterList parameters_;
   std::vector<ShownPotential> shown_;

@@ -1,29 +1,90 @@
 #include "pliant/material/density/stiffness_density.h"
 
+#include <cmath>
+
 namespace pliant {
+namespace {
+
+// The cubic of the way through four values, at equal distances over a length.
+std::array<double, 4> cubic_through(const std::array<double, 4>& f, double length) {
+  const double first = (-11 * f[0] + 18 * f[1] - 9 * f[2] + 2 * f[3]) / 2;
+  const double second = (18 * f[0] - 45 * f[1] + 36 * f[2] - 9 * f[3]) / 2;
+  const double third = 4.5 * (f[3] - f[0] + 3 * (f[1] - f[2]));
+  return {f[0], first / length, second / (length * length), third / (length * length * length)};
+}
+
+}  // namespace
 
 StiffnessDensity::StiffnessDensity(int component, ScalarCurve stiffness)
-    : component_(component), stiffness_(std::move(stiffness)) {}
+    : component_(component), stiffness_(std::move(stiffness)) {
+  cut_into_pieces();
+}
+
+// What equilibria ask for millions of times: no search among the knots for each of value, slope and
+// energy, and no division.
+void StiffnessDensity::cut_into_pieces() {
+  pieces_.clear();
+  if (stiffness_.kind() != CurveKind::hermite) return;
+  const std::vector<double>& knots = stiffness_.knots();
+  const auto add = [&](double from, const std::array<double, 4>& coefficients) {
+    pieces_.push_back({from, coefficients, stiffness_.first_moment(from)});
+  };
+  add(knots.front(), {stiffness_.values().front()});
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double length = knots[i + 1] - knots[i];
+    std::array<double, 4> values{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      values[k] = stiffness_.value(knots[i] + static_cast<double>(k) / 3 * length);
+    }
+    add(knots[i], cubic_through(values, length));
+  }
+  add(knots.back(), {stiffness_.values().back()});
+}
+
+void StiffnessDensity::add_hermite(const Samples& samples, Response& response) const {
+  const Lane strain = samples.strain.col(component_);
+  Lane at = strain, sign = Lane::Ones();
+  if (stiffness_.even()) {
+    at = strain.abs();
+    for (int i = 0; i < kLanes; ++i) sign(i) = std::copysign(1.0, strain(i));
+  }
+  Lane from, c0, c1, c2, c3, energy;
+  for (int i = 0; i < kLanes; ++i) {
+    std::size_t p = pieces_.size() - 1;
+    while (p > 0 && at(i) < pieces_[p].from) --p;
+    const Piece& piece = pieces_[p];
+    from(i) = piece.from;
+    c0(i) = piece.coefficients[0];
+    c1(i) = piece.coefficients[1];
+    c2(i) = piece.coefficients[2];
+    c3(i) = piece.coefficients[3];
+    energy(i) = piece.energy;
+  }
+  const Lane way = at - from;
+  const Lane stiffness = c0 + way * (c1 + way * (c2 + way * c3));
+  const Lane slope = sign * (c1 + way * (2 * c2 + way * 3 * c3));
+  const Lane integral = way * (c0 + way * (c1 / 2 + way * (c2 / 3 + way * c3 / 4)));
+  const Lane moment = way * way * (c0 / 2 + way * (c1 / 3 + way * (c2 / 4 + way * c3 / 5)));
+  response.stored += energy + from * integral + moment;
+  response.stress.col(component_) += stiffness * strain;
+  response.tangent.col(component_ * samples.strain.cols() + component_) +=
+      stiffness + slope * strain;
+}
 
 void StiffnessDensity::add(const Samples& samples, const StepTime&, Response& response) const {
+  if (stiffness_.kind() == CurveKind::hermite) {
+    add_hermite(samples, response);
+    return;
+  }
   const auto strain = samples.strain.col(component_);
   auto stress = response.stress.col(component_);
   auto tangent = response.tangent.col(component_ * samples.strain.cols() + component_);
-  if (stiffness_.kind() != CurveKind::hermite) {
-    const double k1 = stiffness_.values()[0];
-    const double k2 = stiffness_.kind() == CurveKind::affine ? stiffness_.values()[1] : 0;
-    const Lane growth = k2 * strain.abs();
-    response.stored += strain.square() * (k1 / 2 + growth / 3);
-    stress += strain * (k1 + growth);
-    tangent += k1 + 2 * growth;
-    return;
-  }
-  for (int i = 0; i < kLanes; ++i) {
-    const double k = stiffness_.value(strain(i));
-    response.stored(i) += stiffness_.first_moment(strain(i));
-    stress(i) += k * strain(i);
-    tangent(i) += k + stiffness_.slope(strain(i)) * strain(i);
-  }
+  const double k1 = stiffness_.values()[0];
+  const double k2 = stiffness_.kind() == CurveKind::affine ? stiffness_.values()[1] : 0;
+  const Lane growth = k2 * strain.abs();
+  response.stored += strain.square() * (k1 / 2 + growth / 3);
+  stress += strain * (k1 + growth);
+  tangent += k1 + 2 * growth;
 }
 
 void StiffnessDensity::advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const {}
@@ -34,6 +95,7 @@ Eigen::VectorXd StiffnessDensity::parameters() const {
 
 void StiffnessDensity::set_parameters(const Eigen::VectorXd& values) {
   stiffness_ = stiffness_.with_values(values.data());
+  cut_into_pieces();
 }
 
 void StiffnessDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "pliant/material/density/density.h"
 #include "pliant/math/scalar_curve.h"
 
@@ -22,8 +25,19 @@ class StiffnessDensity : public ParametricDensity {
                      SampleDerivatives& derivatives) const override;
 
  private:
+  // A cubic of the stiffness from one strain on: sum of coefficients times powers of the way.
+  struct Piece {
+    double from = 0;
+    std::array<double, 4> coefficients{};
+    double energy = 0;  // at `from` (J/m^2)
+  };
+
+  void cut_into_pieces();
+  void add_hermite(const Samples& samples, Response& response) const;
+
   int component_;
   ScalarCurve stiffness_;
+  std::vector<Piece> pieces_;  // of a hermite curve; the first goes on below where it starts
 };
 
 }  // namespace pliant

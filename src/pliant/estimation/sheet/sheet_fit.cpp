@@ -210,7 +210,7 @@ class Fitter {
     for (const double share : {0.02, 0.06, 0.2}) {
       law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
       set_law(fit_.material, group, law);
-      const double cost = cost_at_start(stage, problem_of(stage));
+      const double cost = cost_at_start(stage, problem_of(stage), least);
       if (cost >= least) continue;
       least = cost;
       best = law.friction;
@@ -270,15 +270,17 @@ class Fitter {
     };
     constant(stiffness_of(group).value(0));
     if (!is_bending(group.front())) return;
+    constexpr double kPlateau = 1.1;  // of the least cost: stiffness may not matter yet
     double least = INFINITY, best = 0;
     int worse = 0;
     for (const double value : first_bending(group)) {
       constant(value);
-      const SheetProblem problem(stage.tests, fit_.material, stage.groups,
-                                 std::vector<double>(stage.groups.size(), 0.01), context_);
-      const double cost = cost_at_start(stage, problem);
+      SheetProblem problem(stage.tests, fit_.material, stage.groups,
+                           std::vector<double>(stage.groups.size(), 0.01), context_);
+      problem.begin_at(shapes_);
+      const double cost = cost_at_start(stage, problem, least);
       const bool nothing_yet = !std::isfinite(least);
-      worse = nothing_yet || cost < least ? 0 : worse + 1;
+      worse = nothing_yet || cost < kPlateau * least ? 0 : worse + 1;
       if (cost < least) {
         least = cost;
         best = value;
@@ -301,7 +303,7 @@ class Fitter {
       return values;
     }
     const bool springs = fit_.material.bending == "spring";
-    for (double value = springs ? 1e3 : 1e-3; value > (springs ? 1e-3 : 3e-8); value *= 0.4) {
+    for (double value = springs ? 1.0 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
       values.push_back(value);
     }
     return values;
@@ -355,23 +357,30 @@ class Fitter {
       const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
       if (std::abs(noise - before) < kNoiseSettled * before) break;
     }
-    problem.keep(shapes_);
-    keep_shapes(context_.journal, shapes_);
+    keep_shapes(problem);
     Numbers found(summary.parameters.begin(), summary.parameters.end());
     found.push_back(rms);
     found.push_back(summary.converged ? 1 : 0);
     return found;
   }
 
-  /// Half the squared residuals where a search would begin; infinite without equilibria.
-  double cost_at_start(const SheetStage& stage, const SheetProblem& problem) {
+  /// Half the squared residuals where a search would begin; infinite without equilibria. The next
+  /// search begins at their shapes where that is less than others had.
+  double cost_at_start(const SheetStage& stage, const SheetProblem& problem, double least) {
     const auto cost = [&] {
       const LeastSquaresProblem squares = problem.least_squares();
       Eigen::VectorXd residual(squares.residuals);
       const bool found = squares.evaluate(problem.start(), residual, nullptr);
-      return Numbers{found ? residual.squaredNorm() / 2 : INFINITY};
+      const double own = found ? residual.squaredNorm() / 2 : INFINITY;
+      if (own < least) keep_shapes(problem);
+      return Numbers{own};
     };
     return ask(problem, "cost", stage, cost).front();
+  }
+
+  void keep_shapes(const SheetProblem& problem) {
+    problem.keep(shapes_);
+    pliant::keep_shapes(context_.journal, shapes_);
   }
 
   /// What work with a problem finds, or has found before this fit was stopped.

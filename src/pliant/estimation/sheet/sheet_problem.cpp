@@ -59,7 +59,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
     : tests_(std::move(tests)),
       material_(material),
       groups_(std::move(groups)),
-      unknowns_(unknowns_of(material, groups_, strains)),
+      unknowns_(unknowns_of(material, groups_, strains, shortest_edge(*tests_.front()))),
       scales_(first_scales(tests_)),
       start_(values_of(material, groups_)),
       monotone_stress_(options.monotone_stress),

@@ -127,7 +127,8 @@ std::vector<const SheetStage*> take_unknowns(const SheetFit& fit,
       if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
     }
     for (const SheetUnknown& unknown :
-         unknowns_of(fit.material, {group}, {largest_strain(fit, group)})) {
+         unknowns_of(fit.material, {group}, {largest_strain(fit, group)},
+                     shortest_edge(*plan.front().tests.front()))) {
       result.unknowns.push_back(unknown);
       stage_of.push_back(last);
     }

@@ -1,6 +1,7 @@
 #include "pliant/estimation/sheet/sheet_unknown.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pliant/base/assert.h"
 
@@ -36,6 +37,22 @@ void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double s
   }
 }
 
+/// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
+/// stretch as well, by their stiffness over a cell, and must leave something of it to the first.
+void limit_bending_springs(const Material& material, double cell,
+                           std::vector<SheetUnknown>& unknowns) {
+  double stretch = INFINITY;
+  for (const char* component : {"stretch.weft", "stretch.warp"}) {
+    const std::vector<double>& values = material.components.at(component).stiffness->values();
+    stretch = std::min(stretch, *std::ranges::max_element(values));
+  }
+  for (SheetUnknown& unknown : unknowns) {
+    if (!is_bending(unknown.owner) || unknown.of_friction) continue;
+    unknown.unit = std::string(1, 'N');
+    unknown.upper = std::max(stretch * cell, 1e-9);
+  }
+}
+
 }  // namespace
 
 ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
@@ -57,17 +74,13 @@ void set_law(Material& material, const ComponentGroup& group, const ComponentLaw
 
 std::vector<SheetUnknown> unknowns_of(const Material& material,
                                       const std::vector<ComponentGroup>& groups,
-                                      const std::vector<double>& strains) {
+                                      const std::vector<double>& strains, double cell) {
   PLIANT_ASSERT(strains.size() == groups.size(), "a strain for each group");
   std::vector<SheetUnknown> unknowns;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     add_unknowns(law_of(material, groups[g]), groups[g], strains[g], unknowns);
   }
-  // Springs of the second ring have a stiffness in N, as their energy is per length.
-  for (SheetUnknown& unknown : unknowns) {
-    const bool spring = is_bending(unknown.owner) && material.bending == "spring";
-    if (spring && !unknown.of_friction) unknown.unit = std::string(1, 'N');
-  }
+  if (material.bending == "spring") limit_bending_springs(material, cell, unknowns);
   return unknowns;
 }
 

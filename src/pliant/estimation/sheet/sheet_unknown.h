@@ -43,9 +43,10 @@ void set_law(Material& material, const ComponentGroup& group, const ComponentLaw
 /// then those of friction. None is negative; tau lies between a thousandth of the largest strain
 /// and three times it.
 /// @param strains  largest strain of each group
+/// @param cell     of the mesh (m), which limits springs that bend
 std::vector<SheetUnknown> unknowns_of(const Material& material,
                                       const std::vector<ComponentGroup>& groups,
-                                      const std::vector<double>& strains);
+                                      const std::vector<double>& strains, double cell);
 
 /// Their values.
 Eigen::VectorXd values_of(const Material& material, const std::vector<ComponentGroup>& groups);

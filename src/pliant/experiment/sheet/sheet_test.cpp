@@ -7,6 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/geometry/mesh_quality.h"
 
 namespace pliant {
 namespace {
@@ -159,6 +160,10 @@ Eigen::Vector3d cord_pull(const Session& session, int frame, int clip) {
     pull += cord.force;
   }
   return pull;
+}
+
+double shortest_edge(const SheetTest& test) {
+  return mesh_quality(test.session().rest).shortest_edge;
 }
 
 }  // namespace pliant

@@ -74,4 +74,7 @@ class SheetTest {
 /// What the cords of a clip pull with in a frame (N).
 Eigen::Vector3d cord_pull(const Session& session, int frame, int clip);
 
+/// Of the mesh that is simulated (m).
+double shortest_edge(const SheetTest& test);
+
 }  // namespace pliant

@@ -12,6 +12,7 @@
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/io/journal_file.h"
 #include "pliant/io/text_file.h"
 
 #include "apps/pliant/mesh_info.h"
@@ -85,6 +86,7 @@ FileInfo describe_file(const fs::path& path) {
   if (is_mesh_file(path)) return mesh_info(path);
   if (lower_case_extension(path) == ".vtu") return vtu_info(path);
   if (is_checkpoint(path)) return checkpoint_info(path);
+  if (is_journal(path)) return progress_info(path);
   if (is_u3m(path)) return u3m_file_info(path);
   switch (syntax_of(path)) {
     case Syntax::yaml:

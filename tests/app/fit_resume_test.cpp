@@ -37,6 +37,9 @@ TEST(SlowFitResume, GoesOnAfterCtrlC) {
   EXPECT_THAT(stopped.err, HasSubstr("--resume goes on from"));
   EXPECT_TRUE(std::filesystem::exists(results / "progress.bin"));
   EXPECT_FALSE(std::filesystem::exists(results / "fit.json"));
+  const ProgramRun info = run_program({"info", (results / "progress.bin").string(), "--json"});
+  ASSERT_EQ(info.status, 0) << info.err;
+  EXPECT_GT(json::parse(info.out)["answers"], 0);
 
   std::vector<std::string> resume = fit;
   resume.push_back("--resume");

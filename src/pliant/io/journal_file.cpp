@@ -53,6 +53,8 @@ std::string journal_bytes(const Journal::Content& content) {
   return sealed_bytes(kType, cbor);
 }
 
+bool is_journal(const std::filesystem::path& file) { return is_sealed(file, kType); }
+
 Journal::Content read_journal(const std::filesystem::path& file) {
   const std::string cbor = read_sealed(file, kType, "progress of a fit", "fit");
   try {

@@ -11,6 +11,9 @@ namespace pliant {
 /// then CBOR (RFC 8949).
 std::string journal_bytes(const Journal::Content& content);
 
+/// Whether a file begins as journals do.
+bool is_journal(const std::filesystem::path& file);
+
 /// @throws InputError for a file that is no journal, or damaged
 Journal::Content read_journal(const std::filesystem::path& file);
 

@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include "pliant/io/journal_file.h"
+
+#include "apps/pliant/file_info.h"
+
+namespace pliant {
+
+FileInfo progress_info(const std::filesystem::path& path) {
+  const Journal::Content content = read_journal(path);
+  FileInfo info = begin_info(path, "progress/1");
+  info.json["answers"] = content.entries.size();
+  info.json["last"] = nullptr;
+  info.json["warnings"] = info.warnings;
+  info.lines.push_back(labelled("what it is", "the progress of a fit of sessions, for --resume"));
+  if (content.entries.empty()) return info;
+  const std::string& last = content.entries.back().question;
+  info.json["last"] = last;
+  info.lines.push_back(labelled("begun", content.entries.front().question));
+  info.lines.push_back(labelled("finished", fmt::format("{} steps", content.entries.size())));
+  info.lines.push_back(labelled("last", last));
+  return info;
+}
+
+}  // namespace pliant

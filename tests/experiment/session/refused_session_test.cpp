@@ -223,8 +223,8 @@ const Fault kStretchFaults[] = {
      [](Session& session) {
        session.frames[0].cords[0][0].point = {-10, 50, 0};
      }},
-    {"ForceOfNoCord", "cords.csv", 5, "frame 0, clip right: a force of 1e+09 N; expected newtons",
-     [](Session& session) { session.frames[0].cords[1][1].force.z() = 1e9; }},
+    {"ForceOfNoCord", "cords.csv", 5, "frame 0, clip right: a force of 1e+200 N; expected newtons",
+     [](Session& session) { session.frames[0].cords[1][1].force.z() = 1e200; }},
     {"RowTwice", "cords.csv", 3, "frame 0, clip left: the same row twice",
      [](Session& session) {
        for (SessionFrame& frame : session.frames) {

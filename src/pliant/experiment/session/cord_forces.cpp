@@ -39,7 +39,7 @@ void require_pull(const CordForce& cord, const std::string& clip, int frame,
   throw InputError(where,
                    fmt::format("frame {}, clip {}: a force of {:.3g} N", frame, clip,
                                cord.force.cwiseAbs().maxCoeff()),
-                   fmt::format("newtons, at most {:g}", kHardestPull));
+                   "newtons");
 }
 
 bool has_cords(const SessionFrame& frame) {

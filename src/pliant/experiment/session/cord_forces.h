@@ -18,8 +18,8 @@ struct CordForces {
   std::vector<std::vector<std::vector<int>>> lines;
 };
 
-/// No cord of a test bench pulls harder (N).
-inline constexpr double kHardestPull = 1e5;
+/// Beyond this force (N) sums of squares are no numbers.
+inline constexpr double kHardestPull = 1e100;
 
 /// Reads cords.csv.
 /// @param times  gets those of the table

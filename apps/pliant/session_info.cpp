@@ -140,11 +140,13 @@ void describe_imbalance(const Session& session, FileInfo& info) {
   const Imbalance left = imbalance(session, worst);
   info.json["largest_imbalance"] = {
       {"frame", worst}, {"force", left.force.norm()}, {"moment", left.moment.norm()}};
+  info.json["balance_bound"] = session.balance_bound;
   info.lines.push_back(
       labelled("largest imbalance",
-               fmt::format("{} and {} N m in frame {}",
+               fmt::format("{} and {} N m in frame {}; to be expected of cords: {} each",
                            format_quantity(left.force.norm(), Dimension::force, kDigits),
-                           format_number(left.moment.norm(), kDigits), worst)));
+                           format_number(left.moment.norm(), kDigits), worst,
+                           format_quantity(session.balance_bound, Dimension::force))));
 }
 
 /// A session is read by its directory.

@@ -112,25 +112,56 @@ void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
                   spec.name, spec.type));
 }
 
+/// What of a session is compared, in words.
+std::string compared_text(const SheetTest& test) {
+  int compared = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) compared += test.compared(frame);
+  const bool positions = test.objective() == SheetObjective::positions;
+  std::vector<std::string> clips;
+  for (const SessionClip& clip : test.session().clips) clips.push_back(clip.name);
+  return fmt::format("{}, {} {} in {} frames{}", name_of(test.objective()), compared,
+                     positions ? "free vertices" : "forces", test.frame_count(),
+                     clips.empty()
+                         ? std::string()
+                         : fmt::format(", {} {}", positions ? "between the clips" : "clips",
+                                       fmt::join(clips, ", ")));
+}
+
+std::string cords_text(const SheetTest& test) {
+  const CordFriction& friction = test.cord_friction();
+  if (friction.unknown) return "friction unknown: estimated along for each cord";
+  if (friction.width == 0) return "friction taken to be none";
+  return fmt::format("friction known, a loop of {} for each cord",
+                     format_quantity(friction.width, Dimension::force));
+}
+
 /// A session: `info` of its directory tells the rest.
 void add_session(const ExperimentSpec& spec, FileInfo& info, Json& json) {
-  const Session session = read_session(spec.data.files.front());
+  const SheetTest sheet = sheet_test_of(spec, read_session(spec.data.files.front()));
+  const Session& session = sheet.session();
   const std::vector<std::string> components = usual_components(session.test);
   std::string tells = spec.role == ExperimentRole::fit ? "fitted" : "predicted, not fitted";
   if (spec.role == ExperimentRole::fit && !components.empty()) {
     tells += ": determines " + components.front();
   }
   info.lines.push_back(labelled(spec.name, fmt::format("session, {}, {}", session.test, tells)));
-  info.lines.push_back(
-      labelled("frames",
-               fmt::format("{}, {} vertices, {} clips; compared: {}", session.frame_count(),
-                           session.rest.vertex_count(), session.clips.size(),
-                           name_of(spec.objective.value_or(usual_objective(session)))),
-               1));
+  info.lines.push_back(labelled("frames",
+                                fmt::format("{}, {} vertices, {} clips", session.frame_count(),
+                                            session.rest.vertex_count(), session.clips.size()),
+                                1));
+  info.lines.push_back(labelled("compared", compared_text(sheet), 1));
+  const bool forces = sheet.objective() != SheetObjective::positions;
+  if (forces) info.lines.push_back(labelled("cords", cords_text(sheet), 1));
   json["test"] = session.test;
   json["frames"] = session.frame_count();
   json["vertices"] = session.rest.vertex_count();
   json["clips"] = session.clips.size();
+  json["objective"] = name_of(sheet.objective());
+  json["cord_friction"] = nullptr;
+  if (forces) {
+    const CordFriction& friction = sheet.cord_friction();
+    json["cord_friction"] = friction.unknown ? Json("unknown") : Json(friction.width);
+  }
   for (const std::string& warning : session.warnings) {
     info.warnings.push_back(spec.name + ": " + warning);
   }

@@ -33,7 +33,12 @@ struct ParameterEstimate {
 
 /// A session on the mesh that it was simulated on, and as it was predicted.
 struct SheetComparison {
-  Session measured, predicted;
+  Session measured;
+  Session predicted;        ///< frames that have an equilibrium
+  std::vector<int> frames;  ///< which of the measured ones those are, in order
+
+  /// Frames without equilibrium, which are not compared.
+  std::vector<int> missing_frames() const;
 };
 
 /// How an experiment's measured quantity compares with its prediction.

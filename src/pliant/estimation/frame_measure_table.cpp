@@ -1,5 +1,6 @@
 #include "pliant/estimation/frame_measure_table.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -41,11 +42,17 @@ std::string frame_measure_table(const SheetComparison& sheet) {
   }
   CsvWriter csv(header);
   for (int frame = 0; frame < sheet.measured.frame_count(); ++frame) {
+    const auto found = std::ranges::lower_bound(sheet.frames, frame);
+    const bool is_predicted = found != sheet.frames.end() && *found == frame;
     csv.cell(frame);
     csv.cell(sheet.measured.frames[static_cast<std::size_t>(frame)].time.value_or(kNone));
     for (const Measure& measure : kMeasures) {
       csv.cell(measure.factor * measure.value(sheet.measured, frame).value_or(kNone));
-      csv.cell(measure.factor * measure.value(sheet.predicted, frame).value_or(kNone));
+      const auto predicted =
+          is_predicted
+              ? measure.value(sheet.predicted, static_cast<int>(found - sheet.frames.begin()))
+              : std::nullopt;
+      csv.cell(measure.factor * predicted.value_or(kNone));
     }
     csv.end_row();
   }

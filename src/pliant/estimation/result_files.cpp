@@ -105,6 +105,7 @@ Json experiment_json(const ExperimentResult& e) {
   json["fold_height_error_mm"] = e.folds ? number(e.folds->height * 1e3) : Json(nullptr);
   json["fold_slope_error"] = e.folds ? number(e.folds->slope) : Json(nullptr);
   json["sheets"] = e.sheet ? Json(sheet_folder(e)) : Json(nullptr);
+  json["missing_frames"] = e.sheet ? Json(e.sheet->missing_frames()) : Json(nullptr);
   return json;
 }
 
@@ -239,6 +240,13 @@ std::string prediction_csv(const ExperimentResult& e) {
   return csv.text();
 }
 
+void add_session(const Session& session, const std::string& folder,
+                 std::vector<std::pair<std::string, std::string>>& files) {
+  for (auto& [name, content] : session_files(session)) {
+    files.emplace_back(folder + name, std::move(content));
+  }
+}
+
 void add_tables(const StudyResult& result,
                 std::vector<std::pair<std::string, std::string>>& files) {
   files.emplace_back("curves.csv", curves_csv(result));
@@ -249,13 +257,10 @@ void add_tables(const StudyResult& result,
       files.emplace_back(measure_file(experiment), frame_measure_table(*experiment.sheet));
     }
     if (!experiment.sheet) continue;
-    for (const auto* part : {"measured", "predicted"}) {
-      const SheetComparison& sheet = *experiment.sheet;
-      const Session& session = part[0] == 'm' ? sheet.measured : sheet.predicted;
-      for (auto& [name, content] : session_files(session)) {
-        files.emplace_back(sheet_folder(experiment) + "/" + part + "/" + name, std::move(content));
-      }
-    }
+    const SheetComparison& sheet = *experiment.sheet;
+    add_session(with_frames(sheet.measured, sheet.frames), sheet_folder(experiment) + "/measured/",
+                files);
+    add_session(sheet.predicted, sheet_folder(experiment) + "/predicted/", files);
   }
 }
 

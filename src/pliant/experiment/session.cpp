@@ -10,10 +10,13 @@
 #include "pliant/base/errors.h"
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/clip_poses.h"
+#include "pliant/experiment/session/cord_checks.h"
 #include "pliant/experiment/session/cord_forces.h"
 #include "pliant/experiment/session/document.h"
+#include "pliant/experiment/session/sample_checks.h"
 #include "pliant/experiment/session/sheet_files.h"
 #include "pliant/experiment/session/table_edges.h"
+#include "pliant/experiment/session/unseen_vertices.h"
 #include "pliant/io/result_directory.h"
 
 namespace pliant {
@@ -50,8 +53,13 @@ Session begin_session(const SessionDocument& document) {
   session.info = document.info;
   session.sample = document.sample;
   session.gravity = document.gravity;
+  session.balance_bound = document.balance_bound;
   if (document.table) session.table = document.table->axis;
   return session;
+}
+
+void add_warnings(std::vector<std::string> more, std::vector<std::string>& warnings) {
+  std::move(more.begin(), more.end(), std::back_inserter(warnings));
 }
 
 /// The tables of a session; its frames get what they say.
@@ -62,12 +70,14 @@ class TableReader {
 
   void read() {
     read_clips();
-    read_cords();
     if (document_.table) {
       read_table();
     } else if (fs::exists(directory_ / "table.csv")) {
       session_.warnings.push_back("table.csv is not used: session.yaml has no `table`");
     }
+    // Clips and table tell where they hold the sheet; cords are compared with the whole of it.
+    add_warnings(fill_in_unseen(session_, document_.frames), session_.warnings);
+    read_cords();
     const std::vector<std::optional<double>> times = times_.increasing();
     for (std::size_t f = 0; f < times.size(); ++f) session_.frames[f].time = times[f];
   }
@@ -115,10 +125,6 @@ class TableReader {
   FrameTimes times_;
 };
 
-void add_warnings(std::vector<std::string> more, std::vector<std::string>& warnings) {
-  std::move(more.begin(), more.end(), std::back_inserter(warnings));
-}
-
 /// What `session_files` relies on; what `read_session` gives has it.
 void check_shape(const Session& session) {
   PLIANT_ASSERT(!session.frames.empty(), "a session has frames");
@@ -142,6 +148,15 @@ Eigen::Vector3d clip_middle(const Session& session, int frame, int clip) {
       .mean();
 }
 
+Session with_frames(const Session& session, const std::vector<int>& frames) {
+  Session result = session;
+  result.frames.clear();
+  for (const int frame : frames) {
+    result.frames.push_back(session.frames[static_cast<std::size_t>(frame)]);
+  }
+  return result;
+}
+
 Session read_session(const fs::path& directory) {
   const SessionDocument document = read_session_document(directory / "session.yaml");
   Session session = begin_session(document);
@@ -154,8 +169,10 @@ Session read_session(const fs::path& directory) {
         read_frame_sheet(document.frames.file(f), f, rest);
   }
   TableReader(directory, document, session).read();
-  add_warnings(balance_warnings(session), session.warnings);
-  add_warnings(table_warnings(session), session.warnings);
+  for (const auto judge :
+       {sample_warnings, outlier_warnings, cord_warnings, balance_warnings, table_warnings}) {
+    add_warnings(judge(session), session.warnings);
+  }
   return session;
 }
 
@@ -166,7 +183,7 @@ std::vector<std::pair<std::string, std::string>> session_files(const Session& se
   for (int f = 0; f < session.frame_count(); ++f) {
     const SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
     files.emplace_back(fmt::format("frames/{:04}.ply", f),
-                       sheet_ply(session.rest, frame.positions));
+                       sheet_ply(session.rest, frame.positions, frame.unseen));
   }
   files.emplace_back("clips.csv", clip_pose_table(session));
   files.emplace_back("cords.csv", cord_force_table(session));

@@ -40,9 +40,14 @@ struct CordForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the clip, world (N)
 };
 
+/// Force by which a cord may miss: the hysteresis of its pulleys ([T] 3.2.3; N).
+inline constexpr double kCordFriction = 0.1;
+
 /// A static state of the sheet.
 struct SessionFrame {
   Eigen::Matrix3Xd positions;                 ///< m, one column a vertex of the rest mesh
+  std::vector<int> unseen;                    ///< vertices that were not seen, in order: their
+                                              ///< positions are filled in
   std::vector<Pose> poses;                    ///< of each clip, relative to the rest mesh
   std::vector<std::vector<CordForce>> cords;  ///< of each clip
   std::optional<double> table_edge;           ///< where the session has a table: m, rest plane
@@ -60,7 +65,8 @@ struct Session {
   std::map<std::string, std::string> info;
   SessionSample sample;
   Eigen::Vector3d gravity{0, 0, -kStandardGravity};  ///< m/s^2
-  TriangleMesh rest;                                 ///< flat: z = 0, u = x, v = y
+  double balance_bound = kCordFriction;  ///< imbalance for each cord that needs no warning (N)
+  TriangleMesh rest;                     ///< flat: z = 0, u = x, v = y
   std::vector<SessionClip> clips;
   std::optional<RestAxis> table;  ///< across the edge of the table that holds the sheet
   std::vector<SessionFrame> frames;
@@ -71,6 +77,9 @@ struct Session {
 
 /// The middle of the vertices that a clip clamps, in a frame (m).
 Eigen::Vector3d clip_middle(const Session& session, int frame, int clip);
+
+/// A session with some of its frames alone, in their order.
+Session with_frames(const Session& session, const std::vector<int>& frames);
 
 /// Reads and judges a session/1 directory.
 /// @throws InputError that names file, line, and the frame, clip or vertex at fault

@@ -2,6 +2,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/io/csv.h"
+#include "pliant/report/numbers_or_none.h"
 
 namespace pliant::report {
 namespace {
@@ -35,7 +36,7 @@ Prediction read_prediction(const std::filesystem::path& file, std::string_view q
   Prediction p;
   p.strain = table.numbers("strain");
   p.measured = table.numbers("measured_" + name);
-  p.predicted = table.numbers("predicted_" + name);
+  p.predicted = numbers_or_none(table, "predicted_" + name);
   p.specimen =
       table.has("specimen") ? table.texts("specimen") : std::vector<std::string>(table.rows(), "1");
   const std::vector<std::string> branches = table.texts("branch");

@@ -16,9 +16,10 @@ struct Prediction {
   std::vector<double> strain;
   std::vector<Branch> branch;
   std::vector<char> used;  ///< 1: the row took part in the fit or comparison
-  std::vector<double> measured, predicted;
-  std::vector<double> elastic;  ///< best purely elastic curve; empty where there is none
-  std::vector<double> time;     ///< s; empty where not recorded
+  std::vector<double> measured;
+  std::vector<double> predicted;  ///< NaN where there is no prediction
+  std::vector<double> elastic;    ///< best purely elastic curve; empty where there is none
+  std::vector<double> time;       ///< s; empty where not recorded
   /// What drove the experiment, for the other axis of a loop: the load where lengths are measured,
   /// the angle where shear is; empty where the strain itself serves.
   std::vector<double> driver;

@@ -12,6 +12,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/experiment/sheet/sheet_system.h"
 #include "pliant/io/csv.h"
+#include "pliant/report/numbers_or_none.h"
 
 namespace pliant::report {
 namespace {
@@ -68,11 +69,12 @@ SheetSession read_sheet_session(const std::filesystem::path& folder) {
 }
 
 std::vector<int> free_nodes(const Session& session, int frame) {
-  const std::vector<int> held =
-      held_nodes(session, session.frames[static_cast<std::size_t>(frame)].table_edge);
+  const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
+  const std::vector<int> held = held_nodes(session, now.table_edge);
   std::vector<int> free;
   for (int node = 0; node < session.rest.vertex_count(); ++node) {
-    if (!std::ranges::binary_search(held, node)) free.push_back(node);
+    if (std::ranges::binary_search(held, node)) continue;
+    if (!std::ranges::binary_search(now.unseen, node)) free.push_back(node);
   }
   return free;
 }
@@ -113,12 +115,13 @@ int most_distorted_frame(const Session& session) {
 double rms_clip_force(const std::filesystem::path& file) {
   const CsvTable table = read_csv(file, CsvOptions{});
   const std::vector<double> measured = table.numbers("measured_force_N");
-  const std::vector<double> predicted = table.numbers("predicted_force_N");
+  const std::vector<double> predicted = numbers_or_none(table, "predicted_force_N");
   const std::vector<long> frame = table.integers("frame");
   const std::vector<std::string> clip = table.texts("clip");
   std::set<std::pair<long, std::string>> forces;
   double squares = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (std::isnan(predicted[row])) continue;
     squares += std::pow(predicted[row] - measured[row], 2);
     forces.insert({frame[row], clip[row]});
   }

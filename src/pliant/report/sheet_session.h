@@ -21,7 +21,7 @@ struct SheetSession {
 /// @throws InputError where one is no session, or the two are not of the same frames, clips, nodes
 SheetSession read_sheet_session(const std::filesystem::path& folder);
 
-/// The nodes that neither clip nor table holds in a frame.
+/// The nodes that neither clip nor table holds in a frame, and that were seen.
 std::vector<int> free_nodes(const Session& session, int frame);
 
 /// Where the material puts each node, less where it was measured (m, one column a node; [T] Fig.
@@ -38,7 +38,7 @@ double rms_distance(const SheetSession& sheet);
 int most_distorted_frame(const Session& session);
 
 /// RMS difference of the forces of clips (N), from the rows of a session's predictions: rows of one
-/// clip in one frame are the axes of one force.
+/// clip in one frame are the axes of one force, and those without prediction do not count.
 /// @param file  predictions/NAME.csv with the columns frame, clip, measured_ and predicted_force_N
 double rms_clip_force(const std::filesystem::path& file);
 

@@ -93,12 +93,13 @@ const Fault kStretchFaults[] = {
        folder.write("rest.ply", other.content("rest.ply"));
        folder.write("frames/0000.ply", other.content("frames/0000.ply"));
      }},
-    {"VerticesNotSeen", "frames/0002.ply", 0,
-     "frame 2: 7 of 81 vertices have no position (vertex 3, 4, 5, 6, 7, ...)",
-     [](Session& session) { session.frames[2].positions.row(1).segment(3, 7).setConstant(kNan); }},
-    {"OneVertexNotSeen", "frames/0001.ply", 0,
-     "frame 1: 1 of 81 vertices have no position (vertex 5)",
-     [](Session& session) { session.frames[1].positions(2, 5) = HUGE_VAL; }},
+    {"FewVerticesSeen", "frames/0002.ply", 0,
+     "frame 2: 63 of 81 vertices have no position (vertex 18, 19, 20, 21, 22, ...); expected "
+     "finite "
+     "coordinates of 50 % of them at least",
+     [](Session& session) { session.frames[2].positions.rightCols(63).setConstant(kNan); }},
+    {"NothingSeen", "frames/0001.ply", 0, "frame 1: no edge between vertices that were seen",
+     [](Session& session) { session.frames[1].positions.setConstant(kNan); }},
     {"OtherFaces",
      "frames/0001.ply",
      0,
@@ -191,6 +192,24 @@ const Fault kStretchFaults[] = {
        pose.rotation.y() *= -1;
        pose.rotation.z() *= -1;
      }},
+    {"ClipThatStandsStill", "clips.csv", 5, "(its pose is the same in all frames: was it tracked?)",
+     [](Session& session) {
+       for (SessionFrame& frame : session.frames) frame.poses[1] = session.frames[0].poses[1];
+     }},
+    {"FramesWithExchangedAxes", "clips.csv", 2,
+     "(it would fit with y, x, z of the frame as x, y, z)",
+     [](Session& session) {
+       for (SessionFrame& frame : session.frames)
+         frame.positions.row(0).swap(frame.positions.row(1));
+     }},
+    {"FramesWithYUp", "clips.csv", 2, "(it would fit with x, -z, y of the frame as x, y, z)",
+     [](Session& session) {
+       for (SessionFrame& frame : session.frames) {
+         frame.positions.row(2) *= -1;
+         frame.positions.row(1).swap(frame.positions.row(2));
+         frame.positions.row(2) *= -1;
+       }
+     }},
     {"PoseInverted", "clips.csv", 6, "(the inverse of the pose would fit)",
      [](Session& session) {
        // A turn about an axis of no particular direction, which no mirror imitates.
@@ -203,6 +222,17 @@ const Fault kStretchFaults[] = {
     {"CordFarAway", "cords.csv", 2, "frame 0, clip left: a cord is attached 5",
      [](Session& session) {
        session.frames[0].cords[0][0].point = {-10, 50, 0};
+     }},
+    {"ForceOfNoCord", "cords.csv", 5, "frame 0, clip right: a force of 1e+200 N; expected newtons",
+     [](Session& session) { session.frames[0].cords[1][1].force.z() = 1e200; }},
+    {"RowTwice", "cords.csv", 3, "frame 0, clip left: the same row twice",
+     [](Session& session) {
+       for (SessionFrame& frame : session.frames) {
+         for (std::vector<CordForce>& cords : frame.cords) {
+           for (CordForce& cord : cords) cord.cord.clear();
+           cords[1] = cords[0];
+         }
+       }
      }},
     {"CordTwice", "cords.csv", 3, "frame 0, clip left: a second row of the cord \"front\"",
      [](Session& session) { session.frames[0].cords[0][1].cord = "front"; }},

@@ -65,10 +65,9 @@ TEST(CordDrag, AddsToForcesMomentsAndDerivatives) {
   empty.clip_forces = empty.clip_moments = Eigen::Matrix3Xd::Zero(3, 2);
   empty.clip_forces_by_parameter = Eigen::MatrixXd::Ones(6, 1);
   empty.positions_by_parameter = Eigen::MatrixXd::Ones(9, 1);
-  std::vector<SheetShape> shapes(3, empty);
+  SheetShape last = empty;
   const Eigen::Vector4d widths(0.1, 0.2, 0, 0.4);
-  add_cord_drags(cords, widths, true, shapes);
-  const SheetShape& last = shapes.back();
+  add_cord_drags(cords, widths, true, 2, last);
   const Eigen::MatrixXd& by_width = last.clip_forces_by_parameter;
   ASSERT_EQ(by_width.cols(), 5);
   EXPECT_LT((by_width.rightCols(4) * widths - last.clip_forces.reshaped()).norm(), 1e-15);

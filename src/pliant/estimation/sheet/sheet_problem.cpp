@@ -165,9 +165,12 @@ std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
   parameters(places.parameters) = values(places.unknowns);
   auto shapes = predictor.predict(parameters, derivatives ? places.parameters : std::vector<int>{},
                                   threads, context_.stop);
-  if (shapes) {
-    const bool by_cords = derivatives && !cords_[test].empty();
-    add_cord_drags(tests_[test]->cords(), widths(test, values), by_cords, *shapes);
+  if (!shapes) return shapes;
+  const Eigen::VectorXd loops = widths(test, values);
+  const bool by_cords = derivatives && !cords_[test].empty();
+  for (int frame = 0; frame < tests_[test]->frame_count(); ++frame) {
+    add_cord_drags(tests_[test]->cords(), loops, by_cords, frame,
+                   (*shapes)[static_cast<std::size_t>(frame)]);
   }
   return shapes;
 }

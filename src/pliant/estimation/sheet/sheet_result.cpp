@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -14,11 +15,15 @@
 namespace pliant {
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// Rows of an experiment's table.
 struct Rows {
   std::vector<std::string> frame, what, axis;
   std::vector<double> strain, measured, predicted;
+  std::vector<char> used;
 
+  /// @param found  NaN in a frame without equilibrium
   void add(int at, std::string named, std::string along, double travel, double seen, double found) {
     frame.push_back(std::to_string(at));
     what.push_back(std::move(named));
@@ -26,6 +31,7 @@ struct Rows {
     strain.push_back(travel);
     measured.push_back(seen);
     predicted.push_back(found);
+    used.push_back(std::isnan(found) ? 0 : 1);
   }
 };
 
@@ -43,36 +49,42 @@ double relative_travel(const SheetTest& test, int frame) {
   return travel(session, frame) / (strip ? gauge_length(session) : side);
 }
 
-/// Free nodes along the middle of a sheet that hangs over a table, or of any other along weft.
+/// Free nodes that were seen along the middle of a sheet that hangs over a table, or of any other
+/// along weft.
 std::vector<int> middle_nodes(const Session& session, int frame) {
   const int along = session.table ? static_cast<int>(*session.table) : 0;
   const Eigen::RowVectorXd across = session.rest.positions.row(1 - along);
   const double middle = (across.minCoeff() + across.maxCoeff()) / 2;
   const double reach = mesh_quality(session.rest).mean_edge / 3;
-  const std::vector<int> held =
-      held_nodes(session, session.frames[static_cast<std::size_t>(frame)].table_edge);
+  const SessionFrame& now = session.frames[static_cast<std::size_t>(frame)];
+  const std::vector<int> held = held_nodes(session, now.table_edge);
   std::vector<int> nodes;
   for (int node = 0; node < session.rest.vertex_count(); ++node) {
     if (std::abs(across(node) - middle) > reach) continue;
-    if (!std::ranges::binary_search(held, node)) nodes.push_back(node);
+    if (std::ranges::binary_search(held, node)) continue;
+    if (!std::ranges::binary_search(now.unseen, node)) nodes.push_back(node);
   }
   return nodes;
 }
 
-void add_heights(const SheetTest& test, int frame, const SheetShape& shape, Rows& rows) {
+void add_heights(const SheetTest& test, int frame, const std::optional<SheetShape>& shape,
+                 Rows& rows) {
   const Session& session = test.session();
   const int along = session.table ? static_cast<int>(*session.table) : 0;
   for (const int node : middle_nodes(session, frame)) {
     const double place = 1e3 * session.rest.positions(along, node);
     rows.add(frame, fmt::format("{:.4g} mm", place), "z", relative_travel(test, frame),
              session.frames[static_cast<std::size_t>(frame)].positions(2, node),
-             shape.positions(2, node));
+             shape ? shape->positions(2, node) : kNone);
   }
 }
 
-void add_forces(const SheetTest& test, int frame, const SheetShape& shape, Rows& rows) {
+void add_forces(const SheetTest& test, int frame, const std::optional<SheetShape>& shape,
+                Rows& rows) {
   const Session& session = test.session();
-  const Eigen::VectorXd seen = test.measured(frame), found = test.predicted(frame, shape);
+  const Eigen::VectorXd seen = test.measured(frame);
+  const Eigen::VectorXd found =
+      shape ? test.predicted(frame, *shape) : Eigen::VectorXd::Constant(seen.size(), kNone);
   const bool parallel = test.objective() == SheetObjective::parallel_clip_forces;
   const char* own_axis = parallel ? "parallel" : "axial";
   Eigen::Index row = 0;
@@ -105,6 +117,14 @@ Eigen::Vector3d arm_of(const Eigen::Vector3d& force, const Eigen::Vector3d& mome
   return force.cross(moment) / force.squaredNorm();
 }
 
+std::vector<int> found_frames(const FrameShapes& shapes) {
+  std::vector<int> frames;
+  for (std::size_t f = 0; f < shapes.size(); ++f) {
+    if (shapes[f]) frames.push_back(static_cast<int>(f));
+  }
+  return frames;
+}
+
 MeasuredQuantity quantity_of(const SheetTest& test) {
   if (test.objective() == SheetObjective::positions) {
     return {"height_mm", "distance", "mm", 1e3};
@@ -114,12 +134,14 @@ MeasuredQuantity quantity_of(const SheetTest& test) {
 
 }  // namespace
 
-Session predicted_session(const Session& measured, const std::vector<SheetShape>& shapes) {
-  Session predicted = measured;
-  for (int f = 0; f < measured.frame_count(); ++f) {
-    const SheetShape& shape = shapes[static_cast<std::size_t>(f)];
+Session predicted_session(const Session& measured, const FrameShapes& shapes) {
+  const std::vector<int> found = found_frames(shapes);
+  Session predicted = with_frames(measured, found);
+  for (int f = 0; f < predicted.frame_count(); ++f) {
+    const SheetShape& shape = *shapes[static_cast<std::size_t>(found[static_cast<std::size_t>(f)])];
     SessionFrame& frame = predicted.frames[static_cast<std::size_t>(f)];
     frame.positions = shape.positions;
+    frame.unseen.clear();
     for (std::size_t c = 0; c < frame.cords.size(); ++c) {
       if (frame.cords[c].empty()) continue;
       const auto clip = static_cast<Eigen::Index>(c);
@@ -132,7 +154,7 @@ Session predicted_session(const Session& measured, const std::vector<SheetShape>
   return predicted;
 }
 
-ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetShape>& shapes) {
+ExperimentResult compare_sheet(const SheetTest& test, const FrameShapes& shapes) {
   const Session& session = test.session();
   ExperimentResult result;
   result.name = test.name();
@@ -142,8 +164,14 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   Rows rows;
   double squares = 0;
   for (int frame = 0; frame < test.frame_count(); ++frame) {
-    const SheetShape& shape = shapes[static_cast<std::size_t>(frame)];
-    squares += (test.predicted(frame, shape) - test.measured(frame)).squaredNorm();
+    const std::optional<SheetShape>& shape = shapes[static_cast<std::size_t>(frame)];
+    const int compared = test.compared(frame);
+    if (shape) {
+      squares += (test.predicted(frame, *shape) - test.measured(frame)).squaredNorm();
+      result.points += compared;
+    } else {
+      result.excluded += compared;
+    }
     if (test.objective() == SheetObjective::positions)
       add_heights(test, frame, shape, rows);
     else
@@ -156,12 +184,11 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
   result.measured = as_vector(rows.measured);
   result.predicted = as_vector(rows.predicted);
   // Errors are distances and forces in space, as in [T] Tables A.1-A.4.
-  result.rms = std::sqrt(squares / test.compared());
+  result.rms = std::sqrt(squares / std::max(result.points, 1));
   const bool positions = test.objective() == SheetObjective::positions;
   const double side = std::max(session.sample.width, session.sample.height);
   result.peak_force = positions ? 0 : result.measured.cwiseAbs().maxCoeff();
   result.rms_percent = 100 * result.rms / (positions ? side : std::max(result.peak_force, 1e-12));
-  result.points = test.compared();
   result.specimens = {session.sample.id.empty() ? "1" : session.sample.id};
   result.noise = result.rms;
   result.noise_source = "from the residuals";
@@ -172,9 +199,9 @@ ExperimentResult compare_sheet(const SheetTest& test, const std::vector<SheetSha
                          *std::ranges::max_element(rows.strain)};
   result.direction_of_row = directions(rows.strain);
   result.specimen_of_row.assign(rows.frame.size(), 0);
-  result.used.assign(rows.frame.size(), 1);
-  result.sheet = SheetComparison{session, predicted_session(session, shapes)};
-  result.folds = fold_error(result.sheet->measured, result.sheet->predicted);
+  result.used = rows.used;
+  result.sheet = SheetComparison{session, predicted_session(session, shapes), found_frames(shapes)};
+  result.folds = fold_error(with_frames(session, result.sheet->frames), result.sheet->predicted);
   return result;
 }
 

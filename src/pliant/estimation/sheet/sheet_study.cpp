@@ -4,11 +4,15 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
@@ -169,19 +173,47 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
       "experiments in one dimension are left out of a fit of sheets: {}", fmt::join(names, ", ")));
 }
 
-/// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
-/// the session then.
-std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
-                                const CordFrictions& cords, const RunContext& context) {
+/// Share of the frames that a prediction needs: fewer tell another story.
+constexpr double kFoundShare = 0.75;
+
+/// Shapes of the frames of a test that have an equilibrium.
+/// @throws SolverError where too few have one
+std::vector<std::optional<SheetShape>> predict(const SheetTest& test, const Material& material,
+                                               const CordFrictions& cords,
+                                               const RunContext& context) {
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
-  auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
-  if (!shapes) {
+  auto shapes = predictor->predict_each(predictor->parameters(), {}, context.threads, context.stop);
+  const Eigen::VectorXd widths = cord_widths(test, cords);
+  int found = 0, first_missing = -1;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    std::optional<SheetShape>& shape = shapes[static_cast<std::size_t>(frame)];
+    if (shape) {
+      add_cord_drags(test.cords(), widths, false, frame, *shape);
+      ++found;
+    } else if (first_missing < 0) {
+      first_missing = frame;
+    }
+  }
+  if (found < kFoundShare * test.frame_count()) {
     throw SolverError(
-        fmt::format("the equilibrium of frame {} of {}", predictor->failed_frame(), test.name()),
+        fmt::format("the equilibria of {} of {} frames of {}, first of frame {}",
+                    test.frame_count() - found, test.frame_count(), test.name(), first_missing),
         predictor->counts().iterations, 0);
   }
-  add_cord_drags(test.cords(), cord_widths(test, cords), false, *shapes);
-  return std::move(*shapes);
+  return shapes;
+}
+
+void warn_of_missing_frames(const std::vector<ExperimentResult>& experiments, StudyResult& result) {
+  for (const ExperimentResult& experiment : experiments) {
+    if (!experiment.sheet) continue;
+    const SheetComparison& sheet = *experiment.sheet;
+    const std::vector<int> missing = sheet.missing_frames();
+    if (missing.empty()) continue;
+    result.warnings.push_back(
+        fmt::format("{}: no equilibrium is found of frame{} {} (of {}), left out of the comparison",
+                    experiment.name, missing.size() == 1 ? "" : "s", fmt::join(missing, ", "),
+                    sheet.measured.frame_count()));
+  }
 }
 
 /// How friction of cords was dealt with in a prediction.
@@ -231,6 +263,15 @@ struct Candidate {
     set_status(study, fit);
     experiments = predictions(data, fit.material, fit.cords, context);
   }
+
+  /// Frames without equilibrium, whose error nobody knows.
+  std::size_t missing_frames() const {
+    std::size_t missing = 0;
+    for (const ExperimentResult& experiment : experiments) {
+      if (experiment.sheet) missing += experiment.sheet->missing_frames().size();
+    }
+    return missing;
+  }
 };
 
 /// The best of the fits that begin with nothing and at each start, and of the starts themselves.
@@ -240,7 +281,8 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
   Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
   const auto consider = [&](SheetFit fit, std::string how) {
     Candidate other(study, std::move(fit), experiments, context, std::move(how));
-    if (misfit_percent(other.experiments) < misfit_percent(best.experiments)) {
+    if (std::pair(other.missing_frames(), misfit_percent(other.experiments)) <
+        std::pair(best.missing_frames(), misfit_percent(best.experiments))) {
       best = std::move(other);
     }
   };
@@ -277,6 +319,26 @@ std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& e
   return tests;
 }
 
+/// One fabric has one mass per area: another one tells of a wrong mass, or of another fabric.
+void warn_of_density(const std::string& name, double density, double of_study,
+                     const std::vector<SheetExperiment>& experiments, StudyResult& result) {
+  constexpr double kAgreement = 0.05;
+  const auto differs = [&](double other) { return std::abs(density - other) > kAgreement * other; };
+  const auto warn = [&](const std::string& whose, double other) {
+    result.warnings.push_back(fmt::format("{}: its sheet weighs {}, {} {}: is it the same fabric?",
+                                          name, format_quantity(density, Dimension::area_density),
+                                          whose, format_quantity(other, Dimension::area_density)));
+  };
+  if (of_study > 0) {
+    if (differs(of_study)) warn("the fabric, as stated,", of_study);
+    return;
+  }
+  if (experiments.empty()) return;
+  const SheetTest& first = experiments.front().test;
+  const double of_first = area_density(first.session());
+  if (differs(of_first)) warn("that of " + first.name(), of_first);
+}
+
 /// The strips of an experiment, one test a specimen.
 void add_strips(const ExperimentSpec& spec, const Study& study,
                 std::vector<SheetExperiment>& experiments, StudyResult& result) {
@@ -303,22 +365,12 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
     for (const std::string& warning : measured.warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
     }
+    warn_of_density(spec.name, area_density(measured), study.density, experiments, result);
     Session session = on_fit_mesh(measured, study.model);
     require_grid_for_springs(spec, session, study.model);
-    const SheetObjective objective = spec.objective.value_or(usual_objective(session));
-    if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
-      throw InputError(spec.where,
-                       fmt::format("positions are compared in {}, which say nothing of the "
-                                   "friction of cords",
-                                   quoted_value(spec.name)),
-                       "`cord_friction` where forces are compared");
-    }
     const std::string test = session.test;
-    experiments.push_back({SheetTest(spec.name, std::move(session), objective, spec.cord_friction),
-                           spec.role,
-                           spec.type,
-                           test,
-                           {}});
+    experiments.push_back(
+        {sheet_test_of(spec, std::move(session)), spec.role, spec.type, test, {}});
   }
   return experiments;
 }
@@ -367,6 +419,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   }
   result.material = fit.material;
   result.experiments = std::move(best.experiments);
+  warn_of_missing_frames(result.experiments, result);
   add_curves(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {
     if (component.status == ComponentStatus::assumed) {
@@ -395,9 +448,9 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  for (ExperimentResult& row : predictions(experiments, material, {}, context)) {
-    result.experiments.push_back(std::move(row));
-  }
+  std::vector<ExperimentResult> rows = predictions(experiments, material, {}, context);
+  warn_of_missing_frames(rows, result);
+  std::move(rows.begin(), rows.end(), std::back_inserter(result.experiments));
   for (const ExperimentResult& row : result.experiments) {
     const bool drawn = std::ranges::any_of(result.curves, [&](const ComponentCurve& curve) {
       return curve.component == row.component;

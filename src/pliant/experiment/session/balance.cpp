@@ -1,6 +1,7 @@
 #include "pliant/experiment/session/balance.h"
 
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -43,12 +44,58 @@ struct Worst {
   }
 };
 
-std::string sentence(const char* what, const Worst& worst, const char* unit, int frames) {
+std::string sentence(const char* what, const Worst& worst, const char* unit,
+                     const Session& session) {
   return fmt::format(
       "the {} on sheet and clips are out of balance in {} of {} frames, most in frame {}: {} {} "
-      "are left of cords and weights (expected: at most {} {}, {} N a cord)",
-      what, worst.count, frames, worst.frame, format_number(worst.size, kDigits), unit,
-      format_number(worst.bound, kDigits), unit, kCordFriction);
+      "are left of cords and weights (expected: at most {} {}, `balance_bound` of {} N a cord)",
+      what, worst.count, session.frame_count(), worst.frame, format_number(worst.size, kDigits),
+      unit, format_number(worst.bound, kDigits), unit, session.balance_bound);
+}
+
+/// What the cords of all frames with cords pull with together, on average (N); none without any.
+std::optional<Eigen::Vector3d> mean_pull(const Session& session) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int frames = 0;
+  for (const SessionFrame& frame : session.frames) {
+    bool any = false;
+    for (const auto& cords : frame.cords) {
+      for (const CordForce& cord : cords) sum += cord.force;
+      any = any || !cords.empty();
+    }
+    if (any) ++frames;
+  }
+  if (frames == 0) return std::nullopt;
+  return sum / frames;
+}
+
+/// Cords of light cloth may all miss by more than it weighs. Their mean says nevertheless whether
+/// they carry it: nothing of it, or as if gravity pulled another way.
+void warn_of_weight(const Session& session, std::vector<std::string>& warnings) {
+  constexpr double kFar = 0.5, kNear = 0.2;  // of the weight
+  const auto pull = mean_pull(session);
+  if (!pull) return;
+  double mass = area_density(session) * rest_area(session.rest);
+  for (const SessionClip& clip : session.clips) mass += clip.mass;
+  const double weight = mass * kStandardGravity;
+  if ((*pull + mass * session.gravity).norm() <= kFar * weight) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Eigen::Vector3d other = sign * kStandardGravity * Eigen::Vector3d::Unit(axis);
+      if ((*pull + mass * other).norm() > kNear * weight) continue;
+      warnings.push_back(fmt::format(
+          "the cords carry sheet and clips as if gravity were {:.4g} m/s^2 along {}{} (expected: "
+          "[{:.4g}, {:.4g}, {:.4g}], as session.yaml says, and forces in the axes of the frames)",
+          kStandardGravity, sign < 0 ? '-' : '+', "xyz"[axis], session.gravity.x(),
+          session.gravity.y(), session.gravity.z()));
+      return;
+    }
+  }
+  if (pull->norm() > kNear * weight || session.gravity.isZero()) return;
+  warnings.push_back(
+      fmt::format("the forces of all cords add up to {} N on average, but sheet and clips weigh {} "
+                  "N: cords carry the weights, too",
+                  format_number(pull->norm(), kDigits), format_number(weight, kDigits)));
 }
 
 }  // namespace
@@ -93,8 +140,8 @@ Imbalance imbalance(const Session& session, int frame) {
   }
   for (const auto& cords : session.frames[static_cast<std::size_t>(frame)].cords) {
     for (const CordForce& cord : cords) {
-      left.force_bound += kCordFriction;
-      left.moment_bound += kCordFriction * (cord.point - centre).norm();
+      left.force_bound += session.balance_bound;
+      left.moment_bound += session.balance_bound * (cord.point - centre).norm();
     }
   }
   return left;
@@ -107,12 +154,13 @@ std::vector<std::string> balance_warnings(const Session& session) {
   Worst forces, moments;
   for (int frame = 0; frame < session.frame_count(); ++frame) {
     const Imbalance left = imbalance(session, frame);
+    if (left.force_bound == 0) continue;  // no cords
     forces.look_at(frame, left.force.norm(), left.force_bound);
     moments.look_at(frame, left.moment.norm(), left.moment_bound);
   }
-  const int frames = session.frame_count();
-  if (forces.count > 0) warnings.push_back(sentence("forces", forces, "N", frames));
-  if (moments.count > 0) warnings.push_back(sentence("moments", moments, "N m", frames));
+  if (forces.count > 0) warnings.push_back(sentence("forces", forces, "N", session));
+  if (moments.count > 0) warnings.push_back(sentence("moments", moments, "N m", session));
+  warn_of_weight(session, warnings);
   return warnings;
 }
 

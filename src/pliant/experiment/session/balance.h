@@ -9,9 +9,6 @@
 
 namespace pliant {
 
-/// Force by which a cord may miss: the hysteresis of its pulleys ([T] 3.2.3; N).
-inline constexpr double kCordFriction = 0.1;
-
 /// Mass per area of the sheet (kg/m^2): the sample's density, else its mass over the area of the
 /// rest mesh.
 double area_density(const Session& session);
@@ -39,7 +36,7 @@ Eigen::Vector3d sheet_centre(const Session& session, int frame);
 struct Imbalance {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the centre of the sheet (N m)
-  double force_bound = 0;   ///< `kCordFriction` at each cord, all the same way (N)
+  double force_bound = 0;   ///< the session's bound at each cord, all the same way (N)
   double moment_bound = 0;  ///< the same at the cords' distances from the centre (N m)
 
   bool is_within_bounds() const {
@@ -50,7 +47,8 @@ struct Imbalance {
 /// @param session  without a table, whose support is not measured
 Imbalance imbalance(const Session& session, int frame);
 
-/// Sentences about what the masses and forces of a session do not agree in.
+/// Sentences about what the masses and forces of a session do not agree in. Frames without cords
+/// are not judged: forces were not measured there.
 std::vector<std::string> balance_warnings(const Session& session);
 
 }  // namespace pliant

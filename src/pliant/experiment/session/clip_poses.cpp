@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/session/frame_axes.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -43,7 +44,7 @@ void require_all(const ClipPoses& poses, const std::vector<SessionClip>& clips) 
   }
 }
 
-/// The vertex of a clip that is farthest from where a pose puts it.
+/// The vertex of a clip, of those that were seen, that is farthest from where a pose puts it.
 struct Drift {
   int vertex = 0;
   double distance = 0;  // m
@@ -54,7 +55,7 @@ Drift largest_drift(const SessionClip& clip, const TriangleMesh& rest,
   Drift largest;
   for (const int vertex : clip.clamped) {
     const double distance = (pose.apply(rest.positions.col(vertex)) - positions.col(vertex)).norm();
-    if (distance >= largest.distance) largest = {vertex, distance};
+    if (distance >= largest.distance) largest = {vertex, distance};  // not of NaN, where unseen
   }
   return largest;
 }
@@ -74,9 +75,23 @@ Pose inverse(const Pose& pose) {
   return {back, -(back * pose.translation)};
 }
 
+/// Whether a clip has the same pose in all of several frames.
+bool stands_still(const Session& session, std::size_t clip) {
+  const Pose& first = session.frames.front().poses[clip];
+  return session.frame_count() > 1 &&
+         std::ranges::all_of(session.frames, [&](const SessionFrame& frame) {
+           return frame.poses[clip].translation == first.translation &&
+                  frame.poses[clip].rotation.coeffs() == first.rotation.coeffs();
+         });
+}
+
 /// What would explain a pose that does not fit.
-std::string explanation(const SessionClip& clip, const TriangleMesh& rest,
-                        const Eigen::Matrix3Xd& positions, const Pose& pose, double most) {
+std::string explanation(const Session& session, std::size_t clip_number, std::size_t frame,
+                        double most) {
+  const SessionClip& clip = session.clips[clip_number];
+  const TriangleMesh& rest = session.rest;
+  const Eigen::Matrix3Xd& positions = session.frames[frame].positions;
+  const Pose& pose = session.frames[frame].poses[clip_number];
   const auto fits = [&](const Pose& other) {
     return largest_drift(clip, rest, positions, other).distance <= most;
   };
@@ -85,7 +100,13 @@ std::string explanation(const SessionClip& clip, const TriangleMesh& rest,
       return fmt::format(" (the pose would fit with the {} axis mirrored)", "xyz"[axis]);
     }
   }
-  return fits(inverse(pose)) ? " (the inverse of the pose would fit)" : "";
+  if (fits(inverse(pose))) return " (the inverse of the pose would fit)";
+  if (stands_still(session, clip_number)) {
+    return " (its pose is the same in all frames: was it tracked?)";
+  }
+  Eigen::Matrix3Xd expected = rest.positions(Eigen::all, clip.clamped);
+  for (auto place : expected.colwise()) place = pose.apply(place);
+  return explaining_axes(positions(Eigen::all, clip.clamped), expected, most);
 }
 
 }  // namespace
@@ -137,7 +158,7 @@ void require_clamped_vertices(const Session& session, const ClipPoses& poses) {
           {poses.file, poses.lines[f][c], "clip"},
           fmt::format("frame {}, clip {}: vertex {} is {} from where the pose puts it{}", f,
                       clip.name, drift.vertex, format_quantity(drift.distance, Dimension::length),
-                      explanation(clip, session.rest, frame.positions, frame.poses[c], most)),
+                      explanation(session, c, f, most)),
           fmt::format("at most {} ({:.0f} % of the sample): x = R(q) x_rest + t about the world "
                       "origin, tx, ty, tz in metres",
                       format_quantity(most, Dimension::length), 100 * kClampDrift));

@@ -22,6 +22,26 @@ void require_new(const std::vector<CordForce>& cords, const std::string& cord,
                    "each cord once in a frame");
 }
 
+/// Without names the same row twice is a cord that counts twice.
+void require_other_row(const std::vector<CordForce>& cords, const CordForce& cord,
+                       const std::string& clip, int frame, const Location& where) {
+  const bool known = std::any_of(cords.begin(), cords.end(), [&](const CordForce& other) {
+    return other.point == cord.point && other.force == cord.force;
+  });
+  if (!known) return;
+  throw InputError(where, fmt::format("frame {}, clip {}: the same row twice", frame, clip),
+                   "each cord once in a frame");
+}
+
+void require_pull(const CordForce& cord, const std::string& clip, int frame,
+                  const Location& where) {
+  if (cord.force.cwiseAbs().maxCoeff() <= kHardestPull) return;
+  throw InputError(where,
+                   fmt::format("frame {}, clip {}: a force of {:.3g} N", frame, clip,
+                               cord.force.cwiseAbs().maxCoeff()),
+                   "newtons");
+}
+
 bool has_cords(const SessionFrame& frame) {
   return std::any_of(frame.cords.begin(), frame.cords.end(),
                      [](const std::vector<CordForce>& cords) { return !cords.empty(); });
@@ -65,9 +85,14 @@ CordForces read_cord_forces(const FrameRows& rows, const std::vector<SessionClip
     if (named && !names[r].empty()) {
       require_new(cords, names[r], clips[clip].name, rows.frame(row), rows.location(row, "cord"));
     }
-    cords.push_back({names[r],
-                     {columns[0][r], columns[1][r], columns[2][r]},
-                     {columns[3][r], columns[4][r], columns[5][r]}});
+    const CordForce cord{names[r],
+                         {columns[0][r], columns[1][r], columns[2][r]},
+                         {columns[3][r], columns[4][r], columns[5][r]}};
+    require_pull(cord, clips[clip].name, rows.frame(row), rows.location(row, "fx"));
+    if (names[r].empty()) {
+      require_other_row(cords, cord, clips[clip].name, rows.frame(row), rows.location(row, "clip"));
+    }
+    cords.push_back(cord);
     result.lines[frame][clip].push_back(rows.location(row, "cord").line);
   }
   times.take(rows);

@@ -18,9 +18,12 @@ struct CordForces {
   std::vector<std::vector<std::vector<int>>> lines;
 };
 
+/// Beyond this force (N) sums of squares are no numbers.
+inline constexpr double kHardestPull = 1e100;
+
 /// Reads cords.csv.
 /// @param times  gets those of the table
-/// @throws InputError, also for two rows of a cord in a frame
+/// @throws InputError, also for two rows of a cord in a frame, and a force above `kHardestPull`
 CordForces read_cord_forces(const FrameRows& rows, const std::vector<SessionClip>& clips,
                             int frames, FrameTimes& times);
 

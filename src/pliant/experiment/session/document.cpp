@@ -95,6 +95,9 @@ SessionDocument session_document_of(const Document& document) {
   session.sample_where = sample.location();
   session.sample = read_sample(sample);
   if (auto v = fields.optional("gravity")) session.gravity = read_vector(*v);
+  if (auto v = fields.optional("balance_bound")) {
+    session.balance_bound = v->positive_quantity(Dimension::force);
+  }
   session.rest = read_rest(fields.require("rest"));
   session.frames = FrameNames::read(fields.require("frames"));
   std::set<std::string> names;
@@ -152,6 +155,9 @@ std::string session_document_text(const Session& session) {
   node["gravity"] = flow_list();
   for (const double component : session.gravity) {
     node["gravity"].push_back(format_number(component));
+  }
+  if (session.balance_bound != kCordFriction) {
+    node["balance_bound"] = exact_quantity(session.balance_bound, Dimension::force);
   }
   node["rest"] = "rest.ply";
   node["frames"] = "frames/%04d.ply";

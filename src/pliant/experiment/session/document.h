@@ -35,6 +35,7 @@ struct SessionDocument {
   SessionSample sample;
   Location sample_where;
   Eigen::Vector3d gravity{0, 0, -kStandardGravity};  ///< m/s^2
+  double balance_bound = kCordFriction;              ///< N
   std::filesystem::path rest;
   FrameNames frames;
   std::vector<ClipEntry> clips;

@@ -1,6 +1,7 @@
 #include "pliant/experiment/session/on_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -70,6 +71,23 @@ std::vector<SessionClip> clips_on(const Session& session, const TriangleMesh& me
   return clips;
 }
 
+/// Nodes that lie by a vertex that was not seen.
+std::vector<int> unseen_nodes(const TriangleMesh& rest, const std::vector<RestPoint>& places,
+                              const std::vector<int>& unseen) {
+  constexpr double kOnVertex = 1e-9;  // weights of the others, by rounding
+  std::vector<int> nodes;
+  for (std::size_t node = 0; node < places.size() && !unseen.empty(); ++node) {
+    const RestPoint& place = places[node];
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(place.weights[k]) < kOnVertex) continue;
+      if (!std::ranges::binary_search(unseen, rest.triangles(k, place.triangle))) continue;
+      nodes.push_back(static_cast<int>(node));
+      break;
+    }
+  }
+  return nodes;
+}
+
 }  // namespace
 
 Session on_mesh(const Session& session, const TriangleMesh& mesh) {
@@ -79,6 +97,7 @@ Session on_mesh(const Session& session, const TriangleMesh& mesh) {
   result.clips = clips_on(session, mesh);
   for (SessionFrame& frame : result.frames) {
     frame.positions = interpolated(session.rest, places, frame.positions);
+    frame.unseen = unseen_nodes(session.rest, places, frame.unseen);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,6 @@ namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-
-// So many vertices are named in an error.
-constexpr std::size_t kNamedVertices = 5;
 
 std::string size_text(double width, double height) {
   return fmt::format("{} x {}", format_quantity(width, Dimension::length),
@@ -92,22 +90,6 @@ Eigen::Matrix3Xd to_matrix(const std::vector<Point3>& points) {
   return matrix;
 }
 
-void require_positions(const Eigen::Matrix3Xd& positions, const fs::path& file, int frame) {
-  std::vector<Eigen::Index> missing;
-  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
-    if (!positions.col(i).allFinite()) missing.push_back(i);
-  }
-  if (missing.empty()) return;
-  const std::size_t named = std::min(missing.size(), kNamedVertices);
-  throw InputError(
-      {file.string()},
-      fmt::format("frame {}: {} of {} vertices have no position (vertex {}{})", frame,
-                  missing.size(), positions.cols(),
-                  fmt::join(missing.begin(), missing.begin() + static_cast<long>(named), ", "),
-                  named < missing.size() ? ", ..." : ""),
-      "finite coordinates of every vertex in every frame; fill in what was not seen");
-}
-
 void require_same_faces(const Polygons& faces, const Polygons& rest, const fs::path& file,
                         int frame) {
   if (faces.size() == 0 || faces == rest) return;
@@ -122,19 +104,30 @@ void require_same_faces(const Polygons& faces, const Polygons& rest, const fs::p
       "the faces of the rest mesh in their order, or none: vertices have one order");
 }
 
+/// Mean length of the edges between vertices that were seen (m); NaN without any.
 double mean_edge(const Eigen::Matrix3Xi& triangles, const Eigen::Matrix3Xd& positions) {
   double sum = 0;
+  int edges = 0;
   for (const auto& corners : triangles.colwise()) {
     for (int k = 0; k < 3; ++k) {
-      sum += (positions.col(corners[(k + 1) % 3]) - positions.col(corners[k])).norm();
+      const double length =
+          (positions.col(corners[(k + 1) % 3]) - positions.col(corners[k])).norm();
+      if (!std::isfinite(length)) continue;
+      sum += length;
+      ++edges;
     }
   }
-  return sum / static_cast<double>(3 * triangles.cols());
+  return sum / edges;
 }
 
 void require_metres(const Eigen::Matrix3Xd& positions, const TriangleMesh& rest,
                     const fs::path& file, int frame) {
   const double found = mean_edge(rest.triangles, positions);
+  if (std::isnan(found)) {
+    throw InputError({file.string()},
+                     fmt::format("frame {}: no edge between vertices that were seen", frame),
+                     "finite coordinates of most vertices");
+  }
   const double at_rest = mean_edge(rest.triangles, rest.positions);
   if (found <= kMostFrameScale * at_rest && at_rest <= kMostFrameScale * found) return;
   throw InputError(
@@ -172,16 +165,20 @@ Eigen::Matrix3Xd read_frame_sheet(const fs::path& file, int frame, const RestShe
         {file.string()}, fmt::format("frame {} has {} vertices", frame, positions.cols()),
         fmt::format("the {} of the rest mesh, in its order", rest.mesh.vertex_count()));
   }
-  require_positions(positions, file, frame);
   require_same_faces(ply.faces, rest.faces, file, frame);
   require_metres(positions, rest.mesh, file, frame);
   return positions;
 }
 
-std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions) {
+std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions,
+                      const std::vector<int>& unseen) {
   PlyMesh ply;
   for (const auto& point : positions.colwise()) {
     ply.positions.push_back({point.x(), point.y(), point.z()});
+  }
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const int vertex : unseen) {
+    ply.positions[static_cast<std::size_t>(vertex)] = {kNone, kNone, kNone};
   }
   for (const auto& corners : mesh.triangles.colwise()) {
     ply.faces.add(std::array{corners[0], corners[1], corners[2]});

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -29,13 +30,15 @@ struct RestSheet {
 ///         simulation, or whose size is not the sample's
 RestSheet read_rest_sheet(const std::filesystem::path& file, const SessionSample& sample);
 
-/// Reads the positions (m) of a frame.
-/// @throws InputError for another number of vertices than at rest, vertices without position, other
+/// Reads the positions (m) of a frame; those of vertices that were not seen are not finite.
+/// @throws InputError for another number of vertices than at rest, no vertex that was seen, other
 ///         faces than at rest (a frame may have none), another unit than metres
 Eigen::Matrix3Xd read_frame_sheet(const std::filesystem::path& file, int frame,
                                   const RestSheet& rest);
 
 /// The binary PLY file of a mesh with its vertices at `positions`.
-std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions);
+/// @param unseen  vertices that get NaN
+std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions,
+                      const std::vector<int>& unseen = {});
 
 }  // namespace pliant

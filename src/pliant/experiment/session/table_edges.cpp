@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/session/frame_axes.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -72,7 +73,67 @@ std::vector<int> held_by_table(const Session& session, int frame) {
   return held;
 }
 
+namespace {
+
+/// The axes in which a frame would have held vertices where they rest.
+std::string explanation(const Session& session, int frame, double most) {
+  const std::vector<int> held = held_by_table(session, frame);
+  const auto& positions = session.frames[static_cast<std::size_t>(frame)].positions;
+  return explaining_axes(positions(Eigen::all, held), session.rest.positions(Eigen::all, held),
+                         most);
+}
+
+void warn_of_edges(const Session& session, std::vector<std::string>& warnings) {
+  const double end = session.rest.positions.row(row_of(*session.table)).maxCoeff();
+  const double most = kTableDrift * std::max(session.sample.width, session.sample.height);
+  int count = 0, first = 0;
+  for (int f = session.frame_count(); f-- > 0;) {
+    if (*session.frames[static_cast<std::size_t>(f)].table_edge <= end + most) continue;
+    ++count;
+    first = f;
+  }
+  if (count == 0) return;
+  warnings.push_back(fmt::format(
+      "the edge of the table is beyond the sheet in {} of {} frames, first in frame {}: at {} "
+      "(expected: at most {}, where the sheet ends at rest)",
+      count, session.frame_count(), first,
+      format_quantity(*session.frames[static_cast<std::size_t>(first)].table_edge,
+                      Dimension::length),
+      format_quantity(end, Dimension::length)));
+}
+
+/// What hangs over an edge is below the table.
+void warn_of_rising(const Session& session, std::vector<std::string>& warnings) {
+  if (session.gravity.isZero()) return;
+  const double most = kTableDrift * std::max(session.sample.width, session.sample.height);
+  const Eigen::Vector3d up = -session.gravity.normalized();
+  double largest = most;
+  int count = 0, worst = 0;
+  for (int f = 0; f < session.frame_count(); ++f) {
+    const double rise = (up.transpose() * (session.frames[static_cast<std::size_t>(f)].positions -
+                                           session.rest.positions))
+                            .mean();
+    if (rise <= most) continue;
+    ++count;
+    if (rise <= largest) continue;
+    largest = rise;
+    worst = f;
+  }
+  if (count == 0) return;
+  warnings.push_back(fmt::format(
+      "the sheet rises over the edge of the table in {} of {} frames, most in frame {}: by {} on "
+      "average (expected: it hangs down along gravity, [{:.4g}, {:.4g}, {:.4g}])",
+      count, session.frame_count(), worst, format_quantity(largest, Dimension::length),
+      session.gravity.x(), session.gravity.y(), session.gravity.z()));
+}
+
+}  // namespace
+
 std::vector<std::string> table_warnings(const Session& session) {
+  std::vector<std::string> warnings;
+  if (!session.table) return warnings;
+  warn_of_edges(session, warnings);
+  warn_of_rising(session, warnings);
   const double most = kTableDrift * std::max(session.sample.width, session.sample.height);
   double largest = 0;
   int at_frame = 0, at_vertex = 0, frames = 0;
@@ -90,12 +151,14 @@ std::vector<std::string> table_warnings(const Session& session) {
     }
     if (largest_here > most) ++frames;
   }
-  if (frames == 0) return {};
-  return {fmt::format(
+  if (frames == 0) return warnings;
+  warnings.push_back(fmt::format(
       "in {} of {} frames vertices on the table are not at rest, most in frame {}: vertex {} is {} "
-      "from its place (expected: at most {}, frames in the sheet's own axes)",
+      "from its place{} (expected: at most {}, frames in the sheet's own axes)",
       frames, session.frame_count(), at_frame, at_vertex,
-      format_quantity(largest, Dimension::length), format_quantity(most, Dimension::length))};
+      format_quantity(largest, Dimension::length), explanation(session, at_frame, most),
+      format_quantity(most, Dimension::length)));
+  return warnings;
 }
 
 std::string table_edge_table(const Session& session) {

@@ -132,18 +132,14 @@ std::vector<CordDrag> cord_drags(const Session& session) {
 }
 
 void add_cord_drags(const std::vector<CordDrag>& cords, const Eigen::VectorXd& widths,
-                    bool derivatives, std::vector<SheetShape>& shapes) {
+                    bool derivatives, int frame, SheetShape& shape) {
   PLIANT_ASSERT(widths.size() == static_cast<Eigen::Index>(cords.size()), "a width for each cord");
-  for (std::size_t f = 0; f < shapes.size(); ++f) {
-    const auto frame = static_cast<Eigen::Index>(f);
-    SheetShape& shape = shapes[f];
-    for (std::size_t i = 0; i < cords.size(); ++i) {
-      const double width = widths(static_cast<Eigen::Index>(i));
-      shape.clip_forces.col(cords[i].clip) += width * cords[i].forces.col(frame);
-      shape.clip_moments.col(cords[i].clip) += width * cords[i].moments.col(frame);
-    }
-    if (derivatives) append_derivatives(cords, frame, shape);
+  for (std::size_t i = 0; i < cords.size(); ++i) {
+    const double width = widths(static_cast<Eigen::Index>(i));
+    shape.clip_forces.col(cords[i].clip) += width * cords[i].forces.col(frame);
+    shape.clip_moments.col(cords[i].clip) += width * cords[i].moments.col(frame);
   }
+  if (derivatives) append_derivatives(cords, frame, shape);
 }
 
 }  // namespace pliant

@@ -26,10 +26,10 @@ struct CordDrag {
 /// noise of a pose, do not count. In the first frame it has pulled the sheet taut.
 std::vector<CordDrag> cord_drags(const Session& session);
 
-/// Adds the drags of cords to what pulls at clips in predicted shapes, all frames of a session.
+/// Adds the drags of cords to what pulls at clips in the predicted shape of a frame.
 /// @param widths       of the loop of each cord (N)
-/// @param derivatives  derivatives by the widths are appended to those of the shapes
+/// @param derivatives  derivatives by the widths are appended to those of the shape
 void add_cord_drags(const std::vector<CordDrag>& cords, const Eigen::VectorXd& widths,
-                    bool derivatives, std::vector<SheetShape>& shapes);
+                    bool derivatives, int frame, SheetShape& shape);
 
 }  // namespace pliant

@@ -282,6 +282,12 @@ void SheetEquilibria::reach_from_neighbours(const Eigen::VectorXd& parameters,
   for (int state = count; state-- > 0;) try_from(state, state + 1);
 }
 
+bool SheetEquilibria::found(int frame) const {
+  const SheetBlend& blend = states_.frames[static_cast<std::size_t>(frame)];
+  return reached_[static_cast<std::size_t>(blend.first)].found &&
+         reached_[static_cast<std::size_t>(blend.second)].found;
+}
+
 SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
   const SheetBlend& blend = states_.frames[static_cast<std::size_t>(frame)];
   SheetShape shape = reached_[static_cast<std::size_t>(blend.first)].shape;
@@ -302,10 +308,9 @@ SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
   return shape;
 }
 
-std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::VectorXd& parameters,
-                                                                const std::vector<int>& by,
-                                                                int threads,
-                                                                const StopToken& stop) {
+std::vector<std::optional<SheetShape>> SheetEquilibria::predict_each(
+    const Eigen::VectorXd& parameters, const std::vector<int>& by, int threads,
+    const StopToken& stop) {
   stop_ = stop;
   parallel_for(equilibria_each(), threads, [&](int state) {
     stop.throw_if_requested();
@@ -313,14 +318,9 @@ std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::Vec
   });
   reach_from_neighbours(parameters, by);
   for (const Reached& reached : reached_) counts_ += reached.counts;
-  for (std::size_t s = 0; s < reached_.size(); ++s) {
-    if (reached_[s].found) continue;
-    failed_frame_ = states_.states[s].frame;
-    return std::nullopt;
-  }
-  std::vector<SheetShape> shapes;
+  std::vector<std::optional<SheetShape>> shapes(session_.frames.size());
   for (int frame = 0; frame < session_.frame_count(); ++frame) {
-    shapes.push_back(blended(frame, !by.empty()));
+    if (found(frame)) shapes[static_cast<std::size_t>(frame)] = blended(frame, !by.empty());
   }
   return shapes;
 }

@@ -28,9 +28,9 @@ class SheetEquilibria : public SheetPredictor {
 
   int equilibria_each() const { return static_cast<int>(states_.states.size()); }
 
-  std::optional<std::vector<SheetShape>> predict(const Eigen::VectorXd& parameters,
-                                                 const std::vector<int>& by, int threads,
-                                                 const StopToken& stop) override;
+  std::vector<std::optional<SheetShape>> predict_each(const Eigen::VectorXd& parameters,
+                                                      const std::vector<int>& by, int threads,
+                                                      const StopToken& stop) override;
   void begin_at(std::vector<Eigen::Matrix3Xd> guesses) override { guesses_ = std::move(guesses); }
   std::vector<Eigen::Matrix3Xd> guesses() const override;
 
@@ -50,6 +50,7 @@ class SheetEquilibria : public SheetPredictor {
   bool differentiate(int state, Lane& lane, const std::vector<int>& by);
   void reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
   void reach_from_neighbours(const Eigen::VectorXd& parameters, const std::vector<int>& by);
+  bool found(int frame) const;
   SheetShape blended(int frame, bool derivatives) const;
 
   const Session& session_;

@@ -41,9 +41,9 @@ SheetShape SheetPath::shape(const State& state, PathEquilibrium& point) const {
   return shape;
 }
 
-std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd& parameters,
-                                                          const std::vector<int>& by, int threads,
-                                                          const StopToken& stop) {
+std::vector<std::optional<SheetShape>> SheetPath::predict_each(const Eigen::VectorXd& parameters,
+                                                               const std::vector<int>& by,
+                                                               int threads, const StopToken& stop) {
   sheet_.system().set_threads(threads);
   sheet_.system().set_parameters(parameters);
   sheet_.system().differentiate_by(by);
@@ -52,6 +52,7 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
                    .sensitivities = !by.empty(),
                    .convex_sensitivities = true});
   std::vector<SheetShape> shapes;
+  std::vector<std::optional<SheetShape>> found(session_.frames.size());
   try {
     for (int frame = 0; frame < session_.frame_count(); ++frame) {
       PathEquilibrium point = path.step(frame + 1, {guess(frame, parameters), {}});
@@ -59,13 +60,13 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
       counts_.iterations += point.newton.iterations;
       counts_.factors += point.newton.factorizations + (by.empty() ? 0 : point.equilibria);
       shapes.push_back(shape(path.state(), point));
+      found[static_cast<std::size_t>(frame)] = shapes.back();
     }
   } catch (const SolverError&) {
-    failed_frame_ = static_cast<int>(shapes.size());
-    return std::nullopt;
+    return found;  // friction carries on from each frame to the next
   }
-  last_ = {parameters, by, shapes};
-  return shapes;
+  last_ = {parameters, by, std::move(shapes)};
+  return found;
 }
 
 }  // namespace pliant

@@ -19,9 +19,9 @@ class SheetPath : public SheetPredictor {
   /// @param material  complete
   SheetPath(const Session& session, const Material& material);
 
-  std::optional<std::vector<SheetShape>> predict(const Eigen::VectorXd& parameters,
-                                                 const std::vector<int>& by, int threads,
-                                                 const StopToken& stop) override;
+  std::vector<std::optional<SheetShape>> predict_each(const Eigen::VectorXd& parameters,
+                                                      const std::vector<int>& by, int threads,
+                                                      const StopToken& stop) override;
   void begin_at(std::vector<Eigen::Matrix3Xd> guesses) override { guesses_ = std::move(guesses); }
   std::vector<Eigen::Matrix3Xd> guesses() const override;
 

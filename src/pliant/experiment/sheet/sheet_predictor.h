@@ -56,18 +56,22 @@ class SheetPredictor {
                                              static_cast<Eigen::Index>(parameters_.values.size()));
   }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  /// The frame that the last prediction without result found no equilibrium of.
-  int failed_frame() const { return failed_frame_; }
   /// Of all predictions until now.
   const EquilibriumCounts& counts() const { return counts_; }
 
-  /// All frames.
+  /// Each frame, or nothing where no equilibrium of it is found.
   /// @param parameters  one for each of `parameter_names()`
   /// @param by          those that derivatives are wanted by; empty: none are
-  /// @return nothing where a frame has no equilibrium
-  virtual std::optional<std::vector<SheetShape>> predict(const Eigen::VectorXd& parameters,
-                                                         const std::vector<int>& by, int threads,
-                                                         const StopToken& stop) = 0;
+  virtual std::vector<std::optional<SheetShape>> predict_each(const Eigen::VectorXd& parameters,
+                                                              const std::vector<int>& by,
+                                                              int threads,
+                                                              const StopToken& stop) = 0;
+
+  /// All frames.
+  /// @return nothing where one of them has no equilibrium
+  std::optional<std::vector<SheetShape>> predict(const Eigen::VectorXd& parameters,
+                                                 const std::vector<int>& by, int threads,
+                                                 const StopToken& stop);
 
   /// Where the search for each equilibrium begins when it has not been found before: the positions
   /// of all nodes, or nothing for the measured shape.
@@ -78,7 +82,6 @@ class SheetPredictor {
   ParameterList parameters_;
   std::vector<std::string> warnings_;
   EquilibriumCounts counts_;
-  int failed_frame_ = 0;
 };
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #include "pliant/experiment/sheet/sheet_test.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -33,6 +34,33 @@ Eigen::Vector3d away_from_others(const Session& session, int frame, int clip) {
   return (clip_middle(session, frame, clip) - others).normalized();
 }
 
+/// @throws InputError where a sheet is not held, or forces are compared along directions that its
+///         clips do not have
+void require_directions(const Session& session, SheetObjective objective, const std::string& name) {
+  if (session.clips.empty() && !session.table) {
+    throw InputError({}, fmt::format("nothing holds the sheet of {}", name),
+                     "a session with `clips` or a `table`");
+  }
+  if (objective == SheetObjective::axial_clip_forces && session.clips.size() < 2) {
+    throw InputError({}, fmt::format("{} has no second clip to pull away from", name),
+                     "two clips at least for axial-clip-forces");
+  }
+  if (objective != SheetObjective::parallel_clip_forces) return;
+  for (const SessionClip& clip : session.clips) {
+    if (clip.clamped.size() > 1) continue;
+    throw InputError(
+        {}, fmt::format("clip {} of {} clamps one vertex and has no direction", clip.name, name),
+        "two vertices at least for parallel-clip-forces");
+  }
+}
+
+bool is_without_force(const SheetTest& test) {
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    if (!test.measured(frame).isZero(0)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 SheetObjective usual_objective(const Session& session) {
@@ -60,6 +88,7 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
       session_(std::move(session)),
       objective_(objective),
       friction_(friction) {
+  require_directions(session_, objective_, name_);
   if (friction_.unknown || friction_.width > 0) cords_ = cord_drags(session_);
   for (int frame = 0; frame < frame_count(); ++frame) {
     frames_.push_back(compared_in(frame));
@@ -73,18 +102,23 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
         objective_ == SheetObjective::positions ? "vertices that neither clip nor table holds"
                                                 : "rows in cords.csv");
   }
+  if (objective_ != SheetObjective::positions && is_without_force(*this)) {
+    throw InputError({}, fmt::format("all forces of cords in the session of {} are zero", name_),
+                     "forces in newtons, or `objective: positions`");
+  }
 }
 
 SheetTest::Frame SheetTest::compared_in(int frame) const {
   const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];
   Frame compared;
   if (objective_ == SheetObjective::positions) {
-    std::vector<char> is_held(static_cast<std::size_t>(session_.rest.vertex_count()), 0);
+    std::vector<char> left_out(static_cast<std::size_t>(session_.rest.vertex_count()), 0);
     for (const int node : held_nodes(session_, now.table_edge)) {
-      is_held[static_cast<std::size_t>(node)] = 1;
+      left_out[static_cast<std::size_t>(node)] = 1;
     }
+    for (const int node : now.unseen) left_out[static_cast<std::size_t>(node)] = 1;
     for (int node = 0; node < session_.rest.vertex_count(); ++node) {
-      if (!is_held[static_cast<std::size_t>(node)]) compared.nodes.push_back(node);
+      if (!left_out[static_cast<std::size_t>(node)]) compared.nodes.push_back(node);
     }
     return compared;
   }
@@ -151,6 +185,22 @@ Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
         row.direction.transpose() * shape.clip_forces_by_parameter.middleRows<3>(3 * row.clip);
   }
   return values;
+}
+
+SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
+  const SheetObjective objective = spec.objective.value_or(usual_objective(session));
+  if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
+    throw InputError(
+        spec.where,
+        fmt::format("positions are compared in {}, which say nothing of the friction of cords",
+                    quoted_value(spec.name)),
+        "`cord_friction` where forces are compared");
+  }
+  try {
+    return {spec.name, std::move(session), objective, spec.cord_friction};
+  } catch (const InputError& error) {
+    throw InputError(spec.where, error.problem(), error.expected());
+  }
 }
 
 Eigen::Vector3d cord_pull(const Session& session, int frame, int clip) {

@@ -12,6 +12,7 @@
 #include "pliant/experiment/sheet/cord_friction.h"
 #include "pliant/experiment/sheet/sheet_objective.h"
 #include "pliant/experiment/sheet/sheet_predictor.h"
+#include "pliant/experiment/study.h"
 
 namespace pliant {
 
@@ -43,8 +44,8 @@ class SheetTest {
   int rows(int frame) const;
   /// Whether one coordinate of each force is compared, instead of vectors.
   bool compares_one_axis() const;
-  /// Clips or nodes that are compared in all frames; each has one row or three.
-  int compared() const { return compares_one_axis() ? rows_ : rows_ / 3; }
+  /// Clips or nodes that are compared in a frame; each has one row or three.
+  int compared(int frame) const { return rows(frame) / (compares_one_axis() ? 1 : 3); }
 
   Eigen::VectorXd measured(int frame) const;
   Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;
@@ -70,6 +71,13 @@ class SheetTest {
   std::vector<Frame> frames_;
   int rows_ = 0;
 };
+
+/// A session as a study compares it.
+/// @param spec     of an experiment of sessions
+/// @param session  on the mesh that is simulated, or as it was measured
+/// @throws InputError at the experiment's place in the study, for what `SheetTest` refuses, and for
+///         unknown friction of cords where no forces are compared
+SheetTest sheet_test_of(const ExperimentSpec& spec, Session session);
 
 /// What the cords of a clip pull with in a frame (N).
 Eigen::Vector3d cord_pull(const Session& session, int frame, int clip);

@@ -303,7 +303,7 @@ class Fitter {
       return values;
     }
     const bool springs = fit_.material.bending == "spring";
-    for (double value = springs ? 1.0 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
+    for (double value = springs ? 0.1 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
       values.push_back(value);
     }
     return values;

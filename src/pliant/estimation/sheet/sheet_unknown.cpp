@@ -38,9 +38,10 @@ void add_unknowns(const ComponentLaw& law, const ComponentGroup& group, double s
 }
 
 /// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
-/// stretch as well, by their stiffness over a cell, and must leave something of it to the first.
+/// stretch as well, by their stiffness over a cell, and must leave most of it to the first ring.
 void limit_bending_springs(const Material& material, double cell,
                            std::vector<SheetUnknown>& unknowns) {
+  constexpr double kShare = 0.1;
   double stretch = INFINITY;
   for (const char* component : {"stretch.weft", "stretch.warp"}) {
     const std::vector<double>& values = material.components.at(component).stiffness->values();
@@ -49,7 +50,7 @@ void limit_bending_springs(const Material& material, double cell,
   for (SheetUnknown& unknown : unknowns) {
     if (!is_bending(unknown.owner) || unknown.of_friction) continue;
     unknown.unit = std::string(1, 'N');
-    unknown.upper = std::max(stretch * cell, 1e-9);
+    unknown.upper = std::max(kShare * stretch * cell, 1e-9);
   }
 }
 

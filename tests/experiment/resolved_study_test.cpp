@@ -145,6 +145,15 @@ TEST(ResolvedStudy, ReadsBackAsTheSameStudyFromAnyFolder) {
   }
 }
 
+TEST(ResolvedStudy, OfNoFolderIsThatOfTheWorkingDirectory) {
+  const TemporaryFolder folder;
+  for (const char* file : {"raw/a-1.csv", "raw/b.csv", "raw/c.csv"})
+    folder.write(file, "force_N\n");
+  const Study study = read_study(folder.write("study.yaml", kFull));
+  EXPECT_EQ(resolved_study_text(study, ""),
+            resolved_study_text(study, std::filesystem::current_path()));
+}
+
 TEST(ResolvedStudy, SpellsOutTheDefaults) {
   const TemporaryFolder folder;
   const Study study = read_study(folder.write("study.yaml", with_more("")));

@@ -9,6 +9,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/component_fit.h"
+#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/experiment/data_source.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/make_experiment.h"
@@ -172,9 +173,16 @@ std::string peak_label(const ExperimentInfo& about) {
   return is_bending(about.component) ? "peak moment" : "peak force";
 }
 
-void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, FileInfo& info,
-                      Json& json) {
+/// What an experiment tells: of a sheet a strip that is cut on the bias tells shear.
+std::string component_of(const ExperimentSpec& spec, const ModelOptions& model) {
+  const std::string alone = component_of_test(spec.type, spec.direction);
+  return is_sheet(spec, model) && alone == "stretch.bias" ? "shear" : alone;
+}
+
+void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
+                      const Experiment& experiment, FileInfo& info, Json& json) {
   const ExperimentInfo& about = experiment.info();
+  const std::string component = component_of(spec, model);
   const MeasuredPath& path = experiment.path();
   const auto used = std::count(about.used.begin(), about.used.end(), 1);
   const auto [low, high] = std::minmax_element(path.strain.begin(), path.strain.end());
@@ -183,7 +191,7 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
   std::vector<std::string> along;
   for (const NuisanceParameter& parameter : experiment.nuisance()) along.push_back(parameter.name);
 
-  json["component"] = about.component;
+  json["component"] = component;
   json["rows"] = experiment.rows();
   json["used_rows"] = used;
   json["specimens"] = about.specimens;
@@ -200,7 +208,7 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
       spec.name, fmt::format("{}, {} {}", heading(spec),
                              spec.role == ExperimentRole::fit ? "fitted: determines"
                                                               : "predicted, not fitted: needs",
-                             about.component)));
+                             component)));
   add_strip(spec, lines);
   lines.push_back(labelled("data",
                            fmt::format("{}: {} rows, {} used, {}", spec.data.written,
@@ -225,14 +233,16 @@ void add_measurements(const ExperimentSpec& spec, const Experiment& experiment, 
   }
 }
 
+/// @return those that are fitted in one dimension
 Experiments add_experiments(const Study& study, FileInfo& info) {
   Experiments experiments;
   info.json["experiments"] = Json::array();
   for (const ExperimentSpec& spec : study.experiments) {
     Json json = spec_json(spec);
     if (is_supported_type(spec.type)) {
-      experiments.push_back(make_experiment(spec, study.density, study.model.membrane));
-      add_measurements(spec, *experiments.back(), info, json);
+      auto experiment = make_experiment(spec, study.density, study.model.membrane);
+      add_measurements(spec, study.model, *experiment, info, json);
+      if (!is_sheet(spec, study.model)) experiments.push_back(std::move(experiment));
       if (spec.type == "bending-length") {
         json["bending_length"] = bending_length_json(read_overhangs(DataRows(spec.data)),
                                                      spec.angle, study.density * kStandardGravity);
@@ -298,6 +308,10 @@ void add_plan(const Study& study, const std::string& component,
 void add_plans(const Study& study, const Experiments& experiments, FileInfo& info) {
   const std::string estimator = study.fit.estimator == EstimatorKind::path ? "path" : "anchor";
   info.json["fit"] = {{"estimator", estimator}, {"components", Json::array()}};
+  if (fits_sheets(study)) {
+    info.lines.push_back(labelled("fit", "sessions and strips as one sheet, stage by stage"));
+    return;
+  }
   info.lines.push_back(labelled("fit", "estimator " + estimator));
   for (const std::string& component : cloth_component_names()) {
     std::vector<const Experiment*> fitted;
@@ -312,13 +326,6 @@ void add_plans(const Study& study, const Experiments& experiments, FileInfo& inf
     } else if (validated) {
       info.warnings.push_back(component + " has validation experiments alone: not fitted");
     }
-  }
-  const bool sheets = std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
-    return measures_sheets(spec.type) && spec.role == ExperimentRole::fit;
-  });
-  if (sheets) {
-    info.lines.push_back(labelled("", "sessions, as one sheet, stage by stage", 1));
-    return;
   }
   if (!info.json["fit"]["components"].empty()) return;
   info.warnings.push_back("no experiment that this version can fit");

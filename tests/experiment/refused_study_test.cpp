@@ -63,6 +63,17 @@ const Refusal kRefusals[] = {
     {"UnknownDirection",
      with_experiment("{name: w, type: hanging-weights, direction: wrap, data: w.csv}"), 4,
      "experiments[0].direction", "expected \"warp\", \"weft\" or \"bias\""},
+    {"ObliqueStripInOneDimension",
+     with_experiment(
+         "{name: w, type: tensile-cycles, direction: 30 deg, data: w.csv,\n     length: "
+         "1 m, width: 1 m}"),
+     4, "experiments[0].direction", "expected `model: {strips: sheet}`"},
+    {"AngleOfAStripWithoutUnit",
+     with_experiment("{name: w, type: tensile-cycles, direction: 30, data: w.csv}"), 4,
+     "experiments[0].direction", "deg"},
+    {"StripTurnedHalfWay",
+     with_experiment("{name: w, type: tensile-cycles, direction: 180 deg, data: w.csv}"), 4,
+     "experiments[0].direction", "less than 180 deg"},
     {"NoDirection", with_experiment("{name: w, type: tensile-cycles, data: w.csv}"), 4,
      "experiments[0].direction", "is missing"},
     {"NoData", with_experiment("{name: w, type: shear-cycles}"), 4, "experiments[0].data",

@@ -38,6 +38,7 @@ experiments:
   - {name: g, type: pure-bending, direction: warp, data: raw/c.csv, width: 20 cm, initial_friction: rest, noise: {moment: 0.001 gf cm/cm}}
   - {name: h, type: bending-length, direction: warp, data: raw/c.csv, width: 1 in, angle: 43.21 deg, noise: {overhang: 0.5 mm}}
   - {name: d, type: buckling-bend, direction: weft, side: up, rest_length: unknown, data: raw/c.csv, length: 8 cm, width: 5 cm}
+  - {name: l, type: tensile-cycles, direction: 22.5 deg, data: raw/b.csv, length: 8 cm, width: 5 cm}
   - {name: i, type: press, data: raw/c.csv, finger: index}
   - {name: j, type: session, data: raw/c.csv, objective: clip-forces, cord_friction: unknown}
   - {name: k, type: session, data: raw/c.csv, cord_friction: 12.3456789 cN}
@@ -59,6 +60,7 @@ void expect_same(const ExperimentSpec& a, const ExperimentSpec& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.type, b.type);
   EXPECT_EQ(a.direction, b.direction);
+  EXPECT_EQ(a.oblique_angle.has_value(), b.oblique_angle.has_value());
   EXPECT_EQ(a.standard, b.standard);
   EXPECT_EQ(a.other_fields, b.other_fields);
   ASSERT_EQ(a.data.files.size(), b.data.files.size());
@@ -143,6 +145,15 @@ TEST(ResolvedStudy, ReadsBackAsTheSameStudyFromAnyFolder) {
     expect_same(study, back);
     EXPECT_EQ(resolved_study_text(back, folder.path() / place), text);
   }
+}
+
+TEST(ResolvedStudy, OfNoFolderIsThatOfTheWorkingDirectory) {
+  const TemporaryFolder folder;
+  for (const char* file : {"raw/a-1.csv", "raw/b.csv", "raw/c.csv"})
+    folder.write(file, "force_N\n");
+  const Study study = read_study(folder.write("study.yaml", kFull));
+  EXPECT_EQ(resolved_study_text(study, ""),
+            resolved_study_text(study, std::filesystem::current_path()));
 }
 
 TEST(ResolvedStudy, SpellsOutTheDefaults) {

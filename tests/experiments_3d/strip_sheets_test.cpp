@@ -163,6 +163,58 @@ TEST(StripSheets, OnTheBiasThreadsAndShearAreInBalance) {
   EXPECT_GT(farthest_from_uniform(test, elastic(80, 80, 20), 80), 0.1);
 }
 
+// A sheet of equal threads, half as stiff in shear, is as stiff in all directions and does not
+// narrow.
+TEST(StripSheets, AtAnyAngleAnIsotropicSheetIsAStripOfOneDimension) {
+  const StudyFolder folder;
+  for (const char* direction : {"30 deg", "1.2 rad", "150 deg"}) {
+    const SheetTest test = strip_of(study_of(folder, direction));
+    EXPECT_EQ(test.session().test, "bias-extension");
+    EXPECT_LT(farthest_from_uniform(test, elastic(80, 80, 40), 80), 2e-4) << direction;
+  }
+}
+
+/// Largest force of a strip that is cut in a direction (N).
+double peak_force(const std::string& direction, const Material& material) {
+  const StudyFolder folder;
+  const SheetTest test = strip_of(study_of(folder, direction));
+  SheetPath path(test.session(), material);
+  const auto shapes = path.predict(path.parameters(), {}, 1, {});
+  if (!shapes) return NAN;
+  double peak = 0;
+  for (int frame = 0; frame < test.frame_count(); ++frame) {
+    const SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
+    peak = std::max(peak, test.predicted(frame, shape)(0));
+  }
+  return peak;
+}
+
+TEST(StripSheets, AnglesCountFromWeftTowardsWarp) {
+  const double near_weft = peak_force("15 deg", elastic(160, 20, 20));
+  EXPECT_GT(near_weft, 1.5 * peak_force("75 deg", elastic(160, 20, 20)));
+  // Mirrored sheets; the diagonals of their grids are not.
+  EXPECT_NEAR(near_weft, peak_force("75 deg", elastic(20, 160, 20)), 0.01 * near_weft);
+  EXPECT_NEAR(near_weft, peak_force("165 deg", elastic(160, 20, 20)), 0.01 * near_weft);
+}
+
+TEST(StripSheets, AnglesOfWeftBiasAndWarpAreTheseDirections) {
+  const StudyFolder folder;
+  for (const auto& [angle, direction] :
+       {std::pair{"0 deg", "weft"}, {"45 deg", "bias"}, {"90 deg", "warp"}}) {
+    const Study study = study_of(folder, angle, "", "strips: one-dimensional");
+    EXPECT_EQ(study.experiments.front().direction, direction);
+  }
+}
+
+TEST(StripSheets, NeedNoDensity) {
+  const StudyFolder folder;
+  const Study study = study_of(folder, "warp");
+  const StripSheets strips = sheets_of_strips(study.experiments.front(), study.model, 0);
+  const Session& session = strips.tests.front().session();
+  write_session(folder.path() / "session", session);
+  EXPECT_EQ(read_session(folder.path() / "session").frame_count(), session.frame_count());
+}
+
 TEST(StripSheets, OfSpringsAreRefused) {
   const StudyFolder folder;
   const Study study = study_of(folder, "bias", "", "strips: sheet, membrane: spring");

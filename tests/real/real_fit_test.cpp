@@ -1,6 +1,8 @@
 // Fits of real measurements; skipped where PLIANT_TEST_DATA does not hold them. The tables they
 // print are those of the documentation.
 
+#include "real/real_fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -16,67 +18,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/run_program.h"
-
 namespace pliant::test {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
-
-std::filesystem::path measurement(const std::string& name) {
-  const char* folder = std::getenv("PLIANT_TEST_DATA");
-  return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder) / name;
-}
-
-#define SKIP_WITHOUT(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "PLIANT_TEST_DATA does not hold " << path
-
-std::string cell(const json& value, const char* format = "{:.2f}") {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
-
-std::string pair_of(const json& loop, const char* metric) {
-  if (!loop.is_object()) return "-";
-  return cell(loop["measured"][metric]) + " / " + cell(loop["predicted"][metric]);
-}
-
-/// Errors and loops of all experiments of a fit, one line each.
-void print_table(const json& fit) {
-  fmt::print("{:<20} {:<9} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}\n", "experiment", "role", "RMS %",
-             "elastic", "ratio", "hysteresis m / p", "loop loss m / p", "seconds");
-  for (const json& e : fit["experiments"]) {
-    const json& rms = e["rms_percent_of_peak"];
-    const json& elastic = e["rms_elastic_percent_of_peak"];
-    const std::string ratio =
-        elastic.is_number() ? cell(elastic.get<double>() / rms.get<double>(), "{:.1f}") : "-";
-    fmt::print("{:<20} {:<9} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}\n", e["name"].get<std::string>(),
-               e["role"].get<std::string>(), cell(rms), cell(elastic), ratio,
-               pair_of(e["loop"], "hysteresis_ratio"), pair_of(e["loop"], "loop_loss"),
-               cell(fit["seconds"]));
-  }
-}
-
-json experiment_named(const json& fit, const std::string& name) {
-  for (const json& e : fit["experiments"]) {
-    if (e["name"] == name) return e;
-  }
-  ADD_FAILURE() << "no experiment " << name;
-  return {};
-}
-
-struct RealFit {
-  ProgramRun run;
-  json fit;
-};
-
-RealFit fit_file(const TemporaryFolder& folder, const std::filesystem::path& study) {
-  RealFit real;
-  real.run = run_program({"fit", study.string(), "-o", (folder.path() / "fit").string(), "--json"});
-  EXPECT_EQ(real.run.status, 0) << real.run.err;
-  real.fit = json::parse(real.run.out, nullptr, false);
-  return real;
-}
 
 // The bounds are the project's, from a trial with five stiffness values and three of
 // friction: 1.1, 1.3 and 1.4 %.
@@ -121,14 +67,6 @@ TEST(RealFab, StripsOfThreeDirectionsAreOneSheet) {
     EXPECT_LE(short_strip["rms_percent_of_peak"], percent) << direction;
   }
   EXPECT_EQ(real.fit["parameters"].back()["name"], "shear.friction.tau");
-}
-
-double value_of(const json& fit, const std::string& parameter) {
-  for (const json& p : fit["parameters"]) {
-    if (p["name"] == parameter) return p["value"];
-  }
-  ADD_FAILURE() << "no parameter " << parameter;
-  return 0;
 }
 
 /// Errors of the buckled strips beside what neighbouring rows scatter by, in mN.

@@ -1,6 +1,8 @@
 #include "pliant/experiment/study.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@ namespace pliant {
 namespace {
 
 constexpr long kMostRows = 1'000'000'000;
+constexpr double kSameAngle = 1e-6;  // rad, of the direction in which a strip is cut
 
 // Defaults of `defaults:`; zero where nothing was said.
 struct Defaults {
@@ -116,8 +119,32 @@ double read_length(Fields& fields, std::string_view key, double fallback) {
   return fields.require(key).positive_quantity(Dimension::length);
 }
 
+// A strip may be cut at any angle; those of weft, bias and warp are these directions.
+void read_cut(const Value& value, ExperimentSpec& spec) {
+  const std::string text = value.text();
+  if (text.find_first_of("0123456789") == std::string::npos) {
+    spec.direction = value.choice({"warp", "weft", "bias"});
+    return;
+  }
+  const double angle = value.quantity_from_zero(Dimension::angle);
+  if (angle >= std::numbers::pi - kSameAngle) {
+    value.fail(quoted_value(text) + " is no angle of a strip", "0 deg to less than 180 deg");
+  }
+  for (const auto& [name, eighths] : {std::pair{"weft", 0}, {"bias", 2}, {"warp", 4}}) {
+    if (std::abs(angle - eighths * std::numbers::pi / 8) < kSameAngle) spec.direction = name;
+  }
+  if (!spec.direction.empty()) return;
+  spec.direction = text;
+  spec.oblique_angle = angle;
+}
+
 void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
-  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
+  const Value direction = fields.require("direction");
+  if (spec.type == "tensile-cycles") {
+    read_cut(direction, spec);
+  } else {
+    spec.direction = direction.choice({"warp", "weft", "bias"});
+  }
   spec.length = read_length(fields, "length", defaults.length);
   spec.width = read_length(fields, "width", defaults.width);
 }
@@ -395,6 +422,17 @@ FitOptions read_fit(Fields& study) {
   return fit;
 }
 
+// In one dimension a strip tells a component of its own, and there is none at 30 degrees.
+void refuse_oblique_strips_in_one_dimension(const Study& study) {
+  if (study.model.strips_as_sheets) return;
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!spec.oblique_angle) continue;
+    throw InputError({spec.where.file, spec.where.line, spec.where.field + ".direction"},
+                     quoted_value(spec.direction) + " has no component of its own in one dimension",
+                     "`model: {strips: sheet}`, or warp, weft or bias");
+  }
+}
+
 void apply_validate(const Value& list, Study& study) {
   for (const Value& item : list.items()) {
     const std::string pattern = item.text();
@@ -442,7 +480,10 @@ bool needs_density(std::string_view type) {
 std::string component_of_test(std::string_view type, const std::string& direction) {
   if (type == "shear-cycles") return "shear";
   const bool bends = type == "pure-bending" || type == "buckling-bend" || bends_by_weight(type);
-  if (!bends) return "stretch." + direction;
+  if (!bends) {
+    const bool oblique = direction != "warp" && direction != "weft" && direction != "bias";
+    return oblique ? "shear" : "stretch." + direction;
+  }
   return "bend." + (direction == "bias" ? "diagonal" : direction);
 }
 
@@ -482,6 +523,7 @@ Study read_study(const std::filesystem::path& path) {
   const Defaults defaults = read_defaults(fields);
   study.experiments = read_experiments(fields.require("experiments"), defaults);
   study.model = read_model(fields);
+  refuse_oblique_strips_in_one_dimension(study);
   study.fit = read_fit(fields);
   if (auto v = fields.optional("validate")) apply_validate(*v, study);
   fields.finish();

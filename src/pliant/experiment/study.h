@@ -56,7 +56,10 @@ enum class BucklingSide { down, up };
 struct ExperimentSpec {
   std::string name;
   std::string type;
-  std::string direction;  ///< warp, weft, bias; empty where the type has none
+  std::string direction;  ///< warp, weft, bias; of an oblique strip its angle as the study writes
+                          ///< it; empty where the type has none
+  std::optional<double> oblique_angle;  ///< rad from weft, of a strip cut otherwise than along
+                                        ///< weft, warp or bias
   std::string standard;
   DataSource data;
   double length = 0;  ///< gauge length; rolled-strip, buckling-bend: of the strip
@@ -167,7 +170,7 @@ bool bends_by_weight(std::string_view type);
 bool needs_density(std::string_view type);
 
 /// Strain component that a test of a type and direction determines, e.g. stretch.warp. What bends
-/// along the bias is bend.diagonal.
+/// along the bias is bend.diagonal; oblique strips are sheets that tell shear.
 std::string component_of_test(std::string_view type, const std::string& direction);
 
 /// Reads a study/1 file.

@@ -30,8 +30,9 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
   const std::filesystem::path written =
       (folder / std::filesystem::path(data.written).filename()).lexically_normal();
   std::error_code error;
+  // The folder of a study that was named without one is empty: the working directory.
   std::filesystem::path relative = std::filesystem::proximate(
-      std::filesystem::absolute(written), std::filesystem::absolute(directory), error);
+      std::filesystem::absolute(written), std::filesystem::absolute(directory / "."), error);
   if (error) relative = written;
   if (data.csv.columns.empty() && data.csv.encoding.empty() && data.csv.skip_rows == 0) {
     return YAML::Node(relative.generic_string());

@@ -15,6 +15,7 @@ namespace {
 
 struct SessionTask {
   std::string name;
+  int specimen = 1;
   const VirtualSession* options = nullptr;
 };
 
@@ -22,15 +23,17 @@ std::vector<SessionTask> tasks_of(const VirtualLab& lab) {
   std::vector<SessionTask> tasks;
   for (const LabExperiment& experiment : lab.experiments) {
     if (experiment.type != "session") continue;
+    int specimen = 0;
     for (const std::string& name : session_names(lab, experiment)) {
-      tasks.push_back({name, &experiment.session});
+      tasks.push_back({name, ++specimen, &experiment.session});
     }
   }
   return tasks;
 }
 
-/// Every parameter varies by itself, as those of the other experiments do.
-Material specimen_material(Material material, double variation, RandomStream& random) {
+/// Every parameter varies by itself, as those of the other experiments do. A sheet goes through all
+/// tests: the sessions of a specimen are of one material.
+Material specimen_material(Material material, double variation, RandomStream random) {
   if (variation == 0) return material;
   const auto varied = [&](double value) { return value * std::exp(variation * random.normal()); };
   const auto vary = [&](DahlParameters& dahl) {
@@ -68,8 +71,10 @@ class SharedProgress {
 
 Session measured(const SessionTask& task, const VirtualLab& lab, const RunContext& context,
                  SharedProgress& progress) {
-  RandomStream random = RandomStream(context.seed).split(task.name);
-  const Material material = specimen_material(lab.material, lab.specimen_variation, random);
+  const RandomStream root(context.seed);
+  const Material material = specimen_material(lab.material, lab.specimen_variation,
+                                              root.split(fmt::format("sheet {}", task.specimen)));
+  RandomStream random = root.split(task.name);
   return make_virtual_session(material, *task.options, random,
                               {task.name, context.stop, [&](int frames) { progress.add(frames); }});
 }

@@ -70,6 +70,21 @@ TEST(VirtualLabSessions, HaveADirectoryForEachSpecimen) {
   EXPECT_THAT(content_of_file(files, "study.yaml"), HasSubstr("data: \"weft-02\""));
 }
 
+TEST(VirtualLabSessions, OfASpecimenAreOfOneMaterial) {
+  VirtualLab lab =
+      lab_of(cotton(), {session_of("a", "stretch-weft"), session_of("b", "stretch-weft")});
+  lab.specimens = 2;
+  lab.specimen_variation = 0.1;
+  for (LabExperiment& experiment : lab.experiments) experiment.session.noise = {};
+  const MeasuredFiles files = measurements_of(lab);
+  const auto cords = [&](const std::string& session) {
+    return content_of_file(files, session + "/cords.csv");
+  };
+  EXPECT_EQ(cords("a-01"), cords("b-01"));
+  EXPECT_EQ(cords("a-02"), cords("b-02"));
+  EXPECT_NE(cords("a-01"), cords("a-02"));
+}
+
 /// Remembers what it is told.
 class HeardProgress : public Progress {
  public:

@@ -18,6 +18,7 @@ namespace {
 constexpr int kFrames = 120;           // about as many are kept of a strip's rows
 constexpr int kCells = 6;              // on the shorter side of a strip
 constexpr double kSlackForce = 0.005;  // of the peak: less is none
+constexpr double kAnyDensity = 0.1;    // kg/m^2, where none is stated: a session has to have one
 
 /// A row of the tester.
 struct Row {
@@ -72,9 +73,10 @@ std::vector<Row> thinned(const std::vector<Row>& rows) {
 }
 
 /// The strip's axis in the rest plane, from weft (rad).
-double angle_of(const std::string& direction) {
-  if (direction == "weft") return 0;
-  return direction == "warp" ? std::numbers::pi / 2 : std::numbers::pi / 4;
+double angle_of(const ExperimentSpec& spec) {
+  if (spec.oblique_angle) return *spec.oblique_angle;
+  if (spec.direction == "weft") return 0;
+  return spec.direction == "warp" ? std::numbers::pi / 2 : std::numbers::pi / 4;
 }
 
 const char* test_of(const std::string& direction) {
@@ -89,7 +91,7 @@ Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, dou
   };
   const int along = nodes(spec.length), across = nodes(spec.width);
   const TriangleMesh grid = regular_grid(spec.length, spec.width, along, across);
-  const Eigen::Rotation2Dd turn(angle_of(spec.direction));
+  const Eigen::Rotation2Dd turn(angle_of(spec));
   const Eigen::Matrix2Xd corners = turn.toRotationMatrix() * grid.positions.topRows<2>();
 
   Session session;
@@ -97,7 +99,8 @@ Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, dou
   session.gravity.setZero();
   session.rest = flat_mesh(corners, grid.triangles);
   const Eigen::Vector2d extent = corners.rowwise().maxCoeff() - corners.rowwise().minCoeff();
-  session.sample = {"", extent.x(), extent.y(), std::nullopt, area_density};
+  session.sample = {"", extent.x(), extent.y(), std::nullopt,
+                    area_density > 0 ? area_density : kAnyDensity};
   session.clips = {{"fixed", 0, {}}, {"moving", 0, {}}};
   for (int j = 0; j < across; ++j) {
     session.clips[0].clamped.push_back(j * along);
@@ -107,7 +110,7 @@ Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, dou
 }
 
 SessionFrame frame_of(const Session& session, const ExperimentSpec& spec, const Row& row) {
-  const double angle = angle_of(spec.direction);
+  const double angle = angle_of(spec);
   const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
   const double stretch = row.length / spec.length;
   SessionFrame frame;

@@ -17,7 +17,8 @@ struct StripSheets {
 
 /// Load-unload cycles of strips as sequences of a sheet: a rectangle of gauge length and width,
 /// clamped along both ends and pulled lengthways without gravity. A warp strip lies along v, a weft
-/// strip along u, a bias strip at 45 degrees to both. Compared is the force of the moving clip.
+/// strip along u, a bias strip at 45 degrees to both, an oblique one at its angle from u towards v.
+/// Compared is the force of the moving clip.
 ///
 /// The rows are thinned: to where the clamps have gone on by a fixed part of their whole way, and
 /// the last one before each turn. The force offset is what the slack strip reads, as in predictions
@@ -26,7 +27,7 @@ struct StripSheets {
 ///
 /// Rows that are not fitted (conditioning, exclusions) are followed and not compared.
 /// @param spec          tensile-cycles of any direction
-/// @param area_density  kg/m^2; nothing depends on it
+/// @param area_density  kg/m^2, 0 where none is stated; nothing depends on it
 /// @throws InputError as `TensileCycles` does, and for springs, which no bias strip has along it
 StripSheets sheets_of_strips(const ExperimentSpec& spec, const ModelOptions& model,
                              double area_density);

@@ -68,6 +68,12 @@ TEST(FitModels, WriteAFolderForEachAndATable) {
   EXPECT_THAT(csv, StartsWith("model,variant,pull_N,table_mm,misfit_percent,parameters,converged,"
                               "seconds,failure\nstvk,linear-isotropic,"));
   EXPECT_THAT(run.err, HasSubstr("pull, N"));
+  const std::filesystem::path report = std::filesystem::path(folder.out()) / "report.html";
+  const std::string html = read_text_file(report);
+  EXPECT_THAT(html, HasSubstr("springs.linear-isotropic/report.html"));
+  std::filesystem::remove(report);
+  ASSERT_EQ(run_program({"report", folder.out()}).status, 0);
+  EXPECT_EQ(read_text_file(report), html);
   // The resolved study of a fit is the study of that fit.
   const ProgramRun info =
       run_program({"info", folder.out() + "/springs.linear-isotropic/study.resolved.yaml"});

@@ -16,7 +16,7 @@ std::filesystem::path results_file(const std::filesystem::path& directory) {
     if (std::filesystem::exists(directory / name)) return directory / name;
   }
   throw InputError({directory.string(), 0, {}}, "no results of fit, evaluate or simulate",
-                   "a directory with fit.json, evaluation.json or simulation.json");
+                   "a directory with fit.json, evaluation.json, summary.json or simulation.json");
 }
 
 /// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`.

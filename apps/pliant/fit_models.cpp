@@ -12,6 +12,7 @@
 #include "pliant/estimation/sheet/sheet_model_fits.h"
 #include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/io/csv_writer.h"
+#include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
 
 #include "apps/pliant/run_facts.h"
@@ -185,7 +186,9 @@ std::string fit_models(const CommandContext& context, const Study& study,
   results.write("summary.csv", summary_csv(ordered));
   std::string summary = summary_json(study, ordered, facts);
   results.write("summary.json", summary);
+  results.write("report.html", make_model_fits_report(results.staging()));
   say_table(context, ordered);
+  context.say(fmt::format("report: {}", (results.path() / "report.html").string()));
   return summary;
 }
 

@@ -11,7 +11,7 @@
 namespace pliant {
 
 /// Fits a study of sessions with several cloth models and variants ([T] Tables A.1-A.4): a folder
-/// of results for each in `results`, summary.csv and summary.json; and prints the table.
+/// of results for each in `results`, summary.csv, summary.json and a report; and prints the table.
 /// @param study_file  that the study was read from
 /// @return the text of summary.json
 /// @throws InputError for a study without sessions; what `fit_sheet_models` throws

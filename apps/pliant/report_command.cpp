@@ -2,6 +2,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/io/atomic_file.h"
+#include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
 
 #include "apps/pliant/command.h"
@@ -18,6 +19,7 @@ std::string report_of(const std::filesystem::path& directory, const RunContext& 
   if (std::filesystem::exists(directory / "simulation.json")) {
     return make_simulation_report(directory, report_pictures(directory, run));
   }
+  if (std::filesystem::exists(directory / "summary.json")) return make_model_fits_report(directory);
   return make_report(directory);
 }
 

@@ -63,11 +63,23 @@ TEST(FitModels, WriteAFolderForEachAndATable) {
     EXPECT_GT(own["experiments"][1]["fold_height_error_mm"], 0);
     EXPECT_TRUE(own["experiments"][1]["measure_file"].is_null()) << "a table has no clips";
     EXPECT_EQ(own["parameters"].size(), fit["parameters"]);
+    const json& work = own["work"];
+    EXPECT_GT(work["equilibria"], 0);
+    EXPECT_GT(work["equilibria_by_differences"], work["equilibria"]);
+    double seconds = 0;
+    for (const json& part : work["seconds"]) seconds += part.get<double>();
+    EXPECT_NEAR(seconds, own["seconds"], 1e-6);
   }
   const std::string csv = read_text_file(std::filesystem::path(folder.out()) / "summary.csv");
   EXPECT_THAT(csv, StartsWith("model,variant,pull_N,table_mm,misfit_percent,parameters,converged,"
                               "seconds,failure\nstvk,linear-isotropic,"));
   EXPECT_THAT(run.err, HasSubstr("pull, N"));
+  const std::filesystem::path report = std::filesystem::path(folder.out()) / "report.html";
+  const std::string html = read_text_file(report);
+  EXPECT_THAT(html, HasSubstr("springs.linear-isotropic/report.html"));
+  std::filesystem::remove(report);
+  ASSERT_EQ(run_program({"report", folder.out()}).status, 0);
+  EXPECT_EQ(read_text_file(report), html);
   // The resolved study of a fit is the study of that fit.
   const ProgramRun info =
       run_program({"info", folder.out() + "/springs.linear-isotropic/study.resolved.yaml"});

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "pliant/report/embedded_bundle.h"
+#include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
 #include "pliant/report/simulation_report.h"
 
+#include "report/sample_model_fits.h"
 #include "report/sample_results.h"
 #include "report/sample_sheets.h"
 #include "report/sample_simulation.h"
@@ -141,6 +143,19 @@ TEST_F(BrowserReport, OfASimulationIsDrawnWithItsPictures) {
   const std::string document = without_script(document_of(html));
   EXPECT_EQ(count(document, "data-drawn=\"true\""), 1u);
   EXPECT_THAT(document, HasSubstr("data-width=\"1\""));
+  EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
+  EXPECT_THAT(document, Not(HasSubstr("data-violation")));
+}
+
+TEST_F(BrowserReport, OfSeveralModelsHasABarForEachFit) {
+  const TemporaryFolder folder;
+  testing::write_sample_model_fits(folder.path());
+  const std::string html = when_drawn(make_model_fits_report(folder.path()), R"(
+      const bars = [...document.querySelectorAll('#figure-1 .bars .point path')];
+      document.body.dataset.bars = bars.filter((bar) => bar.getBoundingClientRect().height > 0).length;)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), 2u);
+  EXPECT_THAT(document, HasSubstr("data-bars=\"3\"")) << "one of four has failed";
   EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
   EXPECT_THAT(document, Not(HasSubstr("data-violation")));
 }

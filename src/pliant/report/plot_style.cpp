@@ -28,6 +28,9 @@ std::string swatch(const SeriesStyle& style) {
         kOpen, style.color, style.size, dash);
   }
   const std::string_view symbol = style.symbol;
+  if (symbol == "square") {
+    return fmt::format("{}<path d=\"M10 0H20V10H10Z\" fill=\"{}\"/></svg>", kOpen, style.color);
+  }
   std::string shape = "<circle cx=\"15\" cy=\"5\" r=\"3\"";
   if (symbol.starts_with("triangle-down")) shape = "<path d=\"M11 2H19L15 9Z\"";
   if (symbol.starts_with("diamond")) shape = "<path d=\"M15 1L19 5L15 9L11 5Z\"";

@@ -17,7 +17,7 @@ struct SeriesStyle {
   const char* name;
   const char* color;
   const char* dash;    ///< plotly dash of a line; nullptr: markers
-  const char* symbol;  ///< plotly symbol of markers; nullptr: a line
+  const char* symbol;  ///< plotly symbol of markers, `square` for bars; nullptr: a line
   double size;         ///< width of the line or size of the markers, px
 };
 

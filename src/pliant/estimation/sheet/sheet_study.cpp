@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
@@ -20,6 +20,7 @@
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
+#include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
@@ -180,9 +181,12 @@ constexpr double kFoundShare = 0.75;
 /// @throws SolverError where too few have one
 std::vector<std::optional<SheetShape>> predict(const SheetTest& test, const Material& material,
                                                const CordFrictions& cords,
-                                               const RunContext& context) {
+                                               const RunContext& context, EquilibriumWork& work) {
+  const Stopwatch watch;
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
   auto shapes = predictor->predict_each(predictor->parameters(), {}, context.threads, context.stop);
+  const EquilibriumWork own = predictor->work();
+  work += {own.counts, own.seconds.on_the_clock(watch.seconds())};
   const Eigen::VectorXd widths = cord_widths(test, cords);
   int found = 0, first_missing = -1;
   for (int frame = 0; frame < test.frame_count(); ++frame) {
@@ -198,7 +202,7 @@ std::vector<std::optional<SheetShape>> predict(const SheetTest& test, const Mate
     throw SolverError(
         fmt::format("the equilibria of {} of {} frames of {}, first of frame {}",
                     test.frame_count() - found, test.frame_count(), test.name(), first_missing),
-        predictor->counts().iterations, 0);
+        own.counts.iterations, 0);
   }
   return shapes;
 }
@@ -232,13 +236,13 @@ void tell_of_cords(const SheetTest& test, const CordFrictions& cords, Experiment
 
 std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
                                           const Material& material, const CordFrictions& cords,
-                                          const RunContext& context) {
+                                          const RunContext& context, EquilibriumWork& work) {
   const Material usable = held_beyond_range(material);
   std::vector<ExperimentResult> rows;
   ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
   for (const SheetExperiment& experiment : experiments) {
     const SheetTest& test = experiment.test;
-    rows.push_back(compare_sheet(test, predict(test, usable, cords, context)));
+    rows.push_back(compare_sheet(test, predict(test, usable, cords, context, work)));
     rows.back().role = experiment.role;
     rows.back().type = experiment.type;
     rows.back().direction = experiment.direction;
@@ -261,7 +265,7 @@ struct Candidate {
             const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
     set_status(study, fit);
-    experiments = predictions(data, fit.material, fit.cords, context);
+    experiments = predictions(data, fit.material, fit.cords, context, fit.work);
   }
 
   /// Frames without equilibrium, whose error nobody knows.
@@ -274,17 +278,21 @@ struct Candidate {
   }
 };
 
-/// The best of the fits that begin with nothing and at each start, and of the starts themselves.
+/// The best of the fits that begin with nothing and at each start, and of the starts themselves;
+/// its work is that of all.
 Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
   Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
   const auto consider = [&](SheetFit fit, std::string how) {
     Candidate other(study, std::move(fit), experiments, context, std::move(how));
+    EquilibriumWork work = best.fit.work;
+    work += other.fit.work;
     if (std::pair(other.missing_frames(), misfit_percent(other.experiments)) <
         std::pair(best.missing_frames(), misfit_percent(best.experiments))) {
       best = std::move(other);
     }
+    best.fit.work = work;
   };
   for (const SheetStart& start : starts) {
     SheetFit fit = fit_sheets(study, plan, context, &start.material);
@@ -292,6 +300,7 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
     fit.material = start.material;
     fit.cords = start.cords;
     fit.stages.clear();
+    fit.work = {};
     consider(std::move(fit), "no search found better than the solution of " + start.variant);
   }
   return best;
@@ -394,8 +403,9 @@ double misfit_percent(const std::vector<ExperimentResult>& experiments) {
 
 StudyResult fit_sheet_study(const Study& study, const RunContext& context,
                             const std::vector<SheetStart>& starts) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StudyResult result = describe(study);
+  result.assumptions = stated_options(study.fit);
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
@@ -408,6 +418,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   }
   result.density = fit.material.density;
   const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, study.fit, context);
+  result.work = fit.work;
+  *result.work += uncertainty.work;
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
@@ -431,11 +443,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   if (bends && fit.material.bending == "discrete-shells") {
     result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
   }
-  result.assumptions.push_back(
-      fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",
-                  fit.counts.equilibria, fit.counts.iterations, fit.counts.factors));
   if (!best.note.empty()) result.assumptions.push_back("search: " + best.note);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = watch.seconds();
   return result;
 }
 
@@ -448,7 +457,8 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  std::vector<ExperimentResult> rows = predictions(experiments, material, {}, context);
+  EquilibriumWork work;
+  std::vector<ExperimentResult> rows = predictions(experiments, material, {}, context, work);
   warn_of_missing_frames(rows, result);
   std::move(rows.begin(), rows.end(), std::back_inserter(result.experiments));
   for (const ExperimentResult& row : result.experiments) {

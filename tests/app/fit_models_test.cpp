@@ -63,6 +63,12 @@ TEST(FitModels, WriteAFolderForEachAndATable) {
     EXPECT_GT(own["experiments"][1]["fold_height_error_mm"], 0);
     EXPECT_TRUE(own["experiments"][1]["measure_file"].is_null()) << "a table has no clips";
     EXPECT_EQ(own["parameters"].size(), fit["parameters"]);
+    const json& work = own["work"];
+    EXPECT_GT(work["equilibria"], 0);
+    EXPECT_GT(work["equilibria_by_differences"], work["equilibria"]);
+    double seconds = 0;
+    for (const json& part : work["seconds"]) seconds += part.get<double>();
+    EXPECT_NEAR(seconds, own["seconds"], 1e-6);
   }
   const std::string csv = read_text_file(std::filesystem::path(folder.out()) / "summary.csv");
   EXPECT_THAT(csv, StartsWith("model,variant,pull_N,table_mm,misfit_percent,parameters,converged,"

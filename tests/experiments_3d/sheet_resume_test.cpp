@@ -72,6 +72,9 @@ TEST_F(SlowSheetResume, GivesTheSameBitsBetweenSearches) {
     EXPECT_EQ(rest.result.parameters[i].value, whole.result.parameters[i].value);
     EXPECT_EQ(rest.result.parameters[i].std_error, whole.result.parameters[i].std_error);
   }
+  EXPECT_EQ(rest.result.work->counts.equilibria, whole.result.work->counts.equilibria);
+  EXPECT_EQ(rest.result.work->counts.differences, whole.result.work->counts.differences);
+  EXPECT_LT(rest.result.work->seconds.search, whole.result.work->seconds.search);
 }
 
 TEST_F(SlowSheetResume, RefusesTheProgressOfOtherData) {

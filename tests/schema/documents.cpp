@@ -181,7 +181,8 @@ std::vector<NamedDocument> written_documents() {
   StudyFitOptions options;
   options.compare_friction = true;
   options.profiles = {"shear.k*"};
-  const StudyResult fit = fit_study(study, options, {});
+  StudyResult fit = fit_study(study, options, {});
+  fit.work.emplace();  // that a fit of sheets has beside
   const StudyResult evaluation = evaluate_study(study, lab.material, {});
   for (const auto& files : {fit_files(fit, facts), evaluation_files(evaluation, facts)}) {
     for (const auto& [name, content] : files) {

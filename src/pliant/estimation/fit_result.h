@@ -11,6 +11,7 @@
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session.h"
 #include "pliant/experiment/session/fold_error.h"
+#include "pliant/experiment/sheet/equilibrium_work.h"
 #include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
 
@@ -119,6 +120,7 @@ struct StudyResult {
   std::map<std::string, Eigen::VectorXd> singular_values;
   std::vector<ExperimentResult> experiments;
   std::vector<ComponentCurve> curves;
+  std::optional<EquilibriumWork> work;  ///< of sheets: fits, their predictions and uncertainty
   std::vector<FitStage> stages;
   std::vector<StartCount> starts;
   std::vector<ModelRank> models;

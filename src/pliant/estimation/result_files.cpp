@@ -1,5 +1,6 @@
 #include "pliant/estimation/result_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -136,7 +137,23 @@ void add_fit_details(const StudyResult& result, Json& json) {
   }
 }
 
+/// Null where no sheets were fitted. The seconds add up to those of the fit.
+Json work_json(const StudyResult& result) {
+  if (!result.work) return nullptr;
+  const auto& [counts, seconds] = *result.work;
+  return {{"equilibria", counts.equilibria},
+          {"newton_iterations", counts.iterations},
+          {"factorizations", counts.factors},
+          {"differentiated", counts.differentiated},
+          {"equilibria_by_differences", counts.equilibria + counts.differences},
+          {"seconds",
+           {{"equilibria", seconds.search},
+            {"derivatives", seconds.derivatives},
+            {"rest", std::max(result.seconds - seconds.search - seconds.derivatives, 0.0)}}}};
+}
+
 void add_searches(const StudyResult& result, Json& json) {
+  json["work"] = work_json(result);
   json["stages"] = Json::array();
   for (const FitStage& s : result.stages) {
     json["stages"].push_back({{"component", s.component},

@@ -46,6 +46,41 @@ std::string stages(const Results& results) {
   return "<h3>Stages</h3>\n" + table.html();
 }
 
+/// Equilibria, derivatives and the rest: seconds, and what was done in them.
+std::string work(const Results& results) {
+  if (!results.work) return {};
+  const FitWork& work = *results.work;
+  const double all = work.equilibrium_seconds + work.derivative_seconds + work.other_seconds;
+  HtmlTable table({{"Work"}, {"Time", Align::number, "s"}, {"Share", Align::number}, {"Of it"}});
+  const auto row = [&](std::string_view name, double seconds, const std::string& what) {
+    table.begin_row();
+    table.cell(name);
+    table.cell(format_significant(seconds, 3));
+    table.cell(all > 0 ? format_percent(100 * seconds / all) : kNoValue);
+    table.cell(what);
+  };
+  row("Equilibria", work.equilibrium_seconds,
+      fmt::format("{} in {} iterations of Newton's method", work.equilibria,
+                  work.newton_iterations));
+  row("Derivatives", work.derivative_seconds,
+      fmt::format("of {} equilibria by all parameters that were searched for",
+                  work.differentiated));
+  row("The rest", work.other_seconds, "least squares, meshes, reading");
+  std::string html =
+      "<h3>Where the time went</h3>\n"
+      "<p>The sheet of each frame is brought into equilibrium for each material that is tried, "
+      "and how it would change with the material follows from the same equations: "
+      "derivatives need no further equilibrium.";
+  if (work.equilibria > 0 && work.differentiated > 0) {
+    html += fmt::format(
+        " Forward differences would have needed {} equilibria instead of {}, {} times as many.",
+        work.by_differences, work.equilibria,
+        format_significant(static_cast<double>(work.by_differences) / work.equilibria, 2));
+  }
+  return html + fmt::format(" {} Hessians were factorised.</p>\n", work.factorizations) +
+         table.html();
+}
+
 std::string provenance(const Results& results) {
   HtmlTable table({{"Item"}, {"Value"}});
   const auto row = [&](std::string_view name, const std::string& value) {
@@ -73,8 +108,8 @@ std::string provenance(const Results& results) {
 
 std::string method_section(const Results& results) {
   return "<section id=\"method\"><h2>Assumptions and method</h2>\n" + assumptions(results) +
-         all_warnings(results) + stages(results) + starts(results) + provenance(results) +
-         "</section>\n";
+         all_warnings(results) + stages(results) + starts(results) + work(results) +
+         provenance(results) + "</section>\n";
 }
 
 }  // namespace pliant::report

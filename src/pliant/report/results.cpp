@@ -104,6 +104,22 @@ FitStage read_stage(const JsonReader& json) {
           json.number("rms"), json.flag_or("accepted", true)};
 }
 
+std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {
+  if (!json) return std::nullopt;
+  FitWork work;
+  work.equilibria = json->integer_or("equilibria", 0);
+  work.newton_iterations = json->integer_or("newton_iterations", 0);
+  work.factorizations = json->integer_or("factorizations", 0);
+  work.differentiated = json->integer_or("differentiated", 0);
+  work.by_differences = json->integer_or("equilibria_by_differences", 0);
+  if (const auto seconds = json->object("seconds")) {
+    work.equilibrium_seconds = seconds->number("equilibria").value_or(0);
+    work.derivative_seconds = seconds->number("derivatives").value_or(0);
+    work.other_seconds = seconds->number("rest").value_or(0);
+  }
+  return work;
+}
+
 MultiStart read_start(const JsonReader& json) {
   return {json.text_or("component", ""), json.integer_or("tried", 0),
           json.integer_or("reached_best", 0)};
@@ -191,6 +207,7 @@ Results read_results(const std::filesystem::path& directory) {
   r.singular_values = read_all(json, "singular_values", read_singular_values);
   r.experiments = read_all(json, "experiments", read_experiment);
   assign_nuisance_components(r);
+  r.work = read_work(json.object("work"));
   r.stages = read_all(json, "stages", read_stage);
   r.starts = read_all(json, "starts", read_start);
   r.models = read_all(json, "models", read_model);

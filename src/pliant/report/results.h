@@ -87,6 +87,13 @@ struct SingularValues {
   std::vector<double> values;
 };
 
+/// What the equilibria of a fit of sheets have cost.
+struct FitWork {
+  int equilibria = 0, newton_iterations = 0, factorizations = 0, differentiated = 0;
+  int by_differences = 0;  ///< equilibria with derivatives by forward differences
+  double equilibrium_seconds = 0, derivative_seconds = 0, other_seconds = 0;
+};
+
 /// fit.json or evaluation.json of a results directory.
 struct Results {
   bool evaluation = false;
@@ -99,6 +106,7 @@ struct Results {
   std::vector<std::vector<double>> covariance;  ///< parameters, then nuisance; NaN = unknown
   std::vector<SingularValues> singular_values;
   std::vector<ResultExperiment> experiments;
+  std::optional<FitWork> work;
   std::vector<FitStage> stages;
   std::vector<MultiStart> starts;
   std::vector<RankedModel> models;

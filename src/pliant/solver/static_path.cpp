@@ -2,6 +2,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/stopwatch.h"
 
 namespace pliant {
 namespace {
@@ -87,6 +88,7 @@ void StaticPath::accept(double time, Configuration at, PathEquilibrium& point) {
   point.time = time;
   ++point.equilibria;
   if (options_.sensitivities) {
+    const Stopwatch watch;
     // Newton's own factor belongs to the iterate before the last, and may be shifted.
     const Objective objective(system_, state_);
     const auto factorized = factorize_at(objective, at, point.forces, hessian_, solver_);
@@ -99,6 +101,7 @@ void StaticPath::accept(double time, Configuration at, PathEquilibrium& point) {
     }
     point.by_parameter = differentiate_equilibrium(objective, at, history_by_parameter_, solver_);
     system_.advance_sensitivity(at, state_, point.by_parameter.positions, history_by_parameter_);
+    point.derivative_seconds += watch.seconds();
   } else {
     point.forces = Objective(system_, state_).gradient(at);
   }

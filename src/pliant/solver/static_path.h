@@ -18,10 +18,11 @@ struct StaticPathOptions {
 
 /// An equilibrium of a quasi-static path.
 struct PathEquilibrium {
-  double time = 0;          ///< s
-  NewtonSummary newton;     ///< of the last equilibrium; iterations are those of the whole step
-  int equilibria = 0;       ///< found during the step
-  double work = 0;          ///< done against friction during the step (J)
+  double time = 0;       ///< s
+  NewtonSummary newton;  ///< of the last equilibrium; iterations are those of the whole step
+  int equilibria = 0;    ///< found during the step
+  double derivative_seconds = 0;  ///< that their derivatives took
+  double work = 0;                ///< done against friction during the step (J)
   Eigen::Matrix3Xd forces;  ///< dE / d points (N): on points moved from outside what moves them
 
   EquilibriumDerivatives by_parameter;  ///< empty where no derivatives were asked for

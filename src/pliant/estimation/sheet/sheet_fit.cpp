@@ -383,17 +383,12 @@ class Fitter {
         fmt::format("{} of {} in {}", what, fmt::join(components, ", "), names(stage.tests));
     Numbers answer = context_.journal.answer(question, [&] {
       Numbers found = work();
-      const EquilibriumCounts counts = problem.counts();
-      for (const int count :
-           {counts.equilibria, counts.iterations, counts.factors, counts.unstable}) {
-        found.push_back(count);
-      }
+      const EquilibriumWork cost = problem.work();
+      fit_.work.seconds += cost.seconds;
+      append_counts(cost.counts, found);
       return found;
     });
-    const auto counts = answer.end() - 4;
-    const auto count = [&](int i) { return static_cast<int>(counts[i]); };
-    fit_.counts += {count(0), count(1), count(2), count(3)};
-    answer.erase(counts, answer.end());
+    fit_.work.counts += take_counts(answer);
     return answer;
   }
 

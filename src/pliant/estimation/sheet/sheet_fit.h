@@ -19,7 +19,7 @@ struct SheetFit {
   std::vector<FitStage> stages;
   std::vector<std::string> warnings;
   std::map<std::string, double> strains;  ///< largest of the fitted sheets, by component
-  EquilibriumCounts counts;
+  EquilibriumWork work;  ///< seconds: of this run alone, where it went on from another
   bool converged = true;
 };
 

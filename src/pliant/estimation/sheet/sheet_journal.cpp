@@ -1,10 +1,12 @@
 #include "pliant/estimation/sheet/sheet_journal.h"
 
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <string_view>
 
+#include "pliant/base/assert.h"
 #include "pliant/io/digest.h"
 #include "pliant/material/material_file.h"
 
@@ -12,6 +14,10 @@ namespace pliant {
 namespace {
 
 using Numbers = Journal::Numbers;
+
+constexpr std::array kCounts{&EquilibriumCounts::equilibria,     &EquilibriumCounts::iterations,
+                             &EquilibriumCounts::factors,        &EquilibriumCounts::unstable,
+                             &EquilibriumCounts::differentiated, &EquilibriumCounts::differences};
 
 template <class Array>
 std::string_view bytes_of(const Array& array) {
@@ -78,6 +84,20 @@ void keep_shapes(Journal& journal, const SheetGuesses& shapes) {
   std::map<std::string, Numbers> all;
   for (const auto& [test, found] : shapes) all[test] = numbers_of(found);
   journal.keep(std::move(all));
+}
+
+void append_counts(const EquilibriumCounts& counts, Numbers& answer) {
+  for (const auto member : kCounts) answer.push_back(counts.*member);
+}
+
+EquilibriumCounts take_counts(Numbers& answer) {
+  PLIANT_ASSERT(answer.size() >= kCounts.size(), "an answer ends with what it has cost");
+  EquilibriumCounts counts;
+  for (std::size_t i = kCounts.size(); i-- > 0;) {
+    counts.*kCounts[i] = static_cast<int>(answer.back());
+    answer.pop_back();
+  }
+  return counts;
 }
 
 LeastSquaresProblem with_journal(LeastSquaresProblem problem, Journal& journal) {

@@ -18,6 +18,11 @@ SheetGuesses begin_journal(Journal& journal, const Study& study,
 
 void keep_shapes(Journal& journal, const SheetGuesses& shapes);
 
+/// What an answer has cost stands at its end.
+void append_counts(const EquilibriumCounts& counts, Journal::Numbers& answer);
+/// Takes it off there.
+EquilibriumCounts take_counts(Journal::Numbers& answer);
+
 /// A problem whose best values so far go to the journal.
 /// @param journal  outlives the problem
 LeastSquaresProblem with_journal(LeastSquaresProblem problem, Journal& journal);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "pliant/base/assert.h"
 #include "pliant/base/parallel.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/experiment/sheet/sheet_equilibria.h"
@@ -159,6 +161,16 @@ Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
 std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
                                                              const Eigen::VectorXd& values,
                                                              bool derivatives, int threads) const {
+  const Stopwatch watch;
+  auto shapes = shapes_of(test, values, derivatives, threads);
+  seconds_ += watch.seconds();
+  return shapes;
+}
+
+std::optional<std::vector<SheetShape>> SheetProblem::shapes_of(std::size_t test,
+                                                               const Eigen::VectorXd& values,
+                                                               bool derivatives,
+                                                               int threads) const {
   SheetPredictor& predictor = *predictors_[test];
   const Places& places = places_[test];
   Eigen::VectorXd parameters = predictor.parameters();
@@ -176,11 +188,13 @@ bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& resi
                             Eigen::MatrixXd* jacobian) const {
   const int count = static_cast<int>(tests_.size());
   std::vector<std::optional<std::vector<SheetShape>>> shapes(tests_.size());
+  const Stopwatch watch;
   parallel_for(count, context_.threads, [&](int t) {
     const auto test = static_cast<std::size_t>(t);
     shapes[test] =
-        predict(test, values, jacobian != nullptr, std::max(context_.threads / count, 1));
+        shapes_of(test, values, jacobian != nullptr, std::max(context_.threads / count, 1));
   });
+  seconds_ += watch.seconds();
   Eigen::Index row = 0;
   if (jacobian) jacobian->setZero(residual.size(), values.size());
   for (std::size_t t = 0; t < tests_.size(); ++t) {
@@ -251,9 +265,23 @@ LeastSquaresProblem SheetProblem::least_squares() const {
   return problem;
 }
 
-EquilibriumCounts SheetProblem::counts() const {
-  EquilibriumCounts sum;
-  for (const auto& predictor : predictors_) sum += predictor->counts();
+int SheetProblem::free_unknowns(std::size_t test) const {
+  std::set<int> free;
+  for (const int unknown : places_[test].unknowns) {
+    const SheetUnknown& own = unknowns_[static_cast<std::size_t>(unknown)];
+    if (own.lower < own.upper) free.insert(unknown);
+  }
+  return static_cast<int>(free.size());
+}
+
+EquilibriumWork SheetProblem::work() const {
+  EquilibriumWork sum;
+  for (std::size_t t = 0; t < predictors_.size(); ++t) {
+    EquilibriumWork own = predictors_[t]->work();
+    own.counts.differences = own.counts.differentiated * free_unknowns(t);
+    sum += own;
+  }
+  sum.seconds = sum.seconds.on_the_clock(seconds_);
   return sum;
 }
 

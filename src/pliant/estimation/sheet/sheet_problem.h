@@ -69,7 +69,8 @@ class SheetProblem {
   /// `evaluate` keeps the equilibria of the last values for the next.
   LeastSquaresProblem least_squares() const;
 
-  EquilibriumCounts counts() const;
+  /// What all predictions until now have cost, in seconds on the clock.
+  EquilibriumWork work() const;
 
  private:
   /// The parameters of a test's prediction that unknowns set, and which.
@@ -77,6 +78,11 @@ class SheetProblem {
     std::vector<int> parameters, unknowns;
   };
   Places places_in(const SheetPredictor& predictor) const;
+  /// `predict`, while others may be at work.
+  std::optional<std::vector<SheetShape>> shapes_of(std::size_t test, const Eigen::VectorXd& values,
+                                                   bool derivatives, int threads) const;
+  /// Unknowns that differences would change to find a test's derivatives.
+  int free_unknowns(std::size_t test) const;
   /// The widths of the loops of a test's cords.
   Eigen::VectorXd widths(std::size_t test, const Eigen::VectorXd& values) const;
   int measured_rows() const;
@@ -97,6 +103,7 @@ class SheetProblem {
   Eigen::VectorXd start_;
   bool monotone_stress_;
   double noise_ = 1;
+  mutable double seconds_ = 0;  // on the clock, of predictions
   const RunContext& context_;
 };
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
@@ -172,13 +172,17 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
 /// Shapes of all frames of a test. A frame without equilibrium is an error: nothing can be said of
 /// the session then.
 std::vector<SheetShape> predict(const SheetTest& test, const Material& material,
-                                const CordFrictions& cords, const RunContext& context) {
+                                const CordFrictions& cords, const RunContext& context,
+                                EquilibriumWork& work) {
+  const Stopwatch watch;
   const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
   auto shapes = predictor->predict(predictor->parameters(), {}, context.threads, context.stop);
+  const EquilibriumWork own = predictor->work();
+  work += {own.counts, own.seconds.on_the_clock(watch.seconds())};
   if (!shapes) {
     throw SolverError(
         fmt::format("the equilibrium of frame {} of {}", predictor->failed_frame(), test.name()),
-        predictor->counts().iterations, 0);
+        own.counts.iterations, 0);
   }
   add_cord_drags(test.cords(), cord_widths(test, cords), false, *shapes);
   return std::move(*shapes);
@@ -200,13 +204,13 @@ void tell_of_cords(const SheetTest& test, const CordFrictions& cords, Experiment
 
 std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
                                           const Material& material, const CordFrictions& cords,
-                                          const RunContext& context) {
+                                          const RunContext& context, EquilibriumWork& work) {
   const Material usable = held_beyond_range(material);
   std::vector<ExperimentResult> rows;
   ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
   for (const SheetExperiment& experiment : experiments) {
     const SheetTest& test = experiment.test;
-    rows.push_back(compare_sheet(test, predict(test, usable, cords, context)));
+    rows.push_back(compare_sheet(test, predict(test, usable, cords, context, work)));
     rows.back().role = experiment.role;
     rows.back().type = experiment.type;
     rows.back().direction = experiment.direction;
@@ -229,20 +233,24 @@ struct Candidate {
             const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
     set_status(study, fit);
-    experiments = predictions(data, fit.material, fit.cords, context);
+    experiments = predictions(data, fit.material, fit.cords, context, fit.work);
   }
 };
 
-/// The best of the fits that begin with nothing and at each start, and of the starts themselves.
+/// The best of the fits that begin with nothing and at each start, and of the starts themselves;
+/// its work is that of all.
 Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
   Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
   const auto consider = [&](SheetFit fit, std::string how) {
     Candidate other(study, std::move(fit), experiments, context, std::move(how));
+    EquilibriumWork work = best.fit.work;
+    work += other.fit.work;
     if (misfit_percent(other.experiments) < misfit_percent(best.experiments)) {
       best = std::move(other);
     }
+    best.fit.work = work;
   };
   for (const SheetStart& start : starts) {
     SheetFit fit = fit_sheets(study, plan, context, &start.material);
@@ -250,6 +258,7 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
     fit.material = start.material;
     fit.cords = start.cords;
     fit.stages.clear();
+    fit.work = {};
     consider(std::move(fit), "no search found better than the solution of " + start.variant);
   }
   return best;
@@ -342,7 +351,7 @@ double misfit_percent(const std::vector<ExperimentResult>& experiments) {
 
 StudyResult fit_sheet_study(const Study& study, const RunContext& context,
                             const std::vector<SheetStart>& starts) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StudyResult result = describe(study);
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
@@ -356,6 +365,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   }
   result.density = fit.material.density;
   const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, study.fit, context);
+  result.work = fit.work;
+  *result.work += uncertainty.work;
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
@@ -378,11 +389,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   if (bends && fit.material.bending == "discrete-shells") {
     result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
   }
-  result.assumptions.push_back(
-      fmt::format("search: {} equilibria in {} Newton iterations with {} factorised Hessians",
-                  fit.counts.equilibria, fit.counts.iterations, fit.counts.factors));
   if (!best.note.empty()) result.assumptions.push_back("search: " + best.note);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = watch.seconds();
   return result;
 }
 
@@ -395,7 +403,8 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
-  for (ExperimentResult& row : predictions(experiments, material, {}, context)) {
+  EquilibriumWork work;
+  for (ExperimentResult& row : predictions(experiments, material, {}, context, work)) {
     result.experiments.push_back(std::move(row));
   }
   for (const ExperimentResult& row : result.experiments) {

@@ -34,6 +34,7 @@ struct TestPart {
   double together = 1;          // frames whose parts go together
   double variance = 0;          // of the residuals
   Eigen::VectorXd information;  // on each unknown, in units of the test's residual variance
+  EquilibriumWork work;
 };
 
 /// Mean over unknowns: how many frames have parts that go together. Parts are counted in units of
@@ -74,7 +75,9 @@ TestPart part_of(const SheetTest& test, const SheetFit& fit, const Indices& own,
   Eigen::VectorXd residual(squares.residuals);
   Eigen::MatrixXd by_places;
   TestPart result;
-  if (!squares.evaluate(problem.start(), residual, &by_places)) return result;
+  const bool found = squares.evaluate(problem.start(), residual, &by_places);
+  result.work = problem.work();
+  if (!found) return result;
   const double scale = problem.scales().front();
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(test.rows(), unit.size());
   jacobian(Eigen::all, places) = scale * by_places.topRows(test.rows());
@@ -272,6 +275,7 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetS
     TestPart& part =
         tests.emplace(test, part_of(*test, fit, own, places, unit, context)).first->second;
     for (const FramePart& frame : part.frames) slope += frame.slope;
+    result.work += part.work;
   }
 
   const PriorPart priors = prior_part(result, unit, tests, stage_of);

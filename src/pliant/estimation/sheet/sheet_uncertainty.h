@@ -17,6 +17,7 @@ struct SheetUncertainty {
   std::vector<char> determined;
   Eigen::VectorXd degrees;           ///< of freedom, >= 1: independent frames to judge the noise by
   std::vector<std::string> told_by;  ///< the tests, by their share of the information
+  EquilibriumWork work;
 };
 
 /// Linearised uncertainty of stages that were fitted one after the other.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pliant/base/parallel.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/experiment/sheet/sheet_system.h"
 #include "pliant/math/sparse_cholesky.h"
 #include "pliant/solver/equilibrium_derivatives.h"
@@ -101,7 +102,7 @@ struct SheetEquilibria::Reached {
   Eigen::VectorXd parameters;
   std::vector<int> by;
   SheetShape shape;
-  EquilibriumCounts counts;  // of the last time
+  EquilibriumWork work;  // of the last time
 };
 
 /// Systems that nobody uses now, by the nodes that they hold.
@@ -172,11 +173,11 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   Reached& reached = reached_[s];
   Configuration at = lane.sheet().configuration(states_.states[s].frame, std::move(start));
   const NewtonSummary newton = lane.relax(at, stop_);
-  reached.counts.iterations += newton.iterations;
-  reached.counts.factors += newton.factorizations;
+  reached.work.counts.iterations += newton.iterations;
+  reached.work.counts.factors += newton.factorizations;
   reached.found = newton.converged;
   if (!reached.found) return false;
-  ++reached.counts.equilibria;
+  ++reached.work.counts.equilibria;
   reached.differentiated = false;
   reached.parameters = parameters;
   reached.shape = lane.shape(at);
@@ -190,18 +191,21 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
 bool SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int>& by) {
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
+  const Stopwatch watch;
   const Configuration at =
       lane.sheet().configuration(states_.states[s].frame, reached.shape.positions);
   EquilibriumDerivatives derivatives;
-  ++reached.counts.factors;
+  ++reached.work.counts.factors;
   const std::optional<Curvature> curvature = lane.differentiate(at, derivatives);
   if (!curvature) return false;
-  if (curvature == Curvature::convex) ++reached.counts.unstable;
+  if (curvature == Curvature::convex) ++reached.work.counts.unstable;
   reached.shape.clip_forces_by_parameter =
       lane.sheet().clip_forces_by_parameter(derivatives.forces);
   reached.shape.positions_by_parameter = std::move(derivatives.positions);
   reached.differentiated = true;
   reached.by = by;
+  ++reached.work.counts.differentiated;
+  reached.work.seconds.derivatives += watch.seconds();
   return true;
 }
 
@@ -230,9 +234,9 @@ bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::Vec
     const Reached farther = reached;
     const bool again = find_from_measured(state, lane, parameters);
     if (!again || reached.distance > farther.distance) {
-      const EquilibriumCounts counts = reached.counts;
+      const EquilibriumWork work = reached.work;
       reached = farther;
-      reached.counts = counts;
+      reached.work = work;
     }
   }
   reached.nearest = std::min(reached.nearest, reached.distance);
@@ -251,12 +255,14 @@ std::unique_ptr<SheetEquilibria::Lane> SheetEquilibria::prepared(int state,
 void SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
                             const std::vector<int>& by) {
   Reached& reached = reached_[static_cast<std::size_t>(state)];
-  reached.counts = {};
+  reached.work = {};
   const bool here = reached.found && reached.parameters == parameters;
   if (here && (by.empty() || (reached.differentiated && reached.by == by))) return;
 
   std::unique_ptr<Lane> lane = prepared(state, parameters, by);
+  const Stopwatch watch;
   const bool found = here || find_near_measured(state, *lane, parameters);
+  reached.work.seconds.search += watch.seconds();
   // An equilibrium that nothing can be said of but where it is does not count as found.
   if (found && !by.empty()) reached.found = differentiate(state, *lane, by);
   give_back(std::move(lane));
@@ -273,9 +279,10 @@ void SheetEquilibria::reach_from_neighbours(const Eigen::VectorXd& parameters,
     const Reached& other = reached_[static_cast<std::size_t>(neighbour)];
     if (reached.found || !other.found) return;
     std::unique_ptr<Lane> lane = prepared(state, parameters, by);
-    if (find(state, *lane, parameters, other.shape.positions) && !by.empty()) {
-      reached.found = differentiate(state, *lane, by);
-    }
+    const Stopwatch watch;
+    const bool found = find(state, *lane, parameters, other.shape.positions);
+    reached.work.seconds.search += watch.seconds();
+    if (found && !by.empty()) reached.found = differentiate(state, *lane, by);
     give_back(std::move(lane));
   };
   for (int state = 0; state < count; ++state) try_from(state, state - 1);
@@ -312,7 +319,7 @@ std::optional<std::vector<SheetShape>> SheetEquilibria::predict(const Eigen::Vec
     reach(state, parameters, by);
   });
   reach_from_neighbours(parameters, by);
-  for (const Reached& reached : reached_) counts_ += reached.counts;
+  for (const Reached& reached : reached_) work_ += reached.work;
   for (std::size_t s = 0; s < reached_.size(); ++s) {
     if (reached_[s].found) continue;
     failed_frame_ = states_.states[s].frame;

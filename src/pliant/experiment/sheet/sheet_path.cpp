@@ -2,6 +2,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/solver/static_path.h"
 
 namespace pliant {
@@ -30,6 +31,15 @@ Eigen::Matrix3Xd SheetPath::guess(int frame, const Eigen::VectorXd& parameters) 
          (before.positions_by_parameter * change).reshaped(3, before.positions.cols());
 }
 
+void SheetPath::add_work(const PathEquilibrium& point, double seconds, bool differentiated) {
+  const int derivatives = differentiated ? point.equilibria : 0;
+  work_.counts += {.equilibria = point.equilibria,
+                   .iterations = point.newton.iterations,
+                   .factors = point.newton.factorizations + derivatives,
+                   .differentiated = derivatives};
+  work_.seconds += {seconds - point.derivative_seconds, point.derivative_seconds};
+}
+
 SheetShape SheetPath::shape(const State& state, PathEquilibrium& point) const {
   SheetShape shape;
   shape.positions = state.configuration.positions;
@@ -54,10 +64,9 @@ std::optional<std::vector<SheetShape>> SheetPath::predict(const Eigen::VectorXd&
   std::vector<SheetShape> shapes;
   try {
     for (int frame = 0; frame < session_.frame_count(); ++frame) {
+      const Stopwatch watch;
       PathEquilibrium point = path.step(frame + 1, {guess(frame, parameters), {}});
-      counts_.equilibria += point.equilibria;
-      counts_.iterations += point.newton.iterations;
-      counts_.factors += point.newton.factorizations + (by.empty() ? 0 : point.equilibria);
+      add_work(point, watch.seconds(), !by.empty());
       shapes.push_back(shape(path.state(), point));
     }
   } catch (const SolverError&) {

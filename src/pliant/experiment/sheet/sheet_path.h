@@ -35,6 +35,7 @@ class SheetPath : public SheetPredictor {
 
   Eigen::Matrix3Xd guess(int frame, const Eigen::VectorXd& parameters) const;
   SheetShape shape(const State& state, PathEquilibrium& point) const;
+  void add_work(const PathEquilibrium& point, double seconds, bool differentiated);
 
   const Session& session_;
   SheetSystem sheet_;

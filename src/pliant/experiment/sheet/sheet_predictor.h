@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "pliant/base/progress.h"
+#include "pliant/experiment/sheet/equilibrium_work.h"
 #include "pliant/mechanics/cloth.h"
 
 namespace pliant {
@@ -28,22 +29,6 @@ struct SheetShape {
   Eigen::Matrix3Xd clip_moments;  ///< of the cords about the middle of the clip's vertices (N m)
 };
 
-/// What equilibria have cost.
-struct EquilibriumCounts {
-  int equilibria = 0;  ///< found
-  int iterations = 0;  ///< of Newton's method
-  int factors = 0;     ///< of Hessians, derivatives included
-  int unstable = 0;    ///< differentiated with a convex stand-in of their Hessian
-
-  EquilibriumCounts& operator+=(const EquilibriumCounts& other) {
-    equilibria += other.equilibria;
-    iterations += other.iterations;
-    factors += other.factors;
-    unstable += other.unstable;
-    return *this;
-  }
-};
-
 /// Predicts the frames of a session with a material whose parameters change, for estimation.
 class SheetPredictor {
  public:
@@ -58,8 +43,9 @@ class SheetPredictor {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The frame that the last prediction without result found no equilibrium of.
   int failed_frame() const { return failed_frame_; }
-  /// Of all predictions until now.
-  const EquilibriumCounts& counts() const { return counts_; }
+  /// Of all predictions until now; the seconds of threads that work at once are added up. What
+  /// differences would have needed is left at zero: that depends on what is unknown.
+  const EquilibriumWork& work() const { return work_; }
 
   /// All frames.
   /// @param parameters  one for each of `parameter_names()`
@@ -77,7 +63,7 @@ class SheetPredictor {
  protected:
   ParameterList parameters_;
   std::vector<std::string> warnings_;
-  EquilibriumCounts counts_;
+  EquilibriumWork work_;
   int failed_frame_ = 0;
 };
 

@@ -43,5 +43,14 @@ TEST(ParameterMeaning, KnowsEveryParameterOfACloth) {
   EXPECT_EQ(parameter_meaning("warp-weights.force_offset"), "");
 }
 
+TEST(ParameterInWords, NamesControlValuesAndFriction) {
+  EXPECT_EQ(parameter_in_words("stretch.weft.k[0] (why)"),
+            "stiffness of stretch.weft at zero strain (why)");
+  EXPECT_EQ(parameter_in_words("shear.k[2]"), "stiffness of shear at control point [2]");
+  EXPECT_EQ(parameter_in_words("shear.friction.tau"),
+            "strain over which friction of shear builds up");
+  EXPECT_EQ(parameter_in_words("friction of shear: why"), "friction of shear: why");
+}
+
 }  // namespace
 }  // namespace pliant::report

@@ -43,10 +43,29 @@ json experiment(const std::string& name, bool forces) {
 }
 
 json parameter(const std::string& name, double value, double error, const std::string& unit) {
-  return {{"name", name},           {"component", name.substr(0, name.rfind(".k"))},
-          {"value", value},         {"std_error", error},
-          {"unit", unit},           {"identified", error < value},
-          {"lower", value - error}, {"upper", value + error}};
+  return {{"name", name},
+          {"component", name.substr(0, name.find_first_of(".", name.find('.') + 1))},
+          {"value", value},
+          {"std_error", error},
+          {"unit", unit},
+          {"identified", error < value},
+          {"lower", value - error},
+          {"upper", value + error}};
+}
+
+json fixed(const std::string& name, double value, const std::string& unit) {
+  json fixed = parameter(name, value, 0, unit);
+  fixed["std_error"] = nullptr;
+  fixed["identified"] = false;
+  fixed["fixed"] = true;
+  return fixed;
+}
+
+json cord(const std::string& name, double value) {
+  json cord = parameter(name, value, 0.01, "N");
+  cord.erase("component");
+  cord["experiment"] = name.substr(0, name.find('.'));
+  return cord;
 }
 
 std::string fit_json() {
@@ -56,13 +75,26 @@ std::string fit_json() {
       {"seconds", 12.0},
       {"parameters",
        {parameter("stretch.weft.k[0]", 80, 1, "N/m"), parameter("stretch.weft.k[1]", 480, 5, "N/m"),
-        parameter("bend.weft.k", 6e-6, 9e-6, "N m")}},
+        parameter("stretch.weft.friction.a", 2, 0.1, "N/m"),
+        parameter("stretch.weft.friction.b", 5, 0.5, "N/m"),
+        parameter("stretch.weft.friction.tau", 0.008, 0.001, "1"),
+        parameter("bend.weft.k", 6e-6, 9e-6, "N m"), fixed("bend.warp.k", 3e-6, "N m")}},
+      {"nuisance",
+       {cord("stretch-weft.clip0.1.cord_friction", 0.1),
+        cord("stretch-weft.clip1.1.cord_friction", 0.15)}},
+      {"work",
+       {{"equilibria", 100},
+        {"newton_iterations", 300},
+        {"factorizations", 220},
+        {"differentiated", 80},
+        {"equilibria_by_differences", 340},
+        {"seconds", {{"equilibria", 6}, {"derivatives", 3}, {"rest", 3}}}}},
       {"experiments", {experiment("stretch-weft", true), experiment("bend-weft", false)}},
       {"stages",
        {{{"component", "stretch.weft"}, {"name", "1 control point"}, {"accepted", true}},
         {{"component", "stretch.weft"}, {"name", "2 control points"}, {"accepted", true}},
         {{"component", "stretch.weft"}, {"name", "3 control points"}, {"accepted", false}}}},
-      {"assumptions", {"search: 7 equilibria"}}}
+      {"assumptions", {"search: began twice"}}}
       .dump(1);
 }
 
@@ -164,7 +196,7 @@ void write_sample_sheets(const std::filesystem::path& directory, bool evaluation
     write_text(directory / "fit.json", fit_json());
     write_text(directory / "material.json", material_text(test::sheet_cloth(true)));
     write_text(directory / "curves.csv",
-               header + "stretch.weft,0,0,0,0,0,0,0\nstretch.weft,0.1,8,8,7,9,8,0\n");
+               header + "stretch.weft,0,0,0,0,0,0,2\nstretch.weft,0.1,10,6,9,11,8,2\n");
   }
   write_text(directory / "predictions/stretch-weft.csv", force_rows(stretch));
   write_text(directory / "predictions/bend-weft.csv",

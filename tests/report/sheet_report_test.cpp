@@ -44,17 +44,49 @@ TEST(SheetReport, TellsStiffnessAtZeroAndAtTheEndOfTheRange) {
                         "<td>N/m</td>"));
 }
 
+TEST(SheetReport, DoesNotTakeFixedStiffnessForUndetermined) {
+  EXPECT_THAT(sheet_report(), HasSubstr("<tr><td>Warp bending</td><td class=\"number\">3.00</td>"
+                                        "<td class=\"number\">fixed</td>"));
+}
+
 TEST(SheetReport, PutsUndeterminedStiffnessInBrackets) {
   EXPECT_THAT(sheet_report(), HasSubstr("<tr class=\"undetermined\"><td>Weft bending</td>"
                                         "<td class=\"number\">(6.0)</td>"));
 }
 
 TEST(SheetReport, TellsTheSearch) {
-  EXPECT_THAT(sheet_report(), HasSubstr("Search: 7 equilibria; 3 stages, 2 of them kept; 12.0 s."));
+  EXPECT_THAT(sheet_report(),
+              HasSubstr("Search: began twice; 3 stages, 2 of them kept; 100 equilibria; 12.0 s."));
+}
+
+TEST(SheetReport, TellsWhereTheTimeWent) {
+  const std::string html = sheet_report();
+  EXPECT_THAT(html, HasSubstr("Forward differences would have needed 340 equilibria instead of "
+                              "100, 3.4 times as many. 220 Hessians were factorised."));
+  EXPECT_THAT(html, HasSubstr("<td>Derivatives</td><td class=\"number\">3.00</td>"
+                              "<td class=\"number\">25 %</td>"));
+  EXPECT_THAT(sheet_report(/*evaluation=*/true), Not(HasSubstr("Where the time went")));
+}
+
+TEST(SheetReport, TellsFrictionOfClothAndCordsInWords) {
+  const std::string html = sheet_report();
+  EXPECT_THAT(html, HasSubstr("<td>Weft stretch</td><td class=\"number\">2.00 ± 0.10</td>"
+                              "<td class=\"number\">5.00 ± 0.50</td>"
+                              "<td class=\"number\">0.80 ± 0.10</td>"));
+  EXPECT_THAT(html, HasSubstr("was estimated along: stretch-weft 0.10 to 0.15 N."));
+  EXPECT_THAT(html, HasSubstr("Pulleys hold cords back"));
+  EXPECT_THAT(html, HasSubstr("goes a loop, too, by the friction of the cloth and of the cords."));
+}
+
+TEST(SheetReport, DrawsACycleWhereACurveHasFriction) {
+  const std::string html = sheet_report();
+  EXPECT_THAT(html, HasSubstr("are shown in one cycle from rest to the largest strain and back"));
+  EXPECT_THAT(html, HasSubstr("data-group=\"predicted-unload\""));
 }
 
 TEST(SheetReport, SaysNothingOfFrictionThatWasNotFitted) {
-  EXPECT_THAT(sheet_report(), Not(HasSubstr("friction of stretch.weft")));
+  EXPECT_THAT(sheet_report(), Not(HasSubstr("friction of bend.weft")));
+  EXPECT_THAT(sheet_report(/*evaluation=*/true), Not(HasSubstr("Friction of the cloth")));
 }
 
 TEST(SheetReport, HasPicturesForReadersWithoutScript) {

@@ -11,6 +11,7 @@
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
 #include "pliant/estimation/sheet/sheet_study.h"
+#include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
 
 namespace pliant {
@@ -90,6 +91,8 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
         "rolled-strip, bending-length, buckling-bend that is not under `validate`");
   }
   result.assumptions = assumptions_of(study, experiments);
+  const std::vector<std::string> stated = stated_options(study.fit);
+  result.assumptions.insert(result.assumptions.end(), stated.begin(), stated.end());
   share_threads(experiments, works.size(), context.threads);
   for (ComponentWork& work : works) {
     if (work.fitted.empty()) {

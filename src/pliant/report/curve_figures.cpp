@@ -67,6 +67,11 @@ Figure empty_curve_figure(const std::string& component, const StrainScale& scale
 
 }  // namespace
 
+bool has_friction(const ComponentCurve& curve) {
+  return !curve.elastic.empty() &&
+         std::ranges::any_of(curve.max_friction, [](double stress) { return stress > 0.0; });
+}
+
 Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
                             bool show_friction) {
   const StrainScale scale = strain_scale(curve.component);
@@ -84,12 +89,18 @@ Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double>
   return figure;
 }
 
-Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains) {
+Figure sheet_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains) {
   const StrainScale scale = strain_scale(curve.component);
   const std::vector<double> x = scaled(curve.strain, scale.factor);
   Figure figure = empty_curve_figure(curve.component, scale);
   if (!curve.low.empty() && !curve.high.empty()) add_band(figure.traces, x, curve);
-  figure.traces.push_back(trace(kElasticMaterial, x, curve.elastic));
+  if (has_friction(curve)) {
+    figure.traces.push_back(trace(kElastic, x, curve.elastic));
+    figure.traces.push_back(trace(kPredictedLoad, x, curve.load));
+    figure.traces.push_back(trace(kPredictedUnload, x, curve.unload));
+  } else {
+    figure.traces.push_back(trace(kElasticMaterial, x, curve.elastic));
+  }
   if (!x.empty() && !sheet_strains.empty()) {
     add_histogram(figure, x, scaled(sheet_strains, scale.factor));
     figure.traces.back()["name"] = "elements of sheets";

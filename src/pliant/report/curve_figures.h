@@ -7,6 +7,8 @@
 
 namespace pliant::report {
 
+bool has_friction(const ComponentCurve& curve);
+
 /// Stress against strain of one component with its 95 % band; below it how many measured points
 /// there are at each strain.
 /// @param data_strains   the strains of the rows that the fit used
@@ -14,9 +16,9 @@ namespace pliant::report {
 Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
                             bool show_friction);
 
-/// Stress against strain of a component without friction with its 95 % band; below it how many
-/// elements of sheets have each strain.
-Figure elastic_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains);
+/// Stress against strain of a component of sheets with its 95 % band, in a cycle where it has
+/// friction; below it how many elements of sheets have each strain.
+Figure sheet_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains);
 
 /// The friction stress of the same cycle between the bounds +- sigma_max(strain).
 /// The curve must have its elastic part and its friction bound.

@@ -46,11 +46,6 @@ bool any_undetermined(const Results& results, const std::string& component, bool
                      });
 }
 
-bool has_friction(const ComponentCurve& curve) {
-  return !curve.elastic.empty() && std::any_of(curve.max_friction.begin(), curve.max_friction.end(),
-                                               [](double stress) { return stress > 0.0; });
-}
-
 std::string captioned(std::string_view caption, Figure figure, FigureSheet& figures) {
   figure.print_size = kCurveSize;
   return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption,
@@ -89,7 +84,7 @@ std::vector<double> strains_of_sheets(const ReportData& data, const std::string&
   return strains;
 }
 
-/// Sheets are fitted without friction: one line, and the strains of the sheets under it.
+/// A cycle where the component has friction, else one line, and the strains of the sheets under it.
 std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve,
                              FigureSheet& figures) {
   const std::string caption = fmt::format(
@@ -98,7 +93,7 @@ std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve
       any_undetermined(data.results, curve.component, false)
           ? ": part of its stiffness is not determined by the data"
           : "");
-  return captioned(caption, elastic_curve_figure(curve, strains_of_sheets(data, curve.component)),
+  return captioned(caption, sheet_curve_figure(curve, strains_of_sheets(data, curve.component)),
                    figures);
 }
 
@@ -136,12 +131,21 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
 }
 
 std::string sheet_curves(const ReportData& data, FigureSheet& figures) {
+  const bool rubs = std::ranges::any_of(data.curves, has_friction);
   std::string html =
-      "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
-      "<p>The material at strains up to the largest in the fitted sheets, with the 95 % band of "
-      "its "
-      "stiffness. Where few elements stand below, the curve leans on few of them.</p>\n"
-      "<div class=\"pair\">\n";
+      "<section id=\"curves\" class=\"figure-block\"><h2>Stress-strain curves</h2>\n"
+      "<p>The material at strains up to the largest in the fitted sheets, with a 95 % band. Where "
+      "few elements stand below, the curve leans on few of them.";
+  if (rubs) {
+    html +=
+        " Components with friction are shown in one cycle from rest to the largest strain and "
+        "back, with the band of loading.";
+  }
+  html += "</p>\n";
+  if (rubs && figures.can_draw()) {
+    html += legend_html(std::vector{kElastic, kPredictedLoad, kPredictedUnload});
+  }
+  html += "<div class=\"pair\">\n";
   for (const ComponentCurve& curve : data.curves) html += sheet_curve_part(data, curve, figures);
   return html + "</div></section>\n";
 }

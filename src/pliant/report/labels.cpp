@@ -82,8 +82,9 @@ std::string component_title(std::string_view component) {
 }
 
 std::string parameter_meaning(std::string_view parameter) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMeanings = {
-      {{".friction.a", "friction at zero strain"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMeanings = {
+      {{".cord_friction", "force between pulling and giving way of this cord"},
+       {".friction.a", "friction at zero strain"},
        {".friction.b", "growth of friction with strain"},
        {".friction.tau", "strain over which friction builds up"},
        {".k1", "stiffness at zero strain"},
@@ -96,6 +97,23 @@ std::string parameter_meaning(std::string_view parameter) {
     return "stiffness at a control point";
   }
   return {};
+}
+
+std::string parameter_in_words(std::string_view text) {
+  const std::string_view name = text.substr(0, std::min(text.find(' '), text.find(": ")));
+  const std::string_view rest = text.substr(name.size());
+  if (const std::size_t k = name.find(".k["); k != std::string_view::npos) {
+    const std::string_view component = name.substr(0, k), point = name.substr(k + 2);
+    return point == "[0]"
+               ? fmt::format("stiffness of {} at zero strain{}", component, rest)
+               : fmt::format("stiffness of {} at control point {}{}", component, point, rest);
+  }
+  const std::size_t friction = name.find(".friction.");
+  if (friction == std::string_view::npos) return std::string(text);
+  const std::string_view component = name.substr(0, friction);
+  if (name.ends_with(".a")) return fmt::format("friction of {} at zero strain{}", component, rest);
+  if (name.ends_with(".b")) return fmt::format("growth of friction of {}{}", component, rest);
+  return fmt::format("strain over which friction of {} builds up{}", component, rest);
 }
 
 std::string shown_unit(std::string_view unit) {

@@ -36,6 +36,10 @@ std::string component_title(std::string_view component);
 /// What a parameter means, from the end of its name (`friction.tau`), in plain words.
 std::string parameter_meaning(std::string_view parameter);
 
+/// A parameter of sheets in words, whatever follows its name: `stretch.weft.k[0] (why)` ->
+/// `stiffness of stretch.weft at zero strain (why)`; other texts come back as they are.
+std::string parameter_in_words(std::string_view text);
+
 /// The unit as users write it: `1` (dimensionless) becomes empty.
 std::string shown_unit(std::string_view unit);
 

@@ -78,15 +78,27 @@ std::string nuisance_table(const std::vector<ResultParameter>& nuisance) {
                    {"Remarks"}});
   for (const ResultParameter& p : nuisance) {
     table.begin_row(row_class(p));
-    table.html_cell("<code>" + escape_html(p.name) + "</code>");
+    const std::string meaning = parameter_meaning(p.name);
+    table.html_cell(fmt::format("<code>{}</code>{}", escape_html(p.name),
+                                meaning.empty() ? "" : "<small>" + meaning + "</small>"));
     table.cell(p.experiment);
     add_estimate(table, p);
     table.cell(flags(p));
   }
-  return "<h3>Nuisance parameters</h3>\n"
-         "<p>Belong to one test, not to the fabric: estimated so that they do not spoil the "
-         "material.</p>\n" +
-         table.html();
+  const bool cords = std::ranges::any_of(
+      nuisance, [](const ResultParameter& p) { return p.name.ends_with(".cord_friction"); });
+  std::string html =
+      "<h3>Nuisance parameters</h3>\n"
+      "<p>Belong to one test, not to the fabric: estimated so that they do not spoil the "
+      "material.</p>\n";
+  if (cords) {
+    html +=
+        "<p>Pulleys hold cords back: a load cell shows half of a loop more while the cord pulls "
+        "and half of it less while it gives way. Cords of a clip that move alike are known "
+        "together only, each alone by what was expected beforehand; the remark states their "
+        "sum.</p>\n";
+  }
+  return html + table.html();
 }
 
 std::string singular_value_table(const std::vector<SingularValues>& all) {
@@ -123,6 +135,12 @@ std::string parameter_section(const Results& results) {
             "assumptions listed below. The spread between specimens, where several were tested, "
             "is the difference from one piece of fabric to the next. Greyed values in brackets "
             "are where the search stopped: the data do not determine them.</p>\n";
+  if (results.work) {
+    html +=
+        "<p>Remarks: at which strain a control point of a stiffness curve lies (of bending three "
+        "times the curvature, in 1/m), and which sessions tell the number, each with its share of "
+        "what is known.</p>\n";
+  }
   return html + parameter_table(results.parameters) + nuisance_table(results.nuisance) +
          singular_value_table(results.singular_values) + "</section>\n";
 }

@@ -83,6 +83,27 @@ std::string graph(const ResultExperiment& e, const SheetSession& session, Figure
   return captioned(caption, figures.add(figure, "figure-tall"));
 }
 
+/// Why measured forces go a loop, and whether the predicted ones can.
+std::string about_loops(const Results& results) {
+  const bool cloth = std::ranges::any_of(results.parameters, [](const ResultParameter& p) {
+    return p.name.find(".friction.") != std::string::npos;
+  });
+  const bool cords = std::ranges::any_of(results.nuisance, [](const ResultParameter& p) {
+    return p.name.ends_with(".cord_friction");
+  });
+  std::string text = "Measured forces go a loop, for cloth and cords rub. ";
+  if (cloth && cords) {
+    text += "The prediction goes a loop, too, by the friction of the cloth and of the cords. ";
+  } else if (cloth) {
+    text += "The prediction goes a loop, too, by the friction of the cloth. ";
+  } else if (cords) {
+    text += "The prediction goes a loop, too, by the friction of the cords. ";
+  } else {
+    text += "An elastic material passes through its middle. ";
+  }
+  return text + "Residuals that change from frame to frame are what the material cannot follow.";
+}
+
 }  // namespace
 
 std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figures) {
@@ -105,10 +126,8 @@ std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figur
 std::string sheet_section(const ReportData& data, FigureSheet& figures) {
   std::string html =
       "<section id=\"experiments\"><h2>Sessions</h2>\n"
-      "<p>Measured forces go a loop, for cloth and cords rub; an elastic material passes through "
-      "its "
-      "middle. Residuals that change from frame to frame are what the material cannot "
-      "follow.</p>\n";
+      "<p>" +
+      about_loops(data.results) + "</p>\n";
   if (figures.can_draw()) {
     html += "<p>Drag a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
   }

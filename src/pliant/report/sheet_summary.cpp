@@ -19,7 +19,8 @@ namespace {
 
 using Align = HtmlTable::Align;
 
-constexpr std::size_t kMostFigures = 6;  // two rows of a printed page
+constexpr std::size_t kMostFigures = 6;         // two rows of a printed page
+constexpr std::size_t kMostBesideFriction = 3;  // one row: its table takes the place of the other
 constexpr PrintSize kFigureSize = {226, 112};
 constexpr double kMicro = 1e-6;
 
@@ -81,9 +82,10 @@ std::string sentence(const Errors& errors, std::string_view opening, std::string
 }
 
 std::string undetermined_sentence(const Results& results) {
-  const std::vector<std::string> items = undetermined(results);
+  std::vector<std::string> items = undetermined(results);
+  for (std::string& item : items) item = parameter_in_words(item);
   if (results.evaluation || items.empty()) return {};
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMost = 3;
   const std::size_t named = items.size() > kMost ? kMost - 1 : items.size();
   std::string text =
       fmt::format("The data do not determine {}",
@@ -122,12 +124,17 @@ Parameters stiffness_of(const Results& results, std::string_view component) {
 }
 
 /// Value and standard error in the shown unit; a value that the data do not determine stands in
-/// brackets.
+/// brackets, one that the study states has no error.
 void add_value(HtmlTable& table, const ResultParameter& p, double unit) {
   const auto shown = [&](std::optional<double> value) {
     return value ? std::optional(*value / unit) : std::nullopt;
   };
   const UncertainFormat format(shown(p.value), shown(p.std_error));
+  if (p.fixed) {
+    table.cell(format_significant(shown(p.value), 3));
+    table.cell("fixed");
+    return;
+  }
   table.cell(p.identified ? format(shown(p.value)) : fmt::format("({})", format(shown(p.value))));
   table.cell(p.std_error ? format(shown(p.std_error)) : std::string(kNoValue));
 }
@@ -136,7 +143,8 @@ void add_stiffness(HtmlTable& table, const Material& material, const std::string
                    const Results& results) {
   const Parameters parameters = stiffness_of(results, component);
   if (parameters.empty()) return;
-  const bool known = std::ranges::any_of(parameters, &ResultParameter::identified);
+  const bool known = std::ranges::any_of(
+      parameters, [](const ResultParameter* p) { return p->fixed || p->identified; });
   const double unit = is_bending(component) ? kMicro : 1;
   const StrainScale scale = strain_scale(component);
   const double end = material.components.at(component).stiffness->knots().back();
@@ -152,8 +160,56 @@ void add_stiffness(HtmlTable& table, const Material& material, const std::string
   table.cell(is_bending(component) ? "µN m" : "N/m");
 }
 
-std::string small_figures(const ReportData& data, FigureSheet& figures) {
-  const std::size_t shown = std::min(data.sheets.size(), kMostFigures);
+const ResultParameter* friction_parameter(const Results& results, std::string_view component,
+                                          std::string_view part) {
+  const auto found = std::ranges::find_if(results.parameters, [&](const ResultParameter& p) {
+    return p.component == component && p.name.ends_with(part) &&
+           p.name.find(".friction.") != std::string::npos;
+  });
+  return found == results.parameters.end() ? nullptr : &*found;
+}
+
+/// `2.234 ± 0.037` in the shown unit; in brackets where the data do not determine it.
+std::string with_error(const ResultParameter& p, double unit) {
+  const auto shown = [&](std::optional<double> value) {
+    return value ? std::optional(*value / unit) : std::nullopt;
+  };
+  if (p.fixed) return format_significant(shown(p.value), 3) + ", fixed";
+  const UncertainFormat format(shown(p.value), shown(p.std_error));
+  const std::string text =
+      p.std_error ? fmt::format("{} ± {}", format(shown(p.value)), format(shown(p.std_error)))
+                  : format(shown(p.value));
+  return p.identified ? text : "(" + text + ")";
+}
+
+/// `0.10 N`, `0.10 to 0.15 N`
+std::string range_text(double low, double high, std::string_view unit) {
+  const std::string from = format_significant(low, 2), to = format_significant(high, 2);
+  return from == to ? fmt::format("{} {}", from, unit) : fmt::format("{} to {} {}", from, to, unit);
+}
+
+/// What the cords of the fitted sessions were found to hold back.
+std::string cord_sentence(const Results& results) {
+  std::vector<std::string> found;
+  for (const ResultExperiment& e : results.experiments) {
+    double low = 0, high = 0;
+    int cords = 0;
+    for (const ResultParameter& p : results.nuisance) {
+      if (p.experiment != e.name || !p.name.ends_with(".cord_friction") || !p.value) continue;
+      low = cords == 0 ? *p.value : std::min(low, *p.value);
+      high = std::max(high, *p.value);
+      ++cords;
+    }
+    if (cords > 0) found.push_back(fmt::format("{} {}", e.name, range_text(low, high, "N")));
+  }
+  if (found.empty()) return {};
+  return fmt::format(
+      " Cords that rub on their pulleys go a loop, too; its width was estimated along: {}.",
+      escape_html(fmt::format("{}", fmt::join(found, "; "))));
+}
+
+std::string small_figures(const ReportData& data, std::size_t most, FigureSheet& figures) {
+  const std::size_t shown = std::min(data.sheets.size(), most);
   std::string html =
       "<section class=\"figure-block\"><h2>Measured (thin) and material (thick)</h2>";
   html += "\n<div class=\"loops\">\n";
@@ -166,7 +222,10 @@ std::string small_figures(const ReportData& data, FigureSheet& figures) {
                         escape_html(e.name), is_fitted(data, i) ? "fitted" : "predicted",
                         figures.add(figure, "figure-short"));
   }
-  return html + "</div></section>\n";
+  html += "</div>\n";
+  const std::size_t left = data.sheets.size() - shown;
+  if (left > 0) html += element("p", fmt::format("{} below.", counted(int(left), "more")));
+  return html + "</section>\n";
 }
 
 std::string search(const Results& results) {
@@ -179,6 +238,7 @@ std::string search(const Results& results) {
     const auto kept = std::ranges::count_if(results.stages, &FitStage::accepted);
     lines.push_back(fmt::format("{} stages, {} of them kept", results.stages.size(), kept));
   }
+  if (results.work) lines.push_back(fmt::format("{} equilibria", results.work->equilibria));
   if (results.seconds) lines.push_back(format_significant(results.seconds, 3) + " s");
   if (lines.empty()) return {};
   return fmt::format("<p class=\"small\">Search: {}.</p>\n",
@@ -217,9 +277,36 @@ std::string stiffness_table(const ReportData& data) {
   }
   if (table.empty()) return {};
   return "<section><h2>Stiffness</h2>\n" + table.html() +
-         "<p class=\"small\">The range is that of strains in the fitted sheets, of bending that of "
-         "curvatures; few elements reach its end. A value in brackets is one that the data do not "
-         "determine. Weft and warp share a row where they share a curve.</p></section>\n";
+         "<p class=\"small\">Stretch and shear: force per width (N/m) over strain; bending: of the "
+         "hinges of the mesh. Range: strains of the fitted sheets (of bending: curvatures); few "
+         "elements reach its end. In brackets: not determined by the data.</p></section>\n";
+}
+
+std::string friction_table(const ReportData& data) {
+  HtmlTable table({{"Friction of the cloth"},
+                   {"At zero strain", Align::number, "N/m"},
+                   {"Growth with strain", Align::number, "N/m"},
+                   {"Builds up over", Align::number, "% strain"}},
+                  "compact");
+  for (const std::string& component : cloth_component_names()) {
+    const auto part = [&](std::string_view name) {
+      return friction_parameter(data.results, component, name);
+    };
+    const ResultParameter *a = part(".a"), *b = part(".b"), *tau = part(".tau");
+    if (!a || !b || !tau) continue;
+    table.begin_row();
+    table.cell(component_title(component));
+    table.cell(with_error(*a, 1));
+    table.cell(with_error(*b, 1));
+    table.cell(with_error(*tau, 0.01));
+  }
+  const std::string cords = cord_sentence(data.results);
+  if (table.empty()) return cords.empty() ? cords : "<p class=\"small\">" + cords + "</p>\n";
+  return "<section>\n" + table.html() +
+         "<p class=\"small\">A stress against the way the cloth is going: forces go a loop. After "
+         "a "
+         "turn it builds up anew over the strain in the last column." +
+         cords + "</p></section>\n";
 }
 
 std::string residual_table(const ReportData& data) {
@@ -246,8 +333,10 @@ std::string residual_table(const ReportData& data) {
 }
 
 std::string sheet_findings(const ReportData& data, FigureSheet& figures) {
-  return stiffness_table(data) + residual_table(data) + small_figures(data, figures) +
-         search(data.results);
+  const std::string friction = friction_table(data);
+  const std::size_t most = friction.empty() ? kMostFigures : kMostBesideFriction;
+  return stiffness_table(data) + friction + residual_table(data) +
+         small_figures(data, most, figures) + search(data.results);
 }
 
 }  // namespace pliant::report

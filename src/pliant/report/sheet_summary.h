@@ -18,6 +18,10 @@ std::string sheet_findings(const ReportData& data, FigureSheet& figures);
 /// errors; empty where nothing was fitted.
 std::string stiffness_table(const ReportData& data);
 
+/// The friction of each component that has any, and what was found of the cords; empty without
+/// either.
+std::string friction_table(const ReportData& data);
+
 /// A row of [T] Tables A.1-A.4: the RMS residual of each session, in mm of free nodes where
 /// positions are compared, else in N of clips.
 std::string residual_table(const ReportData& data);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pliant/report/html.h"
+#include "pliant/report/labels.h"
 #include "pliant/report/loop_figure.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sections.h"
@@ -86,7 +87,7 @@ std::string facts(const ReportData& data) {
   all.resize(std::min(all.size(), kMaxFacts));
   for (auto& [name, value] : all) {
     name = shortened(in_words(name), 24);
-    value = shortened(value, 40);
+    value = shortened(value, 80);
   }
   return fact_list(all);
 }
@@ -316,8 +317,12 @@ std::string validity(const ReportData& data) {
   return html + "</section>\n";
 }
 
-std::string not_determined(const Results& results) {
+std::string not_determined(const ReportData& data) {
+  const Results& results = data.results;
   std::vector<std::string> items = undetermined_with_reasons(results);
+  if (data.is_of_sheets()) {
+    for (std::string& item : items) item = parameter_in_words(item);
+  }
   if (results.evaluation && items.empty()) return {};
   if (items.empty()) items.push_back("Nothing: every estimated parameter is determined.");
   return fmt::format("<section><h2>{}</h2>\n{}</section>\n",
@@ -345,14 +350,14 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html += "</h1></header>\n";
   html += fmt::format(
       "<p class=\"verdict\">{}</p>\n",
-      escape_html(shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(results), 480)));
+      escape_html(shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(results), 560)));
   html += facts(data);
   html += data.is_of_sheets() ? sheet_findings(data, figures)
                               : loops(data, figures) + experiment_table(results);
   // Sessions have no range of one strain; the warnings take its place.
   const std::string last = warnings(results);
   html += "<div class=\"columns\">\n" + (data.is_of_sheets() ? last : validity(data)) +
-          not_determined(results) + "</div>\n";
+          not_determined(data) + "</div>\n";
   if (!data.is_of_sheets()) html += last;
   html += kSignature;
   html += fmt::format("<p class=\"small\">Pliant {}{}{}</p>\n", escape_html(results.version),

@@ -16,6 +16,7 @@
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
+#include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
@@ -353,6 +354,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
                             const std::vector<SheetStart>& starts) {
   const Stopwatch watch;
   StudyResult result = describe(study);
+  result.assumptions = stated_options(study.fit);
   refuse_foreign_options(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);

@@ -1,0 +1,34 @@
+#include "pliant/estimation/stated_options.h"
+
+#include <fmt/format.h>
+
+namespace pliant {
+
+std::vector<std::string> stated_options(const FitOptions& options) {
+  std::vector<std::string> sentences;
+  if (options.monotone_stress) {
+    sentences.emplace_back(
+        "no elastic stress falls where strain rises (fit.monotone_stress): stiffness curves that "
+        "would make it fall were not allowed, whatever the data say; standard errors are those "
+        "without this");
+  }
+  for (const auto& [name, value] : options.fix) {
+    sentences.push_back(
+        fmt::format("{} is {:.6g} by the study (fit.fix, SI units), not estimated", name, value));
+  }
+  for (const auto& [name, bounds] : options.bounds) {
+    sentences.push_back(
+        fmt::format("{} lies between {:.6g} and {:.6g} by the study (fit.bounds, SI units)", name,
+                    bounds.first, bounds.second));
+  }
+  for (const auto& [name, prior] : options.priors) {
+    sentences.push_back(
+        fmt::format("{} was expected to be {:.6g} +- {:.3g} (fit.priors, SI units): estimates lie "
+                    "between that and what "
+                    "the data alone would say, nearer to what is known better",
+                    name, prior.mean, prior.sd));
+  }
+  return sentences;
+}
+
+}  // namespace pliant

@@ -1,9 +1,8 @@
 #include "pliant/report/sheet_figures.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "pliant/geometry/mesh_quality.h"
+#include "pliant/experiment/session/middle_line.h"
 #include "pliant/report/force_curve.h"
 #include "pliant/report/frame_choice.h"
 
@@ -28,13 +27,7 @@ int profile_axis(const Session& session) {
 std::vector<int> middle_nodes(const Session& session) {
   const int along = profile_axis(session);
   const Eigen::Matrix3Xd& rest = session.rest.positions;
-  const Eigen::RowVectorXd across = rest.row(1 - along);
-  const double middle = (across.minCoeff() + across.maxCoeff()) / 2;
-  const double reach = mesh_quality(session.rest).mean_edge / 3;
-  std::vector<int> nodes;
-  for (int node = 0; node < session.rest.vertex_count(); ++node) {
-    if (std::abs(across(node) - middle) <= reach) nodes.push_back(node);
-  }
+  std::vector<int> nodes = middle_line(session.rest, along);
   std::ranges::sort(nodes, {}, [&](int node) { return rest(along, node); });
   return nodes;
 }

@@ -8,8 +8,8 @@
 
 #include "pliant/experiment/session/fold_error.h"
 #include "pliant/experiment/session/frame_measures.h"
+#include "pliant/experiment/session/middle_line.h"
 #include "pliant/experiment/sheet/sheet_system.h"
-#include "pliant/geometry/mesh_quality.h"
 
 namespace pliant {
 namespace {
@@ -46,14 +46,10 @@ double relative_travel(const SheetTest& test, int frame) {
 /// Free nodes along the middle of a sheet that hangs over a table, or of any other along weft.
 std::vector<int> middle_nodes(const Session& session, int frame) {
   const int along = session.table ? static_cast<int>(*session.table) : 0;
-  const Eigen::RowVectorXd across = session.rest.positions.row(1 - along);
-  const double middle = (across.minCoeff() + across.maxCoeff()) / 2;
-  const double reach = mesh_quality(session.rest).mean_edge / 3;
   const std::vector<int> held =
       held_nodes(session, session.frames[static_cast<std::size_t>(frame)].table_edge);
   std::vector<int> nodes;
-  for (int node = 0; node < session.rest.vertex_count(); ++node) {
-    if (std::abs(across(node) - middle) > reach) continue;
+  for (const int node : middle_line(session.rest, along)) {
     if (!std::ranges::binary_search(held, node)) nodes.push_back(node);
   }
   return nodes;

@@ -74,7 +74,6 @@ TEST_F(SlowSheetResume, GivesTheSameBitsBetweenSearches) {
   }
   EXPECT_EQ(rest.result.work->counts.equilibria, whole.result.work->counts.equilibria);
   EXPECT_EQ(rest.result.work->counts.differences, whole.result.work->counts.differences);
-  EXPECT_LT(rest.result.work->seconds.search, whole.result.work->seconds.search);
 }
 
 TEST_F(SlowSheetResume, RefusesTheProgressOfOtherData) {

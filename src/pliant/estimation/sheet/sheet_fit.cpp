@@ -37,6 +37,10 @@ class Fitter {
   SheetFit run(const std::vector<SheetStage>& plan, const Material* start) && {
     shapes_ = begin_journal(context_.journal, study_, plan, start);
     fit_.groups = groups_of(plan);
+    for (const SheetStage& stage : plan) {
+      if (stage.kind != StageKind::friction) continue;
+      with_friction_.insert(with_friction_.end(), stage.tests.begin(), stage.tests.end());
+    }
     if (start) {
       fit_.material.components = start->components;
       fitted_ = fit_.groups;
@@ -95,6 +99,15 @@ class Fitter {
     for (const SheetTest* test : stage.tests) rows += test->rows();
     return with < (1 - kWorthwhileFall) * without &&
            2 * rows * std::log(without / with) > 3 * std::log(rows);
+  }
+
+  /// Before the stage of friction an elastic curve goes through the middle of loops, whatever makes
+  /// them: cords would take those of the cloth for their own, and bend the curve at rest.
+  bool with_cords(const SheetStage& stage) const {
+    return stage.kind == StageKind::friction ||
+           std::ranges::none_of(stage.tests, [&](const SheetTest* test) {
+             return std::ranges::find(with_friction_, test) != with_friction_.end();
+           });
   }
 
   static bool has_unknown_cords(const SheetStage& stage) {
@@ -233,7 +246,7 @@ class Fitter {
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
     SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
-                         context_, fit_.cords, study_.fit);
+                         context_, fit_.cords, study_.fit, with_cords(stage));
     problem.set_noise(accuracy_of(stage));
     problem.begin_at(shapes_);
     return problem;
@@ -485,6 +498,7 @@ class Fitter {
   const RunContext& context_;
   SheetFit fit_;
   std::vector<ComponentGroup> fitted_;
+  std::vector<const SheetTest*> with_friction_;  // tests that have a stage of it
   SheetGuesses shapes_;
 };
 

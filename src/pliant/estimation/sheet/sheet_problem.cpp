@@ -57,7 +57,7 @@ std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Mate
 SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                            std::vector<ComponentGroup> groups, std::vector<double> strains,
                            const RunContext& context, const CordFrictions& cords,
-                           const FitOptions& options)
+                           const FitOptions& options, bool with_cords)
     : tests_(std::move(tests)),
       material_(material),
       groups_(std::move(groups)),
@@ -72,7 +72,8 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
     places_.push_back(places_in(*predictors_.back()));
   }
   for (const SheetTest* test : tests_) {
-    const std::vector<SheetUnknown> own = cord_unknowns(*test);
+    const std::vector<SheetUnknown> own =
+        with_cords ? cord_unknowns(*test) : std::vector<SheetUnknown>();
     std::vector<int>& places = cords_.emplace_back(own.size());
     std::iota(places.begin(), places.end(), static_cast<int>(unknowns_.size()));
     unknowns_.insert(unknowns_.end(), own.begin(), own.end());

@@ -33,11 +33,12 @@ class SheetProblem {
   /// @param material  complete; says where a search begins
   /// @param strains   largest strain of each group, for bounds and scales of friction
   /// @param cords     friction of cords where a search begins
+  /// @param with_cords  whether it is among the unknowns where nobody knows it; else it counts as 0
   /// @param options   bounds, fixed values and priors
   SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                std::vector<ComponentGroup> groups, std::vector<double> strains,
                const RunContext& context, const CordFrictions& cords = {},
-               const FitOptions& options = {});
+               const FitOptions& options = {}, bool with_cords = true);
 
   const std::vector<const SheetTest*>& tests() const { return tests_; }
   const std::vector<SheetUnknown>& unknowns() const { return unknowns_; }

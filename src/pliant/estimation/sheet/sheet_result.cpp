@@ -107,10 +107,13 @@ std::vector<int> directions(const std::vector<double>& travels) {
 }
 
 /// Where a force has a moment, but for the part of it along the force, from where it has none (m).
-Eigen::Vector3d arm_of(const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+/// @param longest  a force that is next to nothing would have to be anywhere
+Eigen::Vector3d arm_of(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
+                       double longest) {
   constexpr double kNoForce = 1e-12;  // N
   if (force.norm() < kNoForce) return Eigen::Vector3d::Zero();
-  return force.cross(moment) / force.squaredNorm();
+  const Eigen::Vector3d arm = force.cross(moment) / force.squaredNorm();
+  return arm * (longest / std::max(arm.norm(), longest));
 }
 
 std::vector<int> found_frames(const FrameShapes& shapes) {
@@ -132,6 +135,7 @@ MeasuredQuantity quantity_of(const SheetTest& test) {
 
 Session predicted_session(const Session& measured, const FrameShapes& shapes) {
   const std::vector<int> found = found_frames(shapes);
+  const double diagonal = std::hypot(measured.sample.width, measured.sample.height);
   Session predicted = with_frames(measured, found);
   for (int f = 0; f < predicted.frame_count(); ++f) {
     const SheetShape& shape = *shapes[static_cast<std::size_t>(found[static_cast<std::size_t>(f)])];
@@ -144,7 +148,7 @@ Session predicted_session(const Session& measured, const FrameShapes& shapes) {
       const Eigen::Vector3d middle = clip_middle(predicted, f, static_cast<int>(c));
       const Eigen::Vector3d force = shape.clip_forces.col(clip),
                             moment = shape.clip_moments.col(clip);
-      frame.cords[c] = {{"", middle + arm_of(force, moment), force}};
+      frame.cords[c] = {{"", middle + arm_of(force, moment, diagonal), force}};
     }
   }
   return predicted;

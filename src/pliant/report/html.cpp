@@ -84,4 +84,15 @@ std::string HtmlTable::html() const {
   return html + "</tbody></table></div>\n";
 }
 
+std::string fact_table(const std::vector<std::pair<std::string, std::string>>& facts) {
+  HtmlTable table({{"Item"}, {"Value"}});
+  for (const auto& [name, value] : facts) {
+    if (value.empty()) continue;
+    table.begin_row();
+    table.cell(name);
+    table.cell(value);
+  }
+  return table.html();
+}
+
 }  // namespace pliant::report

@@ -46,4 +46,7 @@ class HtmlTable {
   std::size_t next_column_ = 0;
 };
 
+/// A table of names and values, those without value left out.
+std::string fact_table(const std::vector<std::pair<std::string, std::string>>& facts);
+
 }  // namespace pliant::report

@@ -82,21 +82,16 @@ std::string work(const Results& results) {
 }
 
 std::string provenance(const Results& results) {
-  HtmlTable table({{"Item"}, {"Value"}});
-  const auto row = [&](std::string_view name, const std::string& value) {
-    if (value.empty()) return;
-    table.begin_row();
-    table.cell(name);
-    table.cell(value);
-  };
-  row("Command", results.command);
-  row("Created", results.created);
-  row("Pliant version", results.version);
-  row("Estimator", results.estimator);
-  if (results.seconds) row("Computing time", format_significant(results.seconds, 2) + " s");
-  for (const auto& [name, value] : results.conditions) row(name, value);
-  for (const auto& [name, value] : results.info) row(name, value);
-  return "<h3>Origin of these results</h3>\n" + table.html() +
+  std::vector<std::pair<std::string, std::string>> facts{{"Command", results.command},
+                                                         {"Created", results.created},
+                                                         {"Pliant version", results.version},
+                                                         {"Estimator", results.estimator}};
+  if (results.seconds) {
+    facts.emplace_back("Computing time", format_significant(results.seconds, 2) + " s");
+  }
+  facts.insert(facts.end(), results.conditions.begin(), results.conditions.end());
+  facts.insert(facts.end(), results.info.begin(), results.info.end());
+  return "<h3>Origin of these results</h3>\n" + fact_table(facts) +
          "<p>Beside this file: <code>material.json</code> (the material), "
          "<code>parameters.csv</code>, <code>curves.csv</code>, <code>predictions/</code> (each "
          "experiment row by row) and <code>study.resolved.yaml</code> (the study with every "

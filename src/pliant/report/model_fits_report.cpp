@@ -157,19 +157,12 @@ constexpr std::string_view kGlossary =
     "meshes and the same search.</p></section>\n";
 
 std::string origin(const ModelFits& fits) {
-  HtmlTable table({{"Item"}, {"Value"}});
-  const auto row = [&](std::string_view name, const std::string& value) {
-    if (value.empty()) return;
-    table.begin_row();
-    table.cell(name);
-    table.cell(value);
-  };
-  row("Command", fits.command);
-  row("Created", fits.created);
-  row("Pliant version", fits.version);
-  row("Study", fits.study);
-  row("SHA-256 of the study", fits.study_sha256);
-  return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + table.html() +
+  const std::string facts = fact_table({{"Command", fits.command},
+                                        {"Created", fits.created},
+                                        {"Pliant version", fits.version},
+                                        {"Study", fits.study},
+                                        {"SHA-256 of the study", fits.study_sha256}});
+  return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + facts +
          "<p>Beside this file: <code>summary.csv</code> and <code>summary.json</code> (the tables "
          "above), and a folder with all results of each fit.</p></section>\n";
 }

@@ -150,20 +150,14 @@ std::string step_section(const SimulationResults& results) {
 }
 
 std::string origin_section(const SimulationResults& results) {
-  HtmlTable table({{"Item"}, {"Value"}});
-  const auto row = [&](std::string_view name, const std::string& value) {
-    if (value.empty()) return;
-    table.begin_row();
-    table.cell(name);
-    table.cell(value);
-  };
-  row("Command", results.command);
-  row("Created", results.created);
-  row("Pliant version", results.version);
-  row("Scene", results.scene);
-  row("SHA-256 of the scene", results.scene_sha256);
-  if (results.threads > 0) row("Threads", std::to_string(results.threads));
-  return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + table.html() +
+  const std::string facts =
+      fact_table({{"Command", results.command},
+                  {"Created", results.created},
+                  {"Pliant version", results.version},
+                  {"Scene", results.scene},
+                  {"SHA-256 of the scene", results.scene_sha256},
+                  {"Threads", results.threads > 0 ? std::to_string(results.threads) : ""}});
+  return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + facts +
          "<p>Beside this file: <code>simulation.json</code> (the facts above), "
          "<code>energy.csv</code> (a row a frame) and the frames themselves. "
          "<code>pliant render</code> draws them in any view and size.</p></section>\n";

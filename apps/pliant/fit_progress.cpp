@@ -7,7 +7,7 @@ namespace pliant {
 namespace {
 
 constexpr const char* kName = "progress.bin";
-constexpr std::chrono::seconds kPeriod{10};  // what a crash may lose
+constexpr double kPeriod = 10;  // s, what a crash may lose
 
 }  // namespace
 
@@ -27,12 +27,12 @@ bool FitProgress::save() {
   const Journal::Content& content = journal_.content();
   if (content.entries.empty()) return false;
   results_.set_aside(kName, journal_bytes(content));
-  saved_ = std::chrono::steady_clock::now();
+  since_saved_ = {};
   return true;
 }
 
 void FitProgress::save_now_and_then() {
-  if (std::chrono::steady_clock::now() - saved_ > kPeriod) save();
+  if (since_saved_.seconds() > kPeriod) save();
 }
 
 }  // namespace pliant

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 
 #include "pliant/base/journal.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/io/result_directory.h"
 
 namespace pliant {
@@ -28,7 +28,7 @@ class FitProgress {
 
   ResultDirectory& results_;
   Journal journal_;
-  std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+  Stopwatch since_saved_;
 };
 
 }  // namespace pliant

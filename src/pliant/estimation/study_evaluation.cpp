@@ -1,12 +1,12 @@
 #include "pliant/estimation/study_evaluation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/estimation/sheet/sheet_study.h"
@@ -16,7 +16,7 @@ namespace pliant {
 
 StudyResult evaluate_study(const Study& study, const Material& material,
                            const RunContext& context) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StudyResult result = describe(study);
   result.material = material;
   if (result.density == 0) result.density = material.density;
@@ -49,7 +49,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
   }
   evaluate_sheets(with_measure, material, context, result);
   result.assumptions = assumptions_of(study, experiments);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = watch.seconds();
   return result;
 }
 

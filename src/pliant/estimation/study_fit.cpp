@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
+#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
@@ -78,7 +78,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
                      "components are fitted one by one: weft and warp have nothing to share",
                      "nonlinear-orthotropic or linear-orthotropic, or sessions to fit");
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StudyResult result = describe(study);
   const Experiments experiments = read_experiments(study, result);
   std::vector<ComponentWork> works = group_by_component(experiments);
@@ -119,7 +119,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
   warn_of_unknown_profiles(options, result);
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = watch.seconds();
   return result;
 }
 

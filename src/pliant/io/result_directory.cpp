@@ -128,9 +128,7 @@ void ResultDirectory::publish() {
   PLIANT_ASSERT(!committed_, "results are published before they are committed");
   // Both lists are written before anything is moved, when the disk may still turn out to be full.
   // The first names old and new files: a run that dies half-way leaves no file that is foreign.
-  std::set<std::string> all = earlier_files_;
-  all.insert(files_.begin(), files_.end());
-  stage(kListOfAll, manifest_text({command_, all}));
+  stage_list_of_all();
   stage(kListOfNew, manifest_text({command_, files_}));
 
   published_ = true;
@@ -149,9 +147,7 @@ void ResultDirectory::set_aside(const std::string& relative_name, std::string_vi
   PLIANT_ASSERT(!committed_, "files are set aside before results are committed");
   stage(relative_name, content);
   earlier_files_.insert(relative_name);
-  std::set<std::string> all = earlier_files_;
-  all.insert(files_.begin(), files_.end());
-  stage(kListOfAll, manifest_text({command_, all}));
+  stage_list_of_all();
   published_ = true;
   move_into_place(staging_ / kListOfAll, directory_ / kManifestName);
   move_into_place(staging_ / relative_name, directory_ / relative_name);
@@ -188,6 +184,12 @@ void ResultDirectory::stage(const std::string& relative_name, std::string_view c
   } catch (const InputError& failure) {
     throw OutputError(shown, failure.problem());
   }
+}
+
+void ResultDirectory::stage_list_of_all() {
+  std::set<std::string> all = earlier_files_;
+  all.insert(files_.begin(), files_.end());
+  stage(kListOfAll, manifest_text({command_, all}));
 }
 
 void ResultDirectory::prepare() {

@@ -71,6 +71,8 @@ class ResultDirectory {
   void refuse_foreign_files() const;
   void create_staging();
   void stage(const std::string& relative_name, std::string_view content);
+  /// The list of what is in place and of what comes to it.
+  void stage_list_of_all();
   void remove_staging() noexcept;
 
   std::filesystem::path directory_;

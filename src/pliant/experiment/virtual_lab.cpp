@@ -228,8 +228,12 @@ std::string study_entry(const LabExperiment& e, const std::string& data) {
   return text;
 }
 
-std::string session_entry(const std::string& name) {
-  return fmt::format("  - name: {0}\n    type: session\n    data: {0}\n", yaml_text(name));
+std::string session_entry(const std::string& name, const VirtualSession& session) {
+  std::string entry =
+      fmt::format("  - name: {0}\n    type: session\n    data: {0}\n", yaml_text(name));
+  const bool has_cords = session_test_kind(session.test).clip_mass > 0;
+  if (has_cords && session.noise.cord_friction > 0) entry += "    cord_friction: unknown\n";
+  return entry;
 }
 
 std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
@@ -241,7 +245,7 @@ std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
   for (const LabExperiment& experiment : lab.experiments) {
     if (experiment.type == "session") {
       for (const std::string& session : session_names(lab, experiment)) {
-        study += session_entry(session);
+        study += session_entry(session, experiment.session);
       }
       continue;
     }

@@ -45,6 +45,8 @@ TEST(VirtualLabSessions, AreDirectoriesThatTheStudyNames) {
   EXPECT_EQ(read_session(folder.path() / "table").test, "bend-warp");
   const std::string study = content_of_file(files, "study.yaml");
   EXPECT_THAT(study, HasSubstr("- name: \"weft\"\n    type: session\n    data: \"weft\"\n"));
+  EXPECT_TRUE(folder.study().experiments[0].cord_friction.unknown) << "the lab lets cords drag";
+  EXPECT_FALSE(folder.study().experiments[2].cord_friction.unknown) << "a table has no cords";
 }
 
 TEST(VirtualLabSessions, AreTheSameWithAnyNumberOfThreads) {

@@ -3,13 +3,18 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/frame_measure_table.h"
+#include "pliant/estimation/sheet/sheet_fit.h"
+#include "pliant/estimation/sheet/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/experiment/virtual_session.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/density/dahl.h"
 
@@ -93,6 +98,63 @@ TEST_F(LostFrame, HasMeasuresWithoutPrediction) {
     EXPECT_EQ(predicted[f].empty(), f == kLost) << f;
   }
   EXPECT_EQ(predicted[4].substr(0, 4), seen[4].substr(0, 4)) << "rows stay with their frames";
+}
+
+/// A stretch along weft with friction, there and back; in one frame the clips are nowhere.
+class LostFrameOfALoop : public ::testing::Test {
+ protected:
+  LostFrameOfALoop() {
+    Material material = first_sheet_material({});
+    material.density = 0.2;
+    MaterialComponent& weft = material.components.at("stretch.weft");
+    weft.stiffness = ScalarCurve::hermite({0.0}, {300.0});
+    weft.friction = ComponentFriction{DahlParameters{2, 0, 0.008}, std::nullopt};
+    material.components.at("shear").stiffness = ScalarCurve::hermite({0.0}, {60.0}, true);
+    VirtualSession options = usual_session("stretch-weft");
+    options.nodes = {6, 6};
+    options.frames = 25;
+    RandomStream random(3);
+    Session session = make_virtual_session(material, options, random);
+    for (Pose& pose : session.frames[kLost].poses) {
+      pose.translation.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    experiments_.push_back({{"stretch", std::move(session), SheetObjective::clip_forces},
+                            ExperimentRole::fit,
+                            "",
+                            "",
+                            {}});
+    study_.model.stiffness = CurveKind::constant;
+  }
+
+  static constexpr int kLost = 15;
+  Study study_;
+  std::vector<SheetExperiment> experiments_;
+  RunContext context_;
+};
+
+TEST_F(LostFrameOfALoop, IsLeftOutOfTheFitAndOfThePrediction) {
+  const SheetFit fit =
+      fit_sheets(study_, sheet_plan(study_, {&experiments_.front().test}), context_);
+  EXPECT_THAT(fit.warnings, ElementsAre("stretch: no equilibrium is found of frame 15 (of 25), "
+                                        "left out of the fit"));
+  const MaterialComponent& weft = fit.material.components.at("stretch.weft");
+  EXPECT_NEAR(weft.stiffness->value(0), 300, 0.3);
+  ASSERT_TRUE(weft.friction.has_value());
+  EXPECT_NEAR(weft.friction->positive.a, 2, 0.02);
+
+  EquilibriumWork work;
+  const auto results = sheet_predictions(experiments_, fit.material, {}, context_, work);
+  ASSERT_TRUE(results.front().sheet.has_value());
+  EXPECT_THAT(results.front().sheet->missing_frames(), ElementsAre(kLost));
+  EXPECT_LT(results.front().rms_percent, 0.1);
+}
+
+TEST_F(LostFrameOfALoop, IsNotOneOfMany) {
+  Session session = experiments_.front().test.session();
+  for (std::size_t f = 0; f < 7; ++f) session.frames[f].poses = session.frames[kLost].poses;
+  experiments_.front().test = {"stretch", std::move(session), SheetObjective::clip_forces};
+  EXPECT_THROW(fit_sheets(study_, sheet_plan(study_, {&experiments_.front().test}), context_),
+               SolverError);
 }
 
 }  // namespace

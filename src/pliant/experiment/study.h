@@ -104,6 +104,11 @@ struct ModelOptions {
   std::map<std::string, ComponentModel> components;
 };
 
+/// Whether a model has springs, which lie along weft and warp.
+inline bool needs_grid(const ModelOptions& model) {
+  return model.membrane == MembraneMeasure::spring || model.bending == "spring";
+}
+
 enum class EstimatorKind {
   path,    ///< stress carried along the path, exact solution of [T] Eq. 5.2
   anchor,  ///< the published estimator ([T] Eqs. 5.4-5.6)

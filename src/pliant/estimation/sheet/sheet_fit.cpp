@@ -3,54 +3,50 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
-#include "pliant/experiment/session/frame_measures.h"
-#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/estimation/sheet/stage_search.h"
 
 namespace pliant {
 namespace {
 
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
-constexpr double kOutlierShare = 0.01;    // of strains, before the range is taken
-constexpr int kNoiseRounds = 3;
-constexpr double kNoiseSettled = 0.1;
-constexpr LeastSquaresOptions kStageSearch{
-    .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
+constexpr double kUsualStrain = 0.01;
+/// Share of a test's frames that may be left out: fewer tell another story.
+constexpr double kLostShare = 0.25;
 
 class Fitter {
  public:
-  using Numbers = Journal::Numbers;
-
-  Fitter(const Study& study, const RunContext& context) : study_(study), context_(context) {
+  Fitter(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
+         const Material* start)
+      : study_(study),
+        context_(context),
+        search_(context, begin_journal(context.journal, study, plan, start)) {
     fit_.material = first_sheet_material(study);
-  }
-
-  SheetFit run(const std::vector<SheetStage>& plan, const Material* start) && {
-    shapes_ = begin_journal(context_.journal, study_, plan, start);
     fit_.groups = groups_of(plan);
-    for (const SheetStage& stage : plan) {
-      if (stage.kind != StageKind::friction) continue;
-      with_friction_.insert(with_friction_.end(), stage.tests.begin(), stage.tests.end());
-    }
+    fit_.plan = std::move(plan);
     if (start) {
       fit_.material.components = start->components;
       fitted_ = fit_.groups;
     }
-    ProgressTask task(context_.progress, "fit", static_cast<double>(plan.size()));
-    for (std::size_t s = 0; s < plan.size(); ++s) {
+  }
+
+  SheetFit run() && {
+    ProgressTask task(context_.progress, "fit", static_cast<double>(fit_.plan.size()));
+    for (std::size_t s = 0; s < fit_.plan.size(); ++s) {
       context_.stop.throw_if_requested();
-      run_stage(plan[s]);
+      leave_out_lost_frames(fit_.plan[s]);
+      run_stage(fit_.plan[s]);
       task.advance(static_cast<double>(s + 1));
     }
+    fit_.work = search_.work();
     return std::move(fit_);
   }
 
@@ -68,6 +64,34 @@ class Fitter {
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) fitted_.push_back(group);
     }
+  }
+
+  /// Frames between clips that have no equilibrium, as one with a wrong pose, would end the search.
+  /// Over a table no pose is wrong, and the first guess of the stiffness says little.
+  void leave_out_lost_frames(const SheetStage& planned) {
+    SheetStage stage = planned;
+    std::erase_if(stage.tests, [&](const SheetTest* test) {
+      return test->session().table || !examined_.insert(test->name()).second;
+    });
+    if (stage.tests.empty()) return;
+    SheetProblem problem(stage.tests, fit_.material, stage.groups, usual_strains(stage), context_);
+    const std::vector<std::vector<int>> lost = search_.lost_frames(stage, problem);
+    for (std::size_t t = 0; t < lost.size(); ++t) {
+      const SheetTest& test = *stage.tests[t];
+      const auto count = static_cast<double>(lost[t].size());
+      if (count == 0 || count > kLostShare * test.frame_count()) continue;
+      fit_.warnings.push_back(fmt::format(
+          "{}: no equilibrium is found of frame{} {} (of {}), left out of the fit", test.name(),
+          count == 1 ? "" : "s", fmt::join(lost[t], ", "), test.frame_count()));
+      replace(test, std::make_shared<SheetTest>(test.without(lost[t])));
+    }
+  }
+
+  void replace(const SheetTest& test, std::shared_ptr<const SheetTest> by) {
+    for (SheetStage& stage : fit_.plan) {
+      std::ranges::replace(stage.tests, &test, by.get());
+    }
+    fit_.thinned.push_back(std::move(by));
   }
 
   /// Friction, where the loops of a stage are not those of its cords.
@@ -105,9 +129,15 @@ class Fitter {
   /// them: cords would take those of the cloth for their own, and bend the curve at rest.
   bool with_cords(const SheetStage& stage) const {
     return stage.kind == StageKind::friction ||
-           std::ranges::none_of(stage.tests, [&](const SheetTest* test) {
-             return std::ranges::find(with_friction_, test) != with_friction_.end();
-           });
+           std::ranges::none_of(stage.tests,
+                                [&](const SheetTest* test) { return has_friction_stage(*test); });
+  }
+
+  bool has_friction_stage(const SheetTest& test) const {
+    return std::ranges::any_of(fit_.plan, [&](const SheetStage& stage) {
+      return stage.kind == StageKind::friction &&
+             std::ranges::find(stage.tests, &test) != stage.tests.end();
+    });
   }
 
   static bool has_unknown_cords(const SheetStage& stage) {
@@ -127,7 +157,8 @@ class Fitter {
 
   /// One control point after the other, at equal distances.
   void grow(const SheetStage& stage, const ComponentGroup& group, double best) {
-    const double largest = measure_strain(stage, group);
+    SheetProblem problem = problem_of(stage);
+    const double largest = search_.largest_strain(stage, problem, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
     if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return;
     const bool even = is_even(group.front());
@@ -155,9 +186,10 @@ class Fitter {
     }
     fit_.material = accepted;
     fit_.cords = cords;
+    if (with_cords(stage)) grade(stage, group, best);
   }
 
-  /// The control points once more, denser towards rest, where friction no longer hides what the
+  /// The control points once more, denser towards rest, as soon as friction does not hide what the
   /// curve is like. They stay there where that pays.
   void grade(const SheetStage& stage, const ComponentGroup& group, double even) {
     const ScalarCurve curve = stiffness_of(group);
@@ -170,7 +202,8 @@ class Fitter {
       knots.push_back(curve.knots().back() * share * share);
       values.push_back(curve.value(knots.back()));
     }
-    give_stiffness(group, ScalarCurve::hermite(knots, values, is_even(group.front())));
+    give_stiffness(going_along({group}).front(),
+                   ScalarCurve::hermite(knots, values, is_even(group.front())));
     const double graded = solve(stage);
     const bool worthwhile = graded < (1 - kWorthwhileFall) * even;
     record(stage, graded, worthwhile);
@@ -179,41 +212,11 @@ class Fitter {
     fit_.cords = cords;
   }
 
-  /// Whether the forces of a stage lie above the elastic ones while clips go on and below them
-  /// while they return, by more than chance.
-  bool shows_loop(const SheetStage& stage) {
-    const SheetProblem problem = problem_of(stage);
-    return ask(problem, "loop", stage, [&] {
-             return Numbers{has_loop(stage, problem) ? 1.0 : 0.0};
-           }).front() > 0;
-  }
-
-  bool has_loop(const SheetStage& stage, const SheetProblem& problem) const {
-    constexpr double kChance = 4, kSmallest = 0.005;  // standard errors; of the forces
-    double loop = 0, squares = 0, forces = 0;
-    int rows = 0;
-    for (std::size_t t = 0; t < stage.tests.size(); ++t) {
-      const SheetTest& test = *stage.tests[t];
-      const auto shapes = problem.predict(t, problem.start(), false, context_.threads);
-      if (!shapes) return true;
-      for (int frame = 1; frame < test.frame_count(); ++frame) {
-        const double step = travel(test.session(), frame) - travel(test.session(), frame - 1);
-        const Eigen::ArrayXd force = test.measured(frame).array();
-        const Eigen::ArrayXd above =
-            force - test.predicted(frame, (*shapes)[static_cast<std::size_t>(frame)]).array();
-        loop += (step > 0 ? 1 : -1) * (above * force.sign()).sum();
-        squares += above.square().sum();
-        forces += force.square().sum();
-        rows += static_cast<int>(force.size());
-      }
-    }
-    return loop > kChance * std::sqrt(squares) && loop > kSmallest * std::sqrt(forces * rows);
-  }
-
   /// Friction of a tenth of the largest stress, spread over the strain that fits best.
   /// @return false where the sequence shows no friction, or no path of equilibria to begin with
   bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
-    if (!shows_loop(stage)) return false;
+    SheetProblem without = problem_of(stage);
+    if (!search_.shows_loop(stage, without)) return false;
     const double strain = strain_of(group);
     const ComponentLaw elastic = law_of(fit_.material, group);
     ComponentLaw law = elastic;
@@ -223,14 +226,15 @@ class Fitter {
     for (const double share : {0.02, 0.06, 0.2}) {
       law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
       set_law(fit_.material, group, law);
-      const double cost = cost_at_start(stage, problem_of(stage), least);
+      SheetProblem problem = problem_of(stage);
+      const double cost = search_.cost_at_start(stage, problem, least);
       if (cost >= least) continue;
       least = cost;
       best = law.friction;
     }
     if (!std::isfinite(least)) {
       fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
-                              names(stage.tests) + " have no path of equilibria with it");
+                              names_of(stage.tests) + " have no path of equilibria with it");
       set_law(fit_.material, group, elastic);
       return false;
     }
@@ -245,11 +249,13 @@ class Fitter {
     std::vector<ComponentGroup> groups = going_along(stage.groups);
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
-    SheetProblem problem(stage.tests, fit_.material, std::move(groups), std::move(strains),
-                         context_, fit_.cords, study_.fit, with_cords(stage));
-    problem.set_noise(accuracy_of(stage));
-    problem.begin_at(shapes_);
-    return problem;
+    return {stage.tests, fit_.material, std::move(groups), std::move(strains),
+            context_,    fit_.cords,    study_.fit,        with_cords(stage)};
+  }
+
+  /// Where the strains of a stage are not known yet, nor needed.
+  static std::vector<double> usual_strains(const SheetStage& stage) {
+    return std::vector<double>(stage.groups.size(), kUsualStrain);
   }
 
   void give_stiffness(const ComponentGroup& group, const ScalarCurve& stiffness) {
@@ -260,16 +266,6 @@ class Fitter {
 
   const ScalarCurve& stiffness_of(const ComponentGroup& group) const {
     return *fit_.material.components.at(group.front()).stiffness;
-  }
-
-  /// Differences that no instrument sees: curves need no further control points for them.
-  static double accuracy_of(const SheetStage& stage) {
-    constexpr double kForce = 1e-3, kPosition = 1e-5;  // N, m; a third of [T] 3.2.3 and less
-    return is_about_positions(stage) ? kPosition : kForce;
-  }
-
-  static bool is_about_positions(const SheetStage& stage) {
-    return stage.tests.front()->objective() == SheetObjective::positions;
   }
 
   /// One stiffness to begin with. Forces tell it at once; how far a sheet hangs is tried from stiff
@@ -288,10 +284,9 @@ class Fitter {
     int worse = 0;
     for (const double value : first_bending(group)) {
       constant(value);
-      SheetProblem problem(stage.tests, fit_.material, stage.groups,
-                           std::vector<double>(stage.groups.size(), 0.01), context_);
-      problem.begin_at(shapes_);
-      const double cost = cost_at_start(stage, problem, least);
+      SheetProblem problem(stage.tests, fit_.material, stage.groups, usual_strains(stage),
+                           context_);
+      const double cost = search_.cost_at_start(stage, problem, least);
       const bool nothing_yet = !std::isfinite(least);
       worse = nothing_yet || cost < kPlateau * least ? 0 : worse + 1;
       if (cost < least) {
@@ -338,80 +333,11 @@ class Fitter {
   /// @return the root mean square of the differences (N or m)
   double solve(const SheetStage& stage) {
     SheetProblem problem = problem_of(stage);
-    const Numbers found = ask(problem, "search", stage, [&] { return search(stage, problem); });
-    const auto count = static_cast<Eigen::Index>(problem.unknowns().size());
-    const Eigen::VectorXd values = Eigen::VectorXd::Map(found.data(), count);
-    const double rms = found[found.size() - 2];
-    problem.keep_cords(values, fit_.cords);
-    fit_.converged = fit_.converged && found.back() > 0;
-    fit_.material = problem.material_at(values);
-    return rms;
-  }
-
-  /// Where a stage's search ends: the unknowns, the root mean square of the differences (N or m),
-  /// and whether it converged. One that was stopped goes on where it was.
-  Numbers search(const SheetStage& stage, SheetProblem& problem) {
-    const Numbers& reached = context_.journal.reached();
-    LeastSquaresSummary summary;
-    summary.parameters = problem.start();
-    if (!reached.empty()) {
-      summary.parameters = Eigen::VectorXd::Map(reached.data(), std::ssize(reached));
-    }
-    double noise = accuracy_of(stage), rms = 0;
-    // Priors are weighed against the noise, which the residuals tell.
-    for (int round = 0; round < (problem.has_priors() ? kNoiseRounds : 1); ++round) {
-      problem.set_noise(noise);
-      summary = solve_least_squares(with_journal(problem.least_squares(), context_.journal),
-                                    summary.parameters, kStageSearch, context_.stop);
-      if (!std::isfinite(summary.cost)) {
-        throw SolverError("the equilibrium of every frame of " + names(stage.tests), 0, 0);
-      }
-      rms = problem.rms(summary);
-      const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
-      if (std::abs(noise - before) < kNoiseSettled * before) break;
-    }
-    keep_shapes(problem);
-    Numbers found(summary.parameters.begin(), summary.parameters.end());
-    found.push_back(rms);
-    found.push_back(summary.converged ? 1 : 0);
-    return found;
-  }
-
-  /// Half the squared residuals where a search would begin; infinite without equilibria. The next
-  /// search begins at their shapes where that is less than others had.
-  double cost_at_start(const SheetStage& stage, const SheetProblem& problem, double least) {
-    const auto cost = [&] {
-      const LeastSquaresProblem squares = problem.least_squares();
-      Eigen::VectorXd residual(squares.residuals);
-      const bool found = squares.evaluate(problem.start(), residual, nullptr);
-      const double own = found ? residual.squaredNorm() / 2 : INFINITY;
-      if (own < least) keep_shapes(problem);
-      return Numbers{own};
-    };
-    return ask(problem, "cost", stage, cost).front();
-  }
-
-  void keep_shapes(const SheetProblem& problem) {
-    problem.keep(shapes_);
-    pliant::keep_shapes(context_.journal, shapes_);
-  }
-
-  /// What work with a problem finds, or has found before this fit was stopped.
-  Numbers ask(const SheetProblem& problem, const char* what, const SheetStage& stage,
-              const std::function<Numbers()>& work) {
-    std::vector<std::string> components;
-    for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
-    const std::string question =
-        fmt::format("{} of {} in {}", what, fmt::join(components, ", "), names(stage.tests));
-    Numbers answer = context_.journal.answer(question, [&] {
-      Numbers found = work();
-      const EquilibriumWork cost = problem.work();
-      fit_.work.seconds += cost.seconds;
-      append_counts(cost.counts, found);
-      return found;
-    });
-    fit_.work.counts += take_counts(answer);
-    return answer;
+    const StageSearch::Solution found = search_.least(stage, problem);
+    problem.keep_cords(found.values, fit_.cords);
+    fit_.converged = fit_.converged && found.converged;
+    fit_.material = problem.material_at(found.values);
+    return found.rms;
   }
 
   /// Bending in the directions that are not fitted yet is taken to be like that of the first group
@@ -434,48 +360,6 @@ class Fitter {
     return groups;
   }
 
-  double measure_strain(const SheetStage& stage, const ComponentGroup& group) {
-    const SheetProblem problem = problem_of(stage);
-    return ask(problem, "strain", stage, [&] { return Numbers{strain_in(problem, stage, group)}; })
-        .front();
-  }
-
-  /// What all but the outliers of the sheets' strains stay below.
-  double strain_in(const SheetProblem& problem, const SheetStage& stage,
-                   const ComponentGroup& group) const {
-    std::vector<double> strains;
-    for (std::size_t t = 0; t < stage.tests.size(); ++t) {
-      const SheetTest& test = *stage.tests[t];
-      const auto shapes = problem.predict(t, problem.start(), false, context_.threads);
-      if (!shapes) continue;
-      const SheetSystem sheet(test.session(), fit_.material, {.friction = false}, {});
-      for (const SheetShape& shape : *shapes) {
-        for (const std::string& component : group) {
-          if (!usually_strains(test, component)) continue;
-          const std::vector<double> own = sheet.strains(component, shape.positions);
-          strains.insert(strains.end(), own.begin(), own.end());
-        }
-      }
-    }
-    if (is_even(group.front())) {
-      for (double& strain : strains) strain = std::abs(strain);
-    }
-    const auto at =
-        strains.begin() +
-        static_cast<std::ptrdiff_t>((1 - kOutlierShare) * static_cast<double>(strains.size()));
-    std::ranges::nth_element(strains, at);
-    return std::max(*at, 1e-9);
-  }
-
-  /// A test of weft says nothing about the strains that warp has.
-  static bool usually_strains(const SheetTest& test, const std::string& component) {
-    const std::vector<std::string> usual = usual_components(test.session().test);
-    const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
-    if (usual.empty() || !directed) return true;
-    const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
-    return usual.front() == component || family(usual.front()) != family(component);
-  }
-
   void record(const SheetStage& stage, double rms, bool accepted) {
     const bool positions = is_about_positions(stage);
     std::vector<std::string> components;
@@ -488,26 +372,19 @@ class Fitter {
                            positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
   }
 
-  static std::string names(const std::vector<const SheetTest*>& tests) {
-    std::vector<std::string> list;
-    for (const SheetTest* test : tests) list.push_back(test->name());
-    return fmt::format("{}", fmt::join(list, ", "));
-  }
-
   const Study& study_;
   const RunContext& context_;
   SheetFit fit_;
+  StageSearch search_;
   std::vector<ComponentGroup> fitted_;
-  std::vector<const SheetTest*> with_friction_;  // tests that have a stage of it
-  SheetGuesses shapes_;
+  std::set<std::string> examined_;  // tests whose lost frames are left out
 };
 
 }  // namespace
 
 double largest_strain(const SheetFit& fit, const ComponentGroup& group) {
-  constexpr double kUsual = 0.01;
   const auto known = fit.strains.find(group.front());
-  return known == fit.strains.end() ? kUsual : known->second;
+  return known == fit.strains.end() ? kUsualStrain : known->second;
 }
 
 Material first_sheet_material(const Study& study) {
@@ -530,9 +407,9 @@ Material first_sheet_material(const Study& study) {
   return material;
 }
 
-SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
-                    const RunContext& context, const Material* start) {
-  return Fitter(study, context).run(plan, start);
+SheetFit fit_sheets(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
+                    const Material* start) {
+  return Fitter(study, std::move(plan), context, start).run();
 }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct SheetFit {
   Material material;    ///< complete: components without test are guesses
   CordFrictions cords;  ///< of the tests whose cords are unknown
   std::vector<ComponentGroup> groups;
+  std::vector<SheetStage> plan;                           ///< as it was carried out
+  std::vector<std::shared_ptr<const SheetTest>> thinned;  ///< tests of the plan without the frames
+                                                          ///< that have no equilibrium
   std::vector<FitStage> stages;
   std::vector<std::string> warnings;
   std::map<std::string, double> strains;  ///< largest of the fitted sheets, by component
@@ -39,8 +43,11 @@ Material first_sheet_material(const Study& study);
 /// Unknown friction of cords is fitted along in every stage that compares forces. The cloth has
 /// friction beside it only where that makes the residual fall by 1 % and by more than its three
 /// parameters are worth.
+///
+/// Up to a quarter of the frames of a test between clips is left out, where they have no
+/// equilibrium with the first stiffnesses.
 /// @param start  null, or a material of the study's model whose curves are the first ones
-SheetFit fit_sheets(const Study& study, const std::vector<SheetStage>& plan,
-                    const RunContext& context, const Material* start = nullptr);
+SheetFit fit_sheets(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
+                    const Material* start = nullptr);
 
 }  // namespace pliant

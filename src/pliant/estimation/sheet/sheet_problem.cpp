@@ -44,11 +44,14 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
 
 }  // namespace
 
-std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material) {
-  const bool friction = std::ranges::any_of(material.components, [](const auto& component) {
-    return component.second.friction.has_value();
+bool is_path(const SheetTest& test, const Material& material) {
+  return !test.session().table && std::ranges::any_of(material.components, [](const auto& part) {
+    return part.second.friction.has_value();
   });
-  if (friction && !test.session().table) {
+}
+
+std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material) {
+  if (is_path(test, material)) {
     return std::make_unique<SheetPath>(test.session(), material);
   }
   return std::make_unique<SheetEquilibria>(test.session(), material);
@@ -168,16 +171,32 @@ std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
   return shapes;
 }
 
+Eigen::VectorXd SheetProblem::parameters_of(std::size_t test, const Eigen::VectorXd& values) const {
+  const Places& places = places_[test];
+  Eigen::VectorXd parameters = predictors_[test]->parameters();
+  parameters(places.parameters) = values(places.unknowns);
+  return parameters;
+}
+
+std::vector<int> SheetProblem::lost_frames(std::size_t test, int threads) const {
+  const Stopwatch watch;
+  const auto shapes =
+      predictors_[test]->predict_each(parameters_of(test, start_), {}, threads, context_.stop);
+  seconds_ += watch.seconds();
+  std::vector<int> lost;
+  for (std::size_t frame = 0; frame < shapes.size(); ++frame) {
+    if (!shapes[frame]) lost.push_back(static_cast<int>(frame));
+  }
+  return lost;
+}
+
 std::optional<std::vector<SheetShape>> SheetProblem::shapes_of(std::size_t test,
                                                                const Eigen::VectorXd& values,
                                                                bool derivatives,
                                                                int threads) const {
-  SheetPredictor& predictor = *predictors_[test];
-  const Places& places = places_[test];
-  Eigen::VectorXd parameters = predictor.parameters();
-  parameters(places.parameters) = values(places.unknowns);
-  auto shapes = predictor.predict(parameters, derivatives ? places.parameters : std::vector<int>{},
-                                  threads, context_.stop);
+  auto shapes = predictors_[test]->predict(
+      parameters_of(test, values), derivatives ? places_[test].parameters : std::vector<int>{},
+      threads, context_.stop);
   if (!shapes) return shapes;
   const Eigen::VectorXd loops = widths(test, values);
   const bool by_cords = derivatives && !cords_[test].empty();

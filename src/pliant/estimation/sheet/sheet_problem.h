@@ -19,8 +19,11 @@ namespace pliant {
 /// Shapes of the equilibria of tests by name, where searches for the next may begin.
 using SheetGuesses = std::map<std::string, std::vector<Eigen::Matrix3Xd>>;
 
-/// How a session is predicted: as a path where its sheet has friction and no table, else frame by
-/// frame.
+/// Whether each frame of a test follows from those before: where its sheet has friction and no
+/// table.
+bool is_path(const SheetTest& test, const Material& material);
+
+/// Predicts a session as a path, or frame by frame.
 std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material);
 
 /// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
@@ -67,6 +70,9 @@ class SheetProblem {
   std::optional<std::vector<SheetShape>> predict(std::size_t test, const Eigen::VectorXd& values,
                                                  bool derivatives, int threads) const;
 
+  /// Frames of a test without equilibrium where a search begins.
+  std::vector<int> lost_frames(std::size_t test, int threads) const;
+
   /// `evaluate` keeps the equilibria of the last values for the next.
   LeastSquaresProblem least_squares() const;
 
@@ -79,6 +85,8 @@ class SheetProblem {
     std::vector<int> parameters, unknowns;
   };
   Places places_in(const SheetPredictor& predictor) const;
+  /// The parameters of a test's prediction at some values of the unknowns.
+  Eigen::VectorXd parameters_of(std::size_t test, const Eigen::VectorXd& values) const;
   /// `predict`, while others may be at work.
   std::optional<std::vector<SheetShape>> shapes_of(std::size_t test, const Eigen::VectorXd& values,
                                                    bool derivatives, int threads) const;

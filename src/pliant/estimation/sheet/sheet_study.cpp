@@ -11,23 +11,18 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/base/quantity.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/sheet/sheet_experiment.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
-#include "pliant/estimation/sheet/sheet_problem.h"
-#include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/estimation/sheet/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
 #include "pliant/estimation/uncertainty.h"
 #include "pliant/experiment/session/balance.h"
-#include "pliant/experiment/session/clip_grid.h"
-#include "pliant/experiment/session/on_mesh.h"
-#include "pliant/experiment/sheet/strip_sheets.h"
-#include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
@@ -35,35 +30,6 @@
 
 namespace pliant {
 namespace {
-
-/// Cells on the longer side of a sheet ([T] 3.4.1).
-constexpr int kCells = 24;
-/// A rest mesh that covers less of its bounding box is no rectangle along weft and warp.
-constexpr double kRectangle = 0.95;
-
-bool is_rectangle(const Session& session) {
-  const Eigen::Vector3d extent =
-      session.rest.positions.rowwise().maxCoeff() - session.rest.positions.rowwise().minCoeff();
-  return rest_area(session.rest) > kRectangle * extent.x() * extent.y();
-}
-
-/// @throws InputError where the springs of a model have no grid to be on
-void require_grid_for_springs(const ExperimentSpec& spec, const Session& session,
-                              const ModelOptions& model) {
-  const bool springs = model.membrane == MembraneMeasure::spring || model.bending == "spring";
-  if (!springs || is_cut_from_rectangles(session.rest)) return;
-  throw InputError(spec.where,
-                   fmt::format("springs cannot simulate {} on its own mesh, which is no grid of "
-                               "rectangles along weft and warp",
-                               quoted_value(spec.name)),
-                   "another model, or a rectangular sheet that `model.mesh` gives a grid");
-}
-
-Session on_fit_mesh(const Session& session, const ModelOptions& model) {
-  if (model.measured_mesh || !is_rectangle(session)) return session;
-  const double longer = std::max(session.sample.width, session.sample.height);
-  return on_mesh(session, grid_on_clips(session, model.mesh_edge.value_or(longer / kCells)));
-}
 
 /// What is known of the cords of a clip together, which move alike or nearly so.
 std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord) {
@@ -174,87 +140,6 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
       "experiments in one dimension are left out of a fit of sheets: {}", fmt::join(names, ", ")));
 }
 
-/// Share of the frames that a prediction needs: fewer tell another story.
-constexpr double kFoundShare = 0.75;
-
-/// Shapes of the frames of a test that have an equilibrium.
-/// @throws SolverError where too few have one
-std::vector<std::optional<SheetShape>> predict(const SheetTest& test, const Material& material,
-                                               const CordFrictions& cords,
-                                               const RunContext& context, EquilibriumWork& work) {
-  const Stopwatch watch;
-  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
-  auto shapes = predictor->predict_each(predictor->parameters(), {}, context.threads, context.stop);
-  const EquilibriumWork own = predictor->work();
-  work += {own.counts, own.seconds.on_the_clock(watch.seconds())};
-  const Eigen::VectorXd widths = cord_widths(test, cords);
-  int found = 0, first_missing = -1;
-  for (int frame = 0; frame < test.frame_count(); ++frame) {
-    std::optional<SheetShape>& shape = shapes[static_cast<std::size_t>(frame)];
-    if (shape) {
-      add_cord_drags(test.cords(), widths, false, frame, *shape);
-      ++found;
-    } else if (first_missing < 0) {
-      first_missing = frame;
-    }
-  }
-  if (found < kFoundShare * test.frame_count()) {
-    throw SolverError(
-        fmt::format("the equilibria of {} of {} frames of {}, first of frame {}",
-                    test.frame_count() - found, test.frame_count(), test.name(), first_missing),
-        own.counts.iterations, 0);
-  }
-  return shapes;
-}
-
-void warn_of_missing_frames(const std::vector<ExperimentResult>& experiments, StudyResult& result) {
-  for (const ExperimentResult& experiment : experiments) {
-    if (!experiment.sheet) continue;
-    const SheetComparison& sheet = *experiment.sheet;
-    const std::vector<int> missing = sheet.missing_frames();
-    if (missing.empty()) continue;
-    result.warnings.push_back(
-        fmt::format("{}: no equilibrium is found of frame{} {} (of {}), left out of the comparison",
-                    experiment.name, missing.size() == 1 ? "" : "s", fmt::join(missing, ", "),
-                    sheet.measured.frame_count()));
-  }
-}
-
-/// How friction of cords was dealt with in a prediction.
-void tell_of_cords(const SheetTest& test, const CordFrictions& cords, ExperimentResult& result) {
-  if (test.cords().empty()) return;
-  const bool found = std::ranges::any_of(
-      cord_unknowns(test), [&](const SheetUnknown& cord) { return cords.contains(cord.name); });
-  if (!test.cord_friction().unknown) {
-    result.handled.push_back(fmt::format(
-        "the friction of its cords is taken to be a loop of {:.3g} N", test.cord_friction().width));
-  } else {
-    result.handled.push_back(found ? "the friction of each cord is estimated along"
-                                   : "the friction of its cords is not known and left out");
-  }
-}
-
-std::vector<ExperimentResult> predictions(const std::vector<SheetExperiment>& experiments,
-                                          const Material& material, const CordFrictions& cords,
-                                          const RunContext& context, EquilibriumWork& work) {
-  const Material usable = held_beyond_range(material);
-  std::vector<ExperimentResult> rows;
-  ProgressTask task(context.progress, "predict", static_cast<double>(experiments.size()));
-  for (const SheetExperiment& experiment : experiments) {
-    const SheetTest& test = experiment.test;
-    rows.push_back(compare_sheet(test, predict(test, usable, cords, context, work)));
-    rows.back().role = experiment.role;
-    rows.back().type = experiment.type;
-    rows.back().direction = experiment.direction;
-    rows.back().handled = experiment.handled;
-    tell_of_cords(test, cords, rows.back());
-    const auto components = usual_components(test.session().test);
-    if (!components.empty()) rows.back().component = components.front();
-    task.advance(static_cast<double>(rows.size()));
-  }
-  return rows;
-}
-
 /// A fit with what it predicts.
 struct Candidate {
   SheetFit fit;
@@ -265,7 +150,7 @@ struct Candidate {
             const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
     set_status(study, fit);
-    experiments = predictions(data, fit.material, fit.cords, context, fit.work);
+    experiments = sheet_predictions(data, fit.material, fit.cords, context, fit.work);
   }
 
   /// Frames without equilibrium, whose error nobody knows.
@@ -328,61 +213,7 @@ std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& e
   return tests;
 }
 
-/// One fabric has one mass per area: another one tells of a wrong mass, or of another fabric.
-void warn_of_density(const std::string& name, double density, double of_study,
-                     const std::vector<SheetExperiment>& experiments, StudyResult& result) {
-  constexpr double kAgreement = 0.05;
-  const auto differs = [&](double other) { return std::abs(density - other) > kAgreement * other; };
-  const auto warn = [&](const std::string& whose, double other) {
-    result.warnings.push_back(fmt::format("{}: its sheet weighs {}, {} {}: is it the same fabric?",
-                                          name, format_quantity(density, Dimension::area_density),
-                                          whose, format_quantity(other, Dimension::area_density)));
-  };
-  if (of_study > 0) {
-    if (differs(of_study)) warn("the fabric, as stated,", of_study);
-    return;
-  }
-  if (experiments.empty()) return;
-  const SheetTest& first = experiments.front().test;
-  const double of_first = area_density(first.session());
-  if (differs(of_first)) warn("that of " + first.name(), of_first);
-}
-
-/// The strips of an experiment, one test a specimen.
-void add_strips(const ExperimentSpec& spec, const Study& study,
-                std::vector<SheetExperiment>& experiments, StudyResult& result) {
-  StripSheets strips = sheets_of_strips(spec, study.model, study.density);
-  for (const std::string& warning : strips.warnings) {
-    result.warnings.push_back(spec.name + ": " + warning);
-  }
-  for (SheetTest& test : strips.tests) {
-    experiments.push_back({std::move(test), spec.role, spec.type, spec.direction, strips.handled});
-  }
-}
-
 }  // namespace
-
-std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyResult& result) {
-  std::vector<SheetExperiment> experiments;
-  for (const ExperimentSpec& spec : study.experiments) {
-    if (!is_sheet(spec, study.model)) continue;
-    if (!measures_sheets(spec.type)) {
-      add_strips(spec, study, experiments, result);
-      continue;
-    }
-    const Session measured = read_session(spec.data.files.front());
-    for (const std::string& warning : measured.warnings) {
-      result.warnings.push_back(spec.name + ": " + warning);
-    }
-    warn_of_density(spec.name, area_density(measured), study.density, experiments, result);
-    Session session = on_fit_mesh(measured, study.model);
-    require_grid_for_springs(spec, session, study.model);
-    const std::string test = session.test;
-    experiments.push_back(
-        {sheet_test_of(spec, std::move(session)), spec.role, spec.type, test, {}});
-  }
-  return experiments;
-}
 
 bool fits_sheets(const Study& study) {
   return std::ranges::any_of(study.experiments, [&](const ExperimentSpec& spec) {
@@ -417,7 +248,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
     fit.material.density = area_density(experiments.front().test.session());
   }
   result.density = fit.material.density;
-  const SheetUncertainty uncertainty = sheet_uncertainty(fit, plan, study.fit, context);
+  const SheetUncertainty uncertainty = sheet_uncertainty(fit, study.fit, context);
   result.work = fit.work;
   *result.work += uncertainty.work;
   result.converged = fit.converged;
@@ -458,7 +289,7 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
   EquilibriumWork work;
-  std::vector<ExperimentResult> rows = predictions(experiments, material, {}, context, work);
+  std::vector<ExperimentResult> rows = sheet_predictions(experiments, material, {}, context, work);
   warn_of_missing_frames(rows, result);
   std::move(rows.begin(), rows.end(), std::back_inserter(result.experiments));
   for (const ExperimentResult& row : result.experiments) {

@@ -120,9 +120,9 @@ std::vector<std::pair<const SheetTest*, const SheetStage*>> last_stages(
 }
 
 /// The unknowns of a fit, and the last stage of each.
-std::vector<const SheetStage*> take_unknowns(const SheetFit& fit,
-                                             const std::vector<SheetStage>& plan,
-                                             const FitOptions& options, SheetUncertainty& result) {
+std::vector<const SheetStage*> take_unknowns(const SheetFit& fit, const FitOptions& options,
+                                             SheetUncertainty& result) {
+  const std::vector<SheetStage>& plan = fit.plan;
   std::vector<const SheetStage*> stage_of;
   for (const ComponentGroup& group : fit.groups) {
     const SheetStage* last = nullptr;
@@ -159,7 +159,11 @@ Eigen::VectorXd units_of(const SheetUncertainty& result) {
   return unit;
 }
 
-using TestParts = std::map<const SheetTest*, TestPart>;
+/// An order that is the same in every run, as sums over tests are then.
+struct ByName {
+  bool operator()(const SheetTest* a, const SheetTest* b) const { return a->name() < b->name(); }
+};
+using TestParts = std::map<const SheetTest*, TestPart, ByName>;
 
 /// The unknowns on which there is information, in more than one frame.
 Indices known_unknowns(const Eigen::MatrixXd& slope, const TestParts& tests,
@@ -255,14 +259,14 @@ std::string told_by(const SheetStage& stage, const TestParts& tests, Eigen::Inde
 
 }  // namespace
 
-SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                                   const FitOptions& options, const RunContext& context) {
+SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& options,
+                                   const RunContext& context) {
   SheetUncertainty result;
-  const std::vector<const SheetStage*> stage_of = take_unknowns(fit, plan, options, result);
+  const std::vector<const SheetStage*> stage_of = take_unknowns(fit, options, result);
   const Eigen::VectorXd unit = units_of(result);
   const Eigen::Index n = unit.size();
 
-  std::map<const SheetTest*, Indices> unknowns_in;
+  std::map<const SheetTest*, Indices, ByName> unknowns_in;
   for (Eigen::Index u = 0; u < n; ++u) {
     const SheetUnknown& unknown = result.unknowns[static_cast<std::size_t>(u)];
     for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {

@@ -33,7 +33,7 @@ struct SheetUncertainty {
 ///
 /// What a single frame tells alone is not determined: nothing says how well. A prior counts like
 /// one more difference that has the noise of the measured ones.
-SheetUncertainty sheet_uncertainty(const SheetFit& fit, const std::vector<SheetStage>& plan,
-                                   const FitOptions& options, const RunContext& context);
+SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& options,
+                                   const RunContext& context);
 
 }  // namespace pliant

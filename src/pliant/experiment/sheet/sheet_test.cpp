@@ -1,6 +1,7 @@
 #include "pliant/experiment/sheet/sheet_test.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include <Eigen/SVD>
@@ -106,6 +107,14 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
     throw InputError({}, fmt::format("all forces of cords in the session of {} are zero", name_),
                      "forces in newtons, or `objective: positions`");
   }
+}
+
+SheetTest SheetTest::without(const std::vector<int>& frames) const {
+  Session session = session_;
+  for (const int frame : frames | std::views::reverse) {
+    session.frames.erase(session.frames.begin() + frame);
+  }
+  return {name_, std::move(session), objective_, friction_};
 }
 
 SheetTest::Frame SheetTest::compared_in(int frame) const {

@@ -32,6 +32,10 @@ class SheetTest {
   SheetTest(std::string name, Session session, SheetObjective objective,
             CordFriction friction = {});
 
+  /// The same without some frames, as if they had not been measured.
+  /// @param frames  in ascending order
+  SheetTest without(const std::vector<int>& frames) const;
+
   const std::string& name() const { return name_; }
   const Session& session() const { return session_; }
   SheetObjective objective() const { return objective_; }

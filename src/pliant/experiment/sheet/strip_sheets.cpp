@@ -131,7 +131,7 @@ SessionFrame frame_of(const Session& session, const ExperimentSpec& spec, const 
 
 StripSheets sheets_of_strips(const ExperimentSpec& spec, const ModelOptions& model,
                              double area_density) {
-  if (model.membrane == MembraneMeasure::spring || model.bending == "spring") {
+  if (needs_grid(model)) {
     throw InputError(spec.where, "strips are no sheets of springs: springs lie along weft and warp",
                      "membrane: stvk or soft-constraint, and bending: discrete-shells");
   }

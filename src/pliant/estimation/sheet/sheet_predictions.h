@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/sheet/cord_unknown.h"
+#include "pliant/estimation/sheet/sheet_experiment.h"
+
+namespace pliant {
+
+/// What a material predicts of experiments, compared with what was measured. Frames without
+/// equilibrium are missing in it.
+/// @param cords  of fitted experiments; unknown ones of others are taken to drag as these do on the
+///               average
+/// @param work   gets what it has cost
+/// @throws SolverError where over a quarter of the frames of an experiment has no equilibrium
+std::vector<ExperimentResult> sheet_predictions(const std::vector<SheetExperiment>& experiments,
+                                                const Material& material,
+                                                const CordFrictions& cords,
+                                                const RunContext& context, EquilibriumWork& work);
+
+/// Warns of the frames that are missing.
+void warn_of_missing_frames(const std::vector<ExperimentResult>& experiments, StudyResult& result);
+
+}  // namespace pliant

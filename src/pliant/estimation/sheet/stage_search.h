@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/sheet/sheet_plan.h"
+#include "pliant/estimation/sheet/sheet_problem.h"
+
+namespace pliant {
+
+/// Whether a stage compares positions, and not forces.
+bool is_about_positions(const SheetStage& stage);
+
+/// Differences that no instrument sees (N or m): curves need no further control points for them.
+double accuracy_of(const SheetStage& stage);
+
+/// The names of tests, for people.
+std::string names_of(const std::vector<const SheetTest*>& tests);
+
+/// What a fit of sheets asks of the tests of its stages. Answers go to the journal of the run, and
+/// a fit that was stopped takes from there what it has found before.
+class StageSearch {
+ public:
+  /// @param context  outlives the search
+  /// @param shapes   where searches for equilibria begin
+  StageSearch(const RunContext& context, SheetGuesses shapes)
+      : context_(context), shapes_(std::move(shapes)) {}
+
+  /// Where a search ends.
+  struct Solution {
+    Eigen::VectorXd values;  ///< of the unknowns
+    double rms = 0;          ///< of the differences (N or m)
+    bool converged = false;
+  };
+  /// The least differences. A search that was stopped goes on where it was.
+  /// @throws SolverError where it begins without equilibria
+  Solution least(const SheetStage& stage, SheetProblem& problem);
+
+  /// Half the squared differences where a search would begin; infinite without equilibria. The next
+  /// search begins at their shapes where that is less than `others` had.
+  double cost_at_start(const SheetStage& stage, SheetProblem& problem, double others);
+
+  /// What all but the outliers of the sheets' strains stay below where a search would begin.
+  double largest_strain(const SheetStage& stage, SheetProblem& problem,
+                        const ComponentGroup& group);
+
+  /// Whether the measured forces lie above the predicted ones while clips go on and below them
+  /// while they return, by more than chance.
+  bool shows_loop(const SheetStage& stage, SheetProblem& problem);
+
+  /// The frames of each test of a stage that have no equilibrium where a search would begin.
+  std::vector<std::vector<int>> lost_frames(const SheetStage& stage, SheetProblem& problem);
+
+  /// What all answers have cost; seconds: of this run alone.
+  const EquilibriumWork& work() const { return work_; }
+
+ private:
+  using Numbers = Journal::Numbers;
+
+  /// What work with a problem finds, or has found before this fit was stopped.
+  Numbers ask(const char* what, const SheetStage& stage, SheetProblem& problem,
+              const std::function<Numbers()>& work);
+  Numbers search(const SheetStage& stage, SheetProblem& problem);
+  void keep_shapes(const SheetProblem& problem);
+
+  const RunContext& context_;
+  SheetGuesses shapes_;
+  EquilibriumWork work_;
+};
+
+}  // namespace pliant

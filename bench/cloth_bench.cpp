@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
@@ -289,6 +290,26 @@ void BM_FactorByColumns(benchmark::State& run) {
   }
 }
 BENCHMARK(BM_FactorByColumns)->Unit(benchmark::kMillisecond);
+
+// By the library that Ceres brings with it.
+template <class Factor>
+void BM_FactorByCholmod(benchmark::State& run) {
+  const SensitivityProblem problem;
+  Eigen::SparseMatrix<double> lower = problem.hessian.matrix.lower_triangle();
+  Factor factor;
+  factor.analyzePattern(lower);
+  for (auto _ : run) {
+    problem.hessian.matrix.copy_to(lower);
+    factor.factorize(lower);
+    benchmark::DoNotOptimize(factor.info());
+  }
+}
+BENCHMARK_TEMPLATE(BM_FactorByCholmod,
+                   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(BM_FactorByCholmod,
+                   Eigen::CholmodSimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>)
+    ->Unit(benchmark::kMillisecond);
 
 // The argument is the relative residual, 10^-N; back-substitution leaves about 10^-12.
 void BM_SensitivitiesByConjugateGradients(benchmark::State& run) {

@@ -1,6 +1,6 @@
 #include "pliant/experiment/sheet/cord_drag.h"
 
-#include <string>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 namespace pliant {
 namespace {
 
-Session session_of(const char* test, const SessionNoise& noise) {
+Session session_of(const char* test, const SessionNoise& noise, std::uint64_t seed = 1) {
   VirtualSession options = usual_session(test);
-  options.nodes = {7, 7};
-  options.frames = 13;
+  options.nodes = {13, 13};
+  options.frames = 25;
   options.noise = noise;
-  RandomStream random(1);
+  RandomStream random(seed);
   return make_virtual_session(test::sheet_cloth(false), options, random);
 }
 
@@ -47,12 +47,22 @@ TEST(CordDrag, IsWhatALabAddsToForces) {
   }
 }
 
+// The clips of the corner-pull hold few vertices, and two of them are still half of the time. A
+// cord that moves across its pull tells its direction to nobody.
 TEST(CordDrag, KeepsItsDirectionInTheNoiseOfCameras) {
-  const SessionNoise noise{.position = 75e-6};
-  const Session ideal = session_of("stretch-weft", {}), seen = session_of("stretch-weft", noise);
-  for (int clip = 0; clip < 2; ++clip) {
-    EXPECT_EQ((drags_at(seen, clip) - drags_at(ideal, clip)).cwiseAbs().maxCoeff(), 0);
+  int frames = 0, others = 0;
+  for (const char* test : {"stretch-weft", "complex-shear", "corner-pull"}) {
+    const Session ideal = session_of(test, {});
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const Session seen = session_of(test, {.position = 75e-6}, seed);
+      for (int clip = 0; clip < static_cast<int>(ideal.clips.size()); ++clip) {
+        const Eigen::Matrix3Xd change = drags_at(seen, clip) - drags_at(ideal, clip);
+        frames += static_cast<int>(change.cols());
+        others += static_cast<int>((change.colwise().norm().array() > 0.05).count());
+      }
+    }
   }
+  EXPECT_LT(others, 0.02 * frames);
 }
 
 TEST(CordDrag, AddsToForcesMomentsAndDerivatives) {

@@ -1,6 +1,7 @@
 #include "pliant/experiment/sheet/cord_drag.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -11,6 +12,7 @@ namespace pliant {
 namespace {
 
 constexpr double kPoseNoise = 25e-6;  // 75 um in each of about ten vertices ([T] 3.2.3)
+constexpr double kTurned = 6;         // standard deviations of its noise that a path turns back by
 
 /// A cord in the frames in which it was measured.
 struct Cord {
@@ -74,11 +76,26 @@ Eigen::Matrix3Xd lines(const Cord& cord) {
   return lines;
 }
 
+/// Standard deviation of the noise of a path, from its third differences, of which noise makes all
+/// and turns make few. A clip of few vertices is known worse than a bar.
+double noise_of(const std::vector<double>& path) {
+  constexpr double kLowerQuartile = 0.3186;  // of the size of a normal number
+  const double spread = std::sqrt(1.0 + 9 + 9 + 1);
+  std::vector<double> thirds;
+  for (std::size_t i = 3; i < path.size(); ++i) {
+    thirds.push_back(std::abs(path[i] - 3 * path[i - 1] + 3 * path[i - 2] - path[i - 3]));
+  }
+  if (thirds.empty()) return kPoseNoise;
+  const auto quartile = thirds.begin() + std::ssize(thirds) / 4;
+  std::ranges::nth_element(thirds, quartile);
+  return std::max(*quartile / (kLowerQuartile * spread), kPoseNoise);
+}
+
 /// 1 where a path rises, -1 where it falls; 1 at its beginning.
 std::vector<int> directions(const std::vector<double>& path) {
   std::vector<int> direction(path.size(), 1);
   std::size_t from = 0;
-  for (const int turn : turning_samples(path, reversal_threshold(path, kPoseNoise))) {
+  for (const int turn : turning_samples(path, kTurned * noise_of(path))) {
     const auto to = static_cast<std::size_t>(turn);
     const int sign = path[to] < path[from] ? -1 : 1;
     for (std::size_t i = from + 1; i <= to; ++i) direction[i] = sign;

@@ -22,8 +22,9 @@ struct CordDrag {
 
 /// The drags of all cords of a session, clip by clip.
 ///
-/// A cord moves with its clip, along its own pull; reversals of less than 0.1 mm, which is the
-/// noise of a pose, do not count. In the first frame it has pulled the sheet taut.
+/// A cord moves with its clip, along its own pull; reversals of less than six standard deviations
+/// of the noise of that way, and of less than 0.15 mm, do not count. In the first frame it has
+/// pulled the sheet taut.
 std::vector<CordDrag> cord_drags(const Session& session);
 
 /// Adds the drags of cords to what pulls at clips in the predicted shape of a frame.

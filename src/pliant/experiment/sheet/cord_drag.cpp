@@ -80,12 +80,13 @@ Eigen::Matrix3Xd lines(const Cord& cord) {
 /// and turns make few. A clip of few vertices is known worse than a bar.
 double noise_of(const std::vector<double>& path) {
   constexpr double kLowerQuartile = 0.3186;  // of the size of a normal number
+  constexpr std::ptrdiff_t kFewest = 12;     // of which turns may make most
   const double spread = std::sqrt(1.0 + 9 + 9 + 1);
   std::vector<double> thirds;
   for (std::size_t i = 3; i < path.size(); ++i) {
     thirds.push_back(std::abs(path[i] - 3 * path[i - 1] + 3 * path[i - 2] - path[i - 3]));
   }
-  if (thirds.empty()) return kPoseNoise;
+  if (std::ssize(thirds) < kFewest) return kPoseNoise;
   const auto quartile = thirds.begin() + std::ssize(thirds) / 4;
   std::ranges::nth_element(thirds, quartile);
   return std::max(*quartile / (kLowerQuartile * spread), kPoseNoise);

@@ -1,14 +1,14 @@
 #include "pliant/experiment/virtual_session/observed_session.h"
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "pliant/experiment/sheet/cord_drag.h"
+
 namespace pliant {
 namespace {
-
-constexpr double kStill = 1e-9;  // a cord that moves less does not (m)
 
 Eigen::Vector3d at_rest(const Pose& pose, const Eigen::Vector3d& point) {
   return pose.rotation.conjugate() * (point - pose.translation);
@@ -18,20 +18,16 @@ void add_to_pull(CordForce& cord, double more) {
   if (cord.force.norm() > 0) cord.force += more * cord.force.normalized();
 }
 
-/// The drag of a clip's cords through a session.
-void add_cord_friction(double width, std::size_t clip, Session& session) {
-  std::vector<Eigen::Vector3d> before;
-  for (const CordForce& cord : session.frames.front().cords[clip]) {
-    before.push_back(at_rest(session.frames.front().poses[clip], cord.point));
-  }
-  std::vector<double> drag(before.size(), 0);
-  for (SessionFrame& frame : session.frames) {
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      CordForce& cord = frame.cords[clip][i];
-      const double along = (cord.point - before[i]).dot(cord.force.normalized());
-      if (std::abs(along) > kStill) drag[i] = std::copysign(width / 2, along);
-      before[i] = cord.point;
-      add_to_pull(cord, drag[i]);
+/// Adds what the load cells show of the drags of all cords, which are in the same order in all
+/// frames.
+void add_cord_friction(double width, Session& session) {
+  std::vector<std::size_t> count(session.clips.size(), 0);
+  for (const CordDrag& drag : cord_drags(session)) {
+    const auto clip = static_cast<std::size_t>(drag.clip);
+    const std::size_t place = count[clip]++;
+    for (std::size_t f = 0; f < session.frames.size(); ++f) {
+      Eigen::Vector3d& force = session.frames[f].cords[clip][place].force;
+      if (force.norm() > 0) force += width * drag.forces.col(static_cast<Eigen::Index>(f));
     }
   }
 }
@@ -71,11 +67,7 @@ void add_position_noise(double deviation, const Session& session, RandomStream& 
 }  // namespace
 
 void observe(const SessionNoise& noise, RandomStream& random, Session& session) {
-  if (noise.cord_friction > 0) {
-    for (std::size_t c = 0; c < session.clips.size(); ++c) {
-      add_cord_friction(noise.cord_friction, c, session);
-    }
-  }
+  if (noise.cord_friction > 0) add_cord_friction(noise.cord_friction, session);
   for (SessionFrame& frame : session.frames) {
     if (noise.force > 0) {
       for (std::vector<CordForce>& cords : frame.cords) {

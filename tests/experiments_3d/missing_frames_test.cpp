@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/frame_measure_table.h"
-#include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/density/dahl.h"
 
@@ -32,7 +32,7 @@ class LostFrame : public ::testing::Test {
 
   FrameShapes predict(const Material& material) const {
     const SheetTest test("stretch", session_, SheetObjective::clip_forces);
-    const auto predictor = make_predictor(test, material);
+    const auto predictor = make_predictor(session_, material);
     const Eigen::VectorXd parameters = predictor->parameters();
     EXPECT_FALSE(predictor->predict(parameters, {}, 1, {}).has_value());
     return predictor->predict_each(parameters, {}, 1, {});

@@ -26,6 +26,7 @@
 #include "pliant/experiment/session/balance.h"
 #include "pliant/experiment/session/clip_grid.h"
 #include "pliant/experiment/session/on_mesh.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/experiment/sheet/strip_sheets.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/hinges.h"
@@ -183,7 +184,7 @@ std::vector<std::optional<SheetShape>> predict(const SheetTest& test, const Mate
                                                const CordFrictions& cords,
                                                const RunContext& context, EquilibriumWork& work) {
   const Stopwatch watch;
-  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
+  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test.session(), material);
   auto shapes = predictor->predict_each(predictor->parameters(), {}, context.threads, context.stop);
   const EquilibriumWork own = predictor->work();
   work += {own.counts, own.seconds.on_the_clock(watch.seconds())};

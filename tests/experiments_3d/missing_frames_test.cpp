@@ -12,8 +12,8 @@
 #include "pliant/estimation/frame_measure_table.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_predictions.h"
-#include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/experiment/virtual_session.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/density/dahl.h"
@@ -37,7 +37,7 @@ class LostFrame : public ::testing::Test {
 
   FrameShapes predict(const Material& material) const {
     const SheetTest test("stretch", session_, SheetObjective::clip_forces);
-    const auto predictor = make_predictor(test, material);
+    const auto predictor = make_predictor(session_, material);
     const Eigen::VectorXd parameters = predictor->parameters();
     EXPECT_FALSE(predictor->predict(parameters, {}, 1, {}).has_value());
     return predictor->predict_each(parameters, {}, 1, {});

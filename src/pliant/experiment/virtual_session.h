@@ -20,9 +20,6 @@ struct SessionWork {
 
 /// Measures a sheet as the system of [T] 3.2 would: what holds it goes a prescribed way, and the
 /// sheet follows along equilibria with the friction that the ones before have left.
-///
-/// On a table's edge the sheet is elastic: friction of bending is left to rolled strips, and a
-/// warning of the session says so.
 /// @param material  with all components of a sheet, and a density
 /// @return what instruments with the noise of `options` see
 /// @throws SolverError where the sheet finds no equilibrium

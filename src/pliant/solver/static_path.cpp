@@ -22,14 +22,16 @@ StaticPath::StaticPath(const System& system, const StaticPathOptions& options)
   system.advance_sensitivity(state_.configuration, rest, unmoved, history_by_parameter_);
 }
 
-StaticPath::StaticPath(const System& system, const StaticPathOptions& options, State start)
+StaticPath::StaticPath(const System& system, const StaticPathOptions& options, State start,
+                       Eigen::MatrixXd history_by_parameter)
     : system_(system),
       options_(options),
       hessian_(system.make_hessian()),
       solver_(hessian_.matrix),
-      state_(std::move(start)) {
+      state_(std::move(start)),
+      history_by_parameter_(std::move(history_by_parameter)) {
   PLIANT_ASSERT(options.substeps >= 1, "a step has an equilibrium at its end");
-  if (!options.sensitivities) return;
+  if (!options.sensitivities || history_by_parameter_.size() > 0) return;
   history_by_parameter_ = Eigen::MatrixXd::Zero(state_.history.size(), system.derivative_count());
 }
 

@@ -40,8 +40,11 @@ class StaticPath {
  public:
   /// From the system's initial state, at time 0. `system` outlives the path.
   explicit StaticPath(const System& system, const StaticPathOptions& options = {});
-  /// From a given state, on whose history no parameter has an influence yet.
-  StaticPath(const System& system, const StaticPathOptions& options, State start);
+  /// From a given state.
+  /// @param history_by_parameter  d history / d parameters of it; empty: no parameter has an
+  ///                              influence on it yet
+  StaticPath(const System& system, const StaticPathOptions& options, State start,
+             Eigen::MatrixXd history_by_parameter = {});
 
   /// Goes on to the equilibrium at a later time and accepts it.
   /// @throws SolverError when an equilibrium is not found, even of the smallest step, or when

@@ -134,9 +134,18 @@ TEST(VirtualBending, HangsAsAHeavyElastica) {
   }
 }
 
-TEST(VirtualBending, SaysThatItLeavesFrictionOut) {
-  EXPECT_THAT(made(cotton(), small_session("bend-weft", 2)).warnings,
-              testing::Contains(HasSubstr("the friction of bend.weft is left out")));
+TEST(VirtualBending, IsHeldUpByItsFriction) {
+  Material material = cotton();
+  const VirtualSession options = small_session("bend-weft", 4);
+  const Session with = made(material, options);
+  for (auto& [name, component] : material.components) component.friction.reset();
+  const Session without = made(material, options);
+  EXPECT_THAT(with.warnings, IsEmpty());
+  for (std::size_t f = 0; f < with.frames.size(); ++f) {
+    EXPECT_GT(with.frames[f].positions.row(2).minCoeff(),
+              0.95 * without.frames[f].positions.row(2).minCoeff())
+        << f;
+  }
 }
 
 TEST(VirtualBias, StretchesAStripThatIsCutAtFortyFiveDegrees) {

@@ -10,8 +10,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
-#include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/material/positive_stiffness.h"
 
 namespace pliant {
@@ -25,7 +25,7 @@ using Shapes = std::vector<std::optional<SheetShape>>;
 Shapes shapes_of(const SheetTest& test, const Material& material, const Eigen::VectorXd& widths,
                  const RunContext& context, EquilibriumWork& work) {
   const Stopwatch watch;
-  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test, material);
+  const std::unique_ptr<SheetPredictor> predictor = make_predictor(test.session(), material);
   Shapes shapes =
       predictor->predict_each(predictor->parameters(), {}, context.threads, context.stop);
   const EquilibriumWork own = predictor->work();
@@ -53,7 +53,7 @@ Shapes predict(const SheetTest& test, const Material& material, const Eigen::Vec
   Shapes shapes = shapes_of(test, material, widths, context, work);
   const double most = kLostShare * test.frame_count();
   std::vector<int> lost = lost_frames(shapes);
-  if (!lost.empty() && is_path(test, material)) {
+  if (!lost.empty() && is_path(test.session(), material)) {
     std::vector<int> left_out;
     while (!lost.empty() && static_cast<double>(left_out.size()) < most) {
       left_out.push_back(lost.front());

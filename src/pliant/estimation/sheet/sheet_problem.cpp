@@ -10,8 +10,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sheet/sheet_options.h"
-#include "pliant/experiment/sheet/sheet_equilibria.h"
-#include "pliant/experiment/sheet/sheet_path.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 
 namespace pliant {
 namespace {
@@ -44,19 +43,6 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
 
 }  // namespace
 
-bool is_path(const SheetTest& test, const Material& material) {
-  return !test.session().table && std::ranges::any_of(material.components, [](const auto& part) {
-    return part.second.friction.has_value();
-  });
-}
-
-std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material) {
-  if (is_path(test, material)) {
-    return std::make_unique<SheetPath>(test.session(), material);
-  }
-  return std::make_unique<SheetEquilibria>(test.session(), material);
-}
-
 SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
                            std::vector<ComponentGroup> groups, std::vector<double> strains,
                            const RunContext& context, const CordFrictions& cords,
@@ -71,7 +57,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
       context_(context) {
   PLIANT_ASSERT(!tests_.empty(), "a fit has data");
   for (const SheetTest* test : tests_) {
-    predictors_.push_back(make_predictor(*test, material));
+    predictors_.push_back(make_predictor(test->session(), material));
     places_.push_back(places_in(*predictors_.back()));
   }
   for (const SheetTest* test : tests_) {

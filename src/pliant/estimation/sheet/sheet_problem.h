@@ -19,13 +19,6 @@ namespace pliant {
 /// Shapes of the equilibria of tests by name, where searches for the next may begin.
 using SheetGuesses = std::map<std::string, std::vector<Eigen::Matrix3Xd>>;
 
-/// Whether each frame of a test follows from those before: where its sheet has friction and no
-/// table.
-bool is_path(const SheetTest& test, const Material& material);
-
-/// Predicts a session as a path, or frame by frame.
-std::unique_ptr<SheetPredictor> make_predictor(const SheetTest& test, const Material& material);
-
 /// What a fit of some groups of a material to some tests minimises ([T] Eq. 3.6): the differences
 /// of forces or positions of all frames, each test's in units of its own `scale`, at equilibria.
 /// Unknowns are the parameters of the groups and the friction of cords, test by test. A prior adds

@@ -303,16 +303,8 @@ SheetShape SheetEquilibria::blended(int frame, bool derivatives) const {
     shape.clip_forces_by_parameter.resize(0, 0);
   }
   if (blend.share == 0) return shape;
-  const SheetShape& second = reached_[static_cast<std::size_t>(blend.second)].shape;
-  const auto mix = [&](auto& value, const auto& other) { value += blend.share * (other - value); };
-  mix(shape.positions, second.positions);
-  mix(shape.clip_forces, second.clip_forces);
-  mix(shape.clip_moments, second.clip_moments);
-  if (derivatives) {
-    mix(shape.positions_by_parameter, second.positions_by_parameter);
-    mix(shape.clip_forces_by_parameter, second.clip_forces_by_parameter);
-  }
-  return shape;
+  return between(std::move(shape), reached_[static_cast<std::size_t>(blend.second)].shape,
+                 blend.share);
 }
 
 std::vector<std::optional<SheetShape>> SheetEquilibria::predict_each(

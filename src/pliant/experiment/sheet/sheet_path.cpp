@@ -3,7 +3,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
-#include "pliant/solver/static_path.h"
+#include "pliant/experiment/sheet/path_shape.h"
 
 namespace pliant {
 
@@ -31,26 +31,6 @@ Eigen::Matrix3Xd SheetPath::guess(int frame, const Eigen::VectorXd& parameters) 
          (before.positions_by_parameter * change).reshaped(3, before.positions.cols());
 }
 
-void SheetPath::add_work(const PathEquilibrium& point, double seconds, bool differentiated) {
-  const int derivatives = differentiated ? point.equilibria : 0;
-  work_.counts += {.equilibria = point.equilibria,
-                   .iterations = point.newton.iterations,
-                   .factors = point.newton.factorizations + derivatives,
-                   .differentiated = derivatives};
-  work_.seconds += {seconds - point.derivative_seconds, point.derivative_seconds};
-}
-
-SheetShape SheetPath::shape(const State& state, PathEquilibrium& point) const {
-  SheetShape shape;
-  shape.positions = state.configuration.positions;
-  shape.clip_forces = sheet_.clip_forces(point.forces);
-  shape.clip_moments = sheet_.clip_moments(shape.positions, point.forces);
-  if (point.by_parameter.positions.size() == 0) return shape;
-  shape.clip_forces_by_parameter = sheet_.clip_forces_by_parameter(point.by_parameter.forces);
-  shape.positions_by_parameter = std::move(point.by_parameter.positions);
-  return shape;
-}
-
 std::vector<std::optional<SheetShape>> SheetPath::predict_each(const Eigen::VectorXd& parameters,
                                                                const std::vector<int>& by,
                                                                int threads, const StopToken& stop) {
@@ -67,8 +47,8 @@ std::vector<std::optional<SheetShape>> SheetPath::predict_each(const Eigen::Vect
     for (int frame = 0; frame < session_.frame_count(); ++frame) {
       const Stopwatch watch;
       PathEquilibrium point = path.step(frame + 1, {guess(frame, parameters), {}});
-      add_work(point, watch.seconds(), !by.empty());
-      shapes.push_back(shape(path.state(), point));
+      work_ += path_work(point, watch.seconds(), !by.empty());
+      shapes.push_back(path_shape(sheet_, path.state(), point));
       found[static_cast<std::size_t>(frame)] = shapes.back();
     }
   } catch (const SolverError&) {

@@ -6,8 +6,6 @@
 
 namespace pliant {
 
-struct PathEquilibrium;
-
 /// The frames of a session as one quasi-static path of a material with internal friction, from the
 /// flat sheet at rest on.
 ///
@@ -34,8 +32,6 @@ class SheetPath : public SheetPredictor {
   };
 
   Eigen::Matrix3Xd guess(int frame, const Eigen::VectorXd& parameters) const;
-  SheetShape shape(const State& state, PathEquilibrium& point) const;
-  void add_work(const PathEquilibrium& point, double seconds, bool differentiated);
 
   const Session& session_;
   SheetSystem sheet_;

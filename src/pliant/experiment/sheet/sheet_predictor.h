@@ -29,6 +29,10 @@ struct SheetShape {
   Eigen::Matrix3Xd clip_moments;  ///< of the cords about the middle of the clip's vertices (N m)
 };
 
+/// A shape between two, of which the second has a share from 0 to 1; with derivatives where the
+/// first has them.
+SheetShape between(SheetShape first, const SheetShape& second, double share);
+
 /// Predicts the frames of a session with a material whose parameters change, for estimation.
 class SheetPredictor {
  public:

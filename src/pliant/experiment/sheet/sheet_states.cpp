@@ -44,34 +44,6 @@ double bending_share(const Eigen::Vector2d& side, double area, int axis) {
   return area / 3 * std::pow(across, 4);
 }
 
-SheetStates states_on_table(const Session& session) {
-  SheetStates result;
-  std::vector<double> edges;
-  for (const double row : row_coordinates(session)) {
-    SheetState state{0, held_nodes(session, row)};
-    const double edge = edge_of_held(session, state.held);
-    if (edge <= 0 || (!edges.empty() && edge <= edges.back())) continue;
-    edges.push_back(edge);
-    result.states.push_back(std::move(state));
-  }
-  PLIANT_ASSERT(!edges.empty(), "a mesh has rows");
-  for (const SessionFrame& frame : session.frames) {
-    const auto next = std::ranges::upper_bound(edges, *frame.table_edge);
-    const int second = std::clamp(static_cast<int>(next - edges.begin()), 1,
-                                  std::max(static_cast<int>(edges.size()) - 1, 1));
-    const int first = second - 1;
-    if (edges.size() == 1) {
-      result.frames.push_back({0, 0, 0});
-      continue;
-    }
-    const double low = edges[static_cast<std::size_t>(first)];
-    const double high = edges[static_cast<std::size_t>(second)];
-    const double share = std::clamp((*frame.table_edge - low) / (high - low), 0.0, 1.0);
-    result.frames.push_back({first, second, share});
-  }
-  return result;
-}
-
 /// Leaves out what no frame needs; a state's first guess is the frame that is nearest to it.
 SheetStates without_idle(const SheetStates& all) {
   std::vector<int> number(all.states.size(), -1);
@@ -131,6 +103,35 @@ double edge_of_held(const Session& session, const std::vector<int>& held) {
   }
   const Eigen::RowVectorXd along = along_table(session);
   return along.minCoeff() + (along.maxCoeff() - along.minCoeff()) * rigid / all;
+}
+
+SheetStates states_on_table(const Session& session) {
+  PLIANT_ASSERT(session.table.has_value(), "a table holds the sheet");
+  SheetStates result;
+  std::vector<double> edges;
+  for (const double row : row_coordinates(session)) {
+    SheetState state{0, held_nodes(session, row)};
+    const double edge = edge_of_held(session, state.held);
+    if (edge <= 0 || (!edges.empty() && edge <= edges.back())) continue;
+    edges.push_back(edge);
+    result.states.push_back(std::move(state));
+  }
+  PLIANT_ASSERT(!edges.empty(), "a mesh has rows");
+  for (const SessionFrame& frame : session.frames) {
+    const auto next = std::ranges::upper_bound(edges, *frame.table_edge);
+    const int second = std::clamp(static_cast<int>(next - edges.begin()), 1,
+                                  std::max(static_cast<int>(edges.size()) - 1, 1));
+    const int first = second - 1;
+    if (edges.size() == 1) {
+      result.frames.push_back({0, 0, 0});
+      continue;
+    }
+    const double low = edges[static_cast<std::size_t>(first)];
+    const double high = edges[static_cast<std::size_t>(second)];
+    const double share = std::clamp((*frame.table_edge - low) / (high - low), 0.0, 1.0);
+    result.frames.push_back({first, second, share});
+  }
+  return result;
 }
 
 SheetStates sheet_states(const Session& session) {

@@ -30,6 +30,11 @@ struct SheetStates {
 
 SheetStates sheet_states(const Session& session);
 
+/// The states in which a table may hold the mesh, needed by a frame or not: from the sheet that
+/// hangs furthest to the one that lies on the table whole. Frames lie between neighbours.
+/// @param session  with a table
+SheetStates states_on_table(const Session& session);
+
 /// Where the edge of a table seems to be that holds some nodes of a mesh (m, along the table's
 /// axis): hinges all of whose vertices are held do not bend, and reach so far from the sheet's
 /// beginning, each counted by what it adds to the stiffness against bending about the edge.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
@@ -45,11 +45,6 @@ void push_over_edge(const Material& material, const VirtualSession& options,
   const bool weft = options.test == "bend-weft";
   const std::string component = weft ? "bend.weft" : "bend.warp";
   session.table = weft ? RestAxis::u : RestAxis::v;
-  if (material.components.at(component).friction) {
-    session.warnings.push_back(
-        fmt::format("the test {} is elastic: the friction of {} is left out, rolled strips show it",
-                    options.test, component));
-  }
   const double length = weft ? options.width : options.height;
   const ComponentLaw law = elastic_law(material, component);
   for (int f = 0; f < options.frames; ++f) {
@@ -61,13 +56,14 @@ void push_over_edge(const Material& material, const VirtualSession& options,
     session.frames.push_back(std::move(frame));
   }
 
-  SheetEquilibria sheet(session, material);
-  const auto shapes = sheet.predict(sheet.parameters(), {}, 1, work.stop);
+  const std::unique_ptr<SheetPredictor> sheet = make_predictor(session, material);
+  const auto shapes = sheet->predict(sheet->parameters(), {}, 1, work.stop);
   if (!shapes) {
     throw SolverError(
         fmt::format("virtual session {}: the sheet over the edge of the table", work.name), 0, 0);
   }
-  session.warnings.insert(session.warnings.end(), sheet.warnings().begin(), sheet.warnings().end());
+  session.warnings.insert(session.warnings.end(), sheet->warnings().begin(),
+                          sheet->warnings().end());
   for (std::size_t f = 0; f < session.frames.size(); ++f) {
     session.frames[f].positions = (*shapes)[f].positions;
   }

@@ -25,6 +25,12 @@ std::string distance_text(const ExperimentResult& e) {
 }
 
 std::string data_text(const ExperimentResult& e) {
+  if (e.sheet && e.quantity.kind == "distance") {
+    const SessionSample& sample = e.sheet->measured.sample;
+    const double way = e.strain_range.second * std::max(sample.width, sample.height);
+    return fmt::format("{} {:.3g} mm", e.sheet->measured.table ? "overhang to" : "clips moved by",
+                       way * 1e3);
+  }
   if (e.quantity.kind == "distance") {
     const auto [low, high] = e.strain_range;
     return fmt::format("curvature to {:.3g} 1/m",

@@ -70,6 +70,10 @@ TEST(LabSessions, OverAnEdgeAreMetWithTheFrictionOfBendingAlone) {
     material["components"][name].erase("friction");
   }
   EXPECT_GT(off_by(folder, material), 0.1);
+  const ProgramRun told = run_program({"evaluate", (folder.path() / "study.yaml").string(), "-m",
+                                       (folder.path() / "evaluated.json").string(), "-o",
+                                       (folder.path() / "results").string()});
+  EXPECT_THAT(told.err, HasSubstr("rows, overhang to 60 mm: error"));
 }
 
 TEST(LabSessions, LeaveNothingWhenTheyAreInterrupted) {

@@ -100,8 +100,9 @@ TEST(SlowCordFriction, CountsAsFrictionOfTheClothUnlessItIsLookedFor) {
   EXPECT_NEAR(total_width(result), 4 * kWidth, 0.1 * 4 * kWidth);
   ASSERT_EQ(result.nuisance.size(), 4U);
   for (const ParameterEstimate& cord : result.nuisance) {
-    // The two of a clip move alike: each is known by the prior alone, both together by the data.
-    EXPECT_FALSE(cord.identified) << cord.name;
+    // The two of a clip move alike: the data know both together, and they are taken to be alike.
+    EXPECT_TRUE(cord.identified) << cord.name;
+    expect_found(cord, kWidth);
     EXPECT_THAT(cord.note, HasSubstr("all 2 cords of the clip: 0.")) << cord.name;
     EXPECT_EQ(cord.owner, "weft");
   }

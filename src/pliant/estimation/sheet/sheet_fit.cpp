@@ -109,20 +109,21 @@ class Fitter {
       return;
     }
     const double rms = solve(stage);
-    const bool worthwhile = !cords_drag || is_worth_friction(stage, without, rms);
+    const bool worthwhile = !cords_drag || is_worth(stage, 3, without, rms);
     record(stage, rms, worthwhile);
     if (worthwhile) return grade(stage, group, rms);
     fit_.material = elastic;
     fit_.cords = cords;
   }
 
-  /// Whether the residual falls by what three more parameters are worth: by the Bayesian
-  /// information criterion, and by as much as a control point.
-  static bool is_worth_friction(const SheetStage& stage, double without, double with) {
-    double rows = 0;
-    for (const SheetTest* test : stage.tests) rows += test->rows();
+  /// Whether the residual falls by what more parameters are worth: by 1 %, and by the Bayesian
+  /// information criterion, without which noise alone would earn them. The noise of a pose is in
+  /// all forces of a frame: frames count, not rows.
+  static bool is_worth(const SheetStage& stage, int parameters, double without, double with) {
+    double frames = 0;
+    for (const SheetTest* test : stage.tests) frames += test->frame_count();
     return with < (1 - kWorthwhileFall) * without &&
-           2 * rows * std::log(without / with) > 3 * std::log(rows);
+           2 * frames * std::log(without / with) > parameters * std::log(frames);
   }
 
   /// Before the stage of friction an elastic curve goes through the middle of loops, whatever makes
@@ -162,11 +163,11 @@ class Fitter {
     for (const std::string& component : group) fit_.strains[component] = largest;
     if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return;
     const bool even = is_even(group.front());
-    const int first = stiffness_of(group).size() + 1;
+    int enough = stiffness_of(group).size();
     Material accepted = fit_.material;
     CordFrictions cords = fit_.cords;
     int useless = 0;
-    for (int points = first; points <= study_.fit.control_points && useless < 2; ++points) {
+    for (int points = enough + 1; points <= study_.fit.control_points && useless < 2; ++points) {
       if (best < accuracy_of(stage)) break;
       const ScalarCurve last = stiffness_of(group);
       std::vector<double> knots, values;
@@ -176,10 +177,11 @@ class Fitter {
       }
       give_stiffness(going_along({group}).front(), ScalarCurve::hermite(knots, values, even));
       const double rms = solve(stage);
-      const bool worthwhile = rms < (1 - kWorthwhileFall) * best;
+      const bool worthwhile = is_worth(stage, points - enough, best, rms);
       record(stage, rms, worthwhile);
       useless = worthwhile ? 0 : useless + 1;
       if (!worthwhile) continue;
+      enough = points;
       best = rms;
       accepted = fit_.material;
       cords = fit_.cords;
@@ -205,7 +207,7 @@ class Fitter {
     give_stiffness(going_along({group}).front(),
                    ScalarCurve::hermite(knots, values, is_even(group.front())));
     const double graded = solve(stage);
-    const bool worthwhile = graded < (1 - kWorthwhileFall) * even;
+    const bool worthwhile = is_worth(stage, 0, even, graded);
     record(stage, graded, worthwhile);
     if (worthwhile) return;
     fit_.material = before;

@@ -37,7 +37,8 @@ Material first_sheet_material(const Study& study);
 /// Fits the stages of a plan one after the other.
 ///
 /// The curve of a group grows from one control point by equal distances over the strains of the
-/// fitted sheet until the residual falls by less than 1 % ([T] 3.4.2). The thesis takes the strains
+/// fitted sheet until the residual falls by less than 1 % ([T] 3.4.2), or by less than noise may
+/// make a point earn (BIC). The thesis takes the strains
 /// of the measured shapes, in which noise shows as strain of small triangles.
 ///
 /// Unknown friction of cords is fitted along in every stage that compares forces. The cloth has

@@ -71,6 +71,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
     start_(places) = cord_widths(*test, cords);
   }
   apply_options(options, unknowns_);
+  priors_ = priors_of(unknowns_);
   for (std::size_t u = 0; u < unknowns_.size(); ++u) {
     double& value = start_(static_cast<Eigen::Index>(u));
     value = std::clamp(value, unknowns_[u].lower, unknowns_[u].upper);
@@ -118,14 +119,6 @@ void SheetProblem::keep_cords(const Eigen::VectorXd& values, CordFrictions& cord
   }
 }
 
-bool SheetProblem::has_priors() const {
-  return std::ranges::any_of(unknowns_, [](const SheetUnknown& u) { return u.prior.has_value(); });
-}
-
-double SheetProblem::prior_weight(const SheetUnknown& unknown) const {
-  return noise_ / scales_.front() / unknown.prior->sd;
-}
-
 int SheetProblem::measured_rows() const {
   int rows = 0;
   for (const SheetTest* test : tests_) rows += test->rows();
@@ -134,10 +127,8 @@ int SheetProblem::measured_rows() const {
 
 double SheetProblem::rms(const LeastSquaresSummary& solution) const {
   double squares = 2 * solution.cost;
-  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-    if (!unknowns_[u].prior) continue;
-    const double off = solution.parameters(static_cast<Eigen::Index>(u)) - unknowns_[u].prior->mean;
-    squares -= std::pow(prior_weight(unknowns_[u]) * off, 2);
+  for (const SheetPrior& prior : priors_) {
+    squares -= std::pow(prior_weight() * prior.miss(solution.parameters), 2);
   }
   return scales_.front() * std::sqrt(std::max(squares, 0.0) / measured_rows());
 }
@@ -226,12 +217,13 @@ bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& resi
       row += rows;
     }
   }
-  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-    if (!unknowns_[u].prior) continue;
-    const auto place = static_cast<Eigen::Index>(u);
-    const double weight = prior_weight(unknowns_[u]);
-    residual(row) = weight * (values(place) - unknowns_[u].prior->mean);
-    if (jacobian) (*jacobian)(row, place) = weight;
+  for (const SheetPrior& prior : priors_) {
+    residual(row) = prior_weight() * prior.miss(values);
+    if (jacobian) {
+      for (const auto& [unknown, factor] : prior.sum) {
+        (*jacobian)(row, unknown) = prior_weight() * factor / prior.sd;
+      }
+    }
     ++row;
   }
   return true;
@@ -258,8 +250,7 @@ LeastSquaresProblem SheetProblem::least_squares() const {
                             Eigen::MatrixXd* jacobian) {
     return evaluate(values, residual, jacobian);
   };
-  problem.residuals = measured_rows();
-  for (const SheetUnknown& unknown : unknowns_) problem.residuals += unknown.prior ? 1 : 0;
+  problem.residuals = measured_rows() + static_cast<int>(priors_.size());
   if (monotone_stress_) problem.not_negative = tangents();
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
   problem.lower.resize(count);

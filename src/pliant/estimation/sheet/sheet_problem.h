@@ -10,6 +10,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/least_squares.h"
 #include "pliant/estimation/sheet/cord_unknown.h"
+#include "pliant/estimation/sheet/sheet_prior.h"
 #include "pliant/estimation/sheet/sheet_unknown.h"
 #include "pliant/experiment/sheet/sheet_predictor.h"
 #include "pliant/experiment/sheet/sheet_test.h"
@@ -47,7 +48,7 @@ class SheetProblem {
   const std::vector<double>& scales() const { return scales_; }
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
 
-  bool has_priors() const;
+  bool has_priors() const { return !priors_.empty(); }
   /// Standard deviation of what is measured (N or m), against which priors are weighed.
   void set_noise(double noise) { noise_ = noise; }
   /// Root mean square of the measured differences (N or m) at a solution of `least_squares`.
@@ -90,7 +91,8 @@ class SheetProblem {
   int measured_rows() const;
   /// The elastic tangents of all groups, by all unknowns.
   Eigen::MatrixXd tangents() const;
-  double prior_weight(const SheetUnknown& unknown) const;
+  /// Of a prior, in units of the differences of forces or positions.
+  double prior_weight() const { return noise_ / scales_.front(); }
   bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* jacobian) const;
 
@@ -98,6 +100,7 @@ class SheetProblem {
   Material material_;
   std::vector<ComponentGroup> groups_;
   std::vector<SheetUnknown> unknowns_;
+  std::vector<SheetPrior> priors_;
   std::vector<double> scales_;
   std::vector<std::unique_ptr<SheetPredictor>> predictors_;
   std::vector<Places> places_;           // of each test

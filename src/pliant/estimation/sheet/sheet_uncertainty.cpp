@@ -205,25 +205,30 @@ std::optional<Eigen::MatrixXd> jackknife(const Eigen::MatrixXd& slope, const Tes
   return covariance;
 }
 
-/// What priors add to G, on its diagonal, and their own noise to g, squared: in units of the
-/// values, against the noise of what a stage compares.
+/// What priors add to G, and the covariance of what they add to g: in units of the values, against
+/// the noise of what a stage compares.
 struct PriorPart {
-  Eigen::VectorXd slope, variance;
+  Eigen::MatrixXd slope, variance;
 };
 
 PriorPart prior_part(const SheetUncertainty& result, const Eigen::VectorXd& unit,
                      const TestParts& tests, const std::vector<const SheetStage*>& stage_of) {
-  PriorPart part{Eigen::VectorXd::Zero(unit.size()), Eigen::VectorXd::Zero(unit.size())};
-  for (Eigen::Index u = 0; u < unit.size(); ++u) {
-    const auto& prior = result.unknowns[static_cast<std::size_t>(u)].prior;
-    if (!prior) continue;
+  const Eigen::Index n = unit.size();
+  PriorPart part{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+  for (const SheetPrior& prior : priors_of(result.unknowns)) {
     double squares = 0, rows = 0;
-    for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
+    const auto first = static_cast<std::size_t>(prior.sum.front().first);
+    for (const SheetTest* test : stage_of[first]->tests) {
       squares += tests.at(test).variance * test->rows();
       rows += test->rows();
     }
-    part.slope(u) = std::pow(unit(u) / prior->sd, 2) * squares / rows;
-    part.variance(u) = part.slope(u) * squares / rows;
+    Eigen::VectorXd derivative = Eigen::VectorXd::Zero(n);
+    for (const auto& [unknown, factor] : prior.sum) {
+      derivative(unknown) = factor * unit(unknown) / prior.sd;
+    }
+    const Eigen::MatrixXd slope = squares / rows * derivative * derivative.transpose();
+    part.slope += slope;
+    part.variance += squares / rows * slope;
   }
   return part;
 }
@@ -284,15 +289,14 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& option
   }
 
   const PriorPart priors = prior_part(result, unit, tests, stage_of);
-  slope.diagonal() += priors.slope;
+  slope += priors.slope;
   const Indices known = known_unknowns(slope, tests, stage_of, result.unknowns);
   auto covariance = jackknife(slope, tests, known);
   result.covariance = Eigen::MatrixXd::Zero(n, n);
   result.determined = std::vector<char>(result.unknowns.size(), 0);
   if (covariance) {
     const Eigen::MatrixXd inverse = Eigen::MatrixXd(slope(known, known)).inverse();
-    *covariance +=
-        inverse * Eigen::VectorXd(priors.variance(known)).asDiagonal() * inverse.transpose();
+    *covariance += inverse * Eigen::MatrixXd(priors.variance(known, known)) * inverse.transpose();
     const Eigen::VectorXd units = unit(known);
     result.covariance(known, known) = units.asDiagonal() * *covariance * units.asDiagonal();
     for (const Eigen::Index u : known) result.determined[static_cast<std::size_t>(u)] = 1;

@@ -94,26 +94,41 @@ class Fitter {
     fit_.thinned.push_back(std::move(by));
   }
 
-  /// Friction, where the loops of a stage are not those of its cords.
+  /// Friction, where the loops of a stage are not those of its cords. Now that something makes the
+  /// loops, the curve gets the control points that it is worth.
   void fit_friction(const SheetStage& stage, const ComponentGroup& group) {
-    const bool cords_drag = has_unknown_cords(stage);
-    const double without = cords_drag ? solve(stage) : INFINITY;
-    const Material elastic = fit_.material;
-    const CordFrictions cords = fit_.cords;
-    // Else the cords would have taken up what the cloth may explain.
-    for (const SheetTest* test : stage.tests) {
-      for (const SheetUnknown& cord : cord_unknowns(*test)) fit_.cords.erase(cord.name);
-    }
-    if (!guess_friction(stage, group)) {
-      fit_.cords = cords;
-      return;
-    }
+    if (has_unknown_cords(stage) && !needs_friction(stage, group)) return;
+    if (!has_unknown_cords(stage) && !guess_friction(stage, group)) return;
     const double rms = solve(stage);
-    const bool worthwhile = !cords_drag || is_worth(stage, 3, without, rms);
-    record(stage, rms, worthwhile);
-    if (worthwhile) return grade(stage, group, rms);
-    fit_.material = elastic;
-    fit_.cords = cords;
+    record(stage, rms, true);
+    refine(stage, group, rms);
+  }
+
+  /// Whether friction of the cloth makes more of the loops than unknown cords do alone; else these
+  /// are fitted. The curve is what it was, with the friction to begin with.
+  bool needs_friction(const SheetStage& stage, const ComponentGroup& group) {
+    const State before = state();
+    const double first = solve(stage);
+    record(stage, first, true);
+    const double without = refine(stage, group, first);
+    const State elastic = state();
+    // The cords would have taken up what the cloth may explain.
+    fit_.cords = before.cords;
+    if (!guess_friction(stage, group)) {
+      restore(elastic);
+      return false;
+    }
+    const double with = solve(stage);
+    const bool worthwhile = is_worth(stage, 3, without, with);
+    record(stage, with, worthwhile);
+    if (!worthwhile) {
+      restore(elastic);
+      return false;
+    }
+    ComponentLaw law = law_of(fit_.material, group);
+    law.stiffness = law_of(before.material, group).stiffness;
+    set_law(fit_.material, group, law);
+    return true;
   }
 
   /// Whether the residual falls by what more parameters are worth: by 1 %, and by the Bayesian
@@ -156,16 +171,31 @@ class Fitter {
     return fixed_stiffness(study_.fit, group).has_value();
   }
 
-  /// One control point after the other, at equal distances.
-  void grow(const SheetStage& stage, const ComponentGroup& group, double best) {
+  /// The curve over the strains of the fitted sheets.
+  void grow(const SheetStage& stage, const ComponentGroup& group, double rms) {
     SheetProblem problem = problem_of(stage);
     const double largest = search_.largest_strain(stage, problem, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
-    if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return;
+    if (with_cords(stage)) {
+      refine(stage, group, rms);
+    } else {
+      add_points(stage, group, rms);
+    }
+  }
+
+  /// As many control points as the curve is worth, where they are worth most.
+  /// @return the root mean square of the differences then (N or m)
+  double refine(const SheetStage& stage, const ComponentGroup& group, double rms) {
+    return grade(stage, group, add_points(stage, group, rms));
+  }
+
+  /// One control point after the other, at equal distances.
+  double add_points(const SheetStage& stage, const ComponentGroup& group, double best) {
+    if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return best;
     const bool even = is_even(group.front());
+    const double largest = strain_of(group);
     int enough = stiffness_of(group).size();
-    Material accepted = fit_.material;
-    CordFrictions cords = fit_.cords;
+    State accepted = state();
     int useless = 0;
     for (int points = enough + 1; points <= study_.fit.control_points && useless < 2; ++points) {
       if (best < accuracy_of(stage)) break;
@@ -183,21 +213,17 @@ class Fitter {
       if (!worthwhile) continue;
       enough = points;
       best = rms;
-      accepted = fit_.material;
-      cords = fit_.cords;
+      accepted = state();
     }
-    fit_.material = accepted;
-    fit_.cords = cords;
-    if (with_cords(stage)) grade(stage, group, best);
+    restore(accepted);
+    return best;
   }
 
-  /// The control points once more, denser towards rest, as soon as friction does not hide what the
-  /// curve is like. They stay there where that pays.
-  void grade(const SheetStage& stage, const ComponentGroup& group, double even) {
+  /// The control points once more, denser towards rest. They stay there where that pays.
+  double grade(const SheetStage& stage, const ComponentGroup& group, double even) {
     const ScalarCurve curve = stiffness_of(group);
-    if (curve.size() < 3 || even < accuracy_of(stage)) return;
-    const Material before = fit_.material;
-    const CordFrictions cords = fit_.cords;
+    if (curve.size() < 3 || even < accuracy_of(stage)) return even;
+    const State before = state();
     std::vector<double> knots, values;
     for (int i = 0; i < curve.size(); ++i) {
       const double share = static_cast<double>(i) / (curve.size() - 1);
@@ -209,9 +235,20 @@ class Fitter {
     const double graded = solve(stage);
     const bool worthwhile = is_worth(stage, 0, even, graded);
     record(stage, graded, worthwhile);
-    if (worthwhile) return;
-    fit_.material = before;
-    fit_.cords = cords;
+    if (worthwhile) return graded;
+    restore(before);
+    return even;
+  }
+
+  /// What searches change.
+  struct State {
+    Material material;
+    CordFrictions cords;
+  };
+  State state() const { return {fit_.material, fit_.cords}; }
+  void restore(const State& state) {
+    fit_.material = state.material;
+    fit_.cords = state.cords;
   }
 
   /// Friction of a tenth of the largest stress, spread over the strain that fits best.
@@ -369,7 +406,11 @@ class Fitter {
     const int points = stiffness_of(stage.groups.front()).size();
     std::string what = fmt::format("{} control point{}", points, points == 1 ? "" : "s");
     if (stage.groups.size() > 1) what = "together";
-    if (stage.kind == StageKind::friction) what += " and friction";
+    if (stage.kind == StageKind::friction) {
+      what += law_of(fit_.material, stage.groups.front()).friction_law == FrictionLaw::none
+                  ? " and cords"
+                  : " and friction";
+    }
     fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what,
                            positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -164,31 +165,44 @@ struct Candidate {
 };
 
 /// The best of the fits that begin with nothing and at each start, and of the starts themselves;
-/// its work is that of all.
+/// its work is that of all. One that finds no equilibria leaves it to the others.
+/// @throws SolverError where all of them find none
 Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
-  Candidate best(study, fit_sheets(study, plan, context), experiments, context, "");
+  std::optional<Candidate> best;
+  EquilibriumWork work;
+  std::exception_ptr failure;
+  const auto rank = [](const Candidate& fit) {
+    return std::pair(fit.missing_frames(), misfit_percent(fit.experiments));
+  };
   const auto consider = [&](SheetFit fit, std::string how) {
     Candidate other(study, std::move(fit), experiments, context, std::move(how));
-    EquilibriumWork work = best.fit.work;
     work += other.fit.work;
-    if (std::pair(other.missing_frames(), misfit_percent(other.experiments)) <
-        std::pair(best.missing_frames(), misfit_percent(best.experiments))) {
-      best = std::move(other);
-    }
-    best.fit.work = work;
+    if (!best || rank(other) < rank(*best)) best = std::move(other);
   };
+  const auto try_to = [&](const auto& search) {
+    try {
+      search();
+    } catch (const SolverError&) {
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  try_to([&] { consider(fit_sheets(study, plan, context), ""); });
   for (const SheetStart& start : starts) {
-    SheetFit fit = fit_sheets(study, plan, context, &start.material);
-    consider(fit, "the search that began at the solution of " + start.variant + " is the best");
-    fit.material = start.material;
-    fit.cords = start.cords;
-    fit.stages.clear();
-    fit.work = {};
-    consider(std::move(fit), "no search found better than the solution of " + start.variant);
+    try_to([&] {
+      SheetFit fit = fit_sheets(study, plan, context, &start.material);
+      consider(fit, "the search that began at the solution of " + start.variant + " is the best");
+      fit.material = start.material;
+      fit.cords = start.cords;
+      fit.stages.clear();
+      fit.work = {};
+      consider(std::move(fit), "no search found better than the solution of " + start.variant);
+    });
   }
-  return best;
+  if (!best) std::rethrow_exception(failure);
+  best->fit.work = work;
+  return std::move(*best);
 }
 
 /// What a study may ask of fits of single components alone.

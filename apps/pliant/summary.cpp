@@ -17,10 +17,11 @@ std::string uncertainty_text(const ParameterEstimate& p) {
   return fmt::format("+- {:.2g}", *p.std_error);
 }
 
-/// Of strips whose profiles are measured: there is no force, and bending has two sides.
+/// Of strips and sheets whose shapes are measured: there is no force, and bending has two sides.
 std::string distance_text(const ExperimentResult& e) {
   std::string text = fmt::format("{:.3g} mm ({:.2f} % of length", e.rms * 1e3, e.rms_percent);
   if (e.elastic_rms) text += fmt::format("; best elastic curve: {:.3g} mm", *e.elastic_rms * 1e3);
+  if (e.folds) text += fmt::format("; height of folds: {:.3g} mm", e.folds->height * 1e3);
   return text + ")";
 }
 

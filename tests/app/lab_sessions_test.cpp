@@ -74,6 +74,7 @@ TEST(LabSessions, OverAnEdgeAreMetWithTheFrictionOfBendingAlone) {
                                        (folder.path() / "evaluated.json").string(), "-o",
                                        (folder.path() / "results").string()});
   EXPECT_THAT(told.err, HasSubstr("rows, overhang to 60 mm: error"));
+  EXPECT_THAT(told.err, HasSubstr("% of length; height of folds: "));
 }
 
 TEST(LabSessions, LeaveNothingWhenTheyAreInterrupted) {

@@ -1,8 +1,11 @@
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "pliant/io/text_file.h"
 #include "pliant/report/report.h"
 
 #include "report/sample_results.h"
@@ -34,6 +37,28 @@ TEST(SheetReport, HasTheResidualsOfTheThesisTables) {
                                         "<td class=\"number\">2.00 mm</td>"));
   EXPECT_THAT(sheet_report(), HasSubstr("<td>free nodes</td><td class=\"number\">1.00 mm</td>"
                                         "<td class=\"number\">2.00 mm</td>"));
+}
+
+TEST(SheetReport, TellsTheErrorOfFoldsWhereverTheyAre) {
+  for (const bool evaluation : {false, true}) {
+    const std::string html = sheet_report(evaluation);
+    EXPECT_THAT(html, HasSubstr("<td>folds</td><td class=\"number\">0.250 mm</td>"
+                                "<td class=\"number\">0.0125 mm</td>"));
+    EXPECT_THAT(html, HasSubstr("Folds: how far wrinkles differ in height"));
+    EXPECT_THAT(html, HasSubstr("wherever they are, 0.25 mm"));
+  }
+}
+
+TEST(SheetReport, OfResultsThatHaveNoErrorOfFoldsSaysNothingOfIt) {
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path());
+  const std::filesystem::path file = folder.path() / "fit.json";
+  nlohmann::json fit = nlohmann::json::parse(read_text_file(file));
+  for (auto& experiment : fit["experiments"]) experiment.erase("fold_height_error_mm");
+  testing::write_text(file, fit.dump());
+  const std::string html = make_report(folder.path());
+  EXPECT_THAT(html, Not(HasSubstr("folds")));
+  EXPECT_THAT(html, HasSubstr("<td>free nodes</td>"));
 }
 
 TEST(SheetReport, TellsStiffnessAtZeroAndAtTheEndOfTheRange) {

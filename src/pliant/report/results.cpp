@@ -83,6 +83,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.rms_position_mm = json.number("rms_position_mm");
   e.rms_elastic_position_mm = json.number("rms_elastic_position_mm");
   e.rms_percent_of_length = json.number("rms_percent_of_length");
+  e.fold_height_error_mm = json.number("fold_height_error_mm");
   e.points = json.integer_or("points", 0);
   e.specimens = json.integer_or("specimens", 0);
   e.excluded = json.integer_or("excluded", 0);

@@ -42,6 +42,10 @@ std::string description(const ResultExperiment& e, const SheetData& sheet, bool 
   }
   facts.push_back("RMS distance of all free nodes " +
                   format_significant(1e3 * sheet.rms_distance, 2) + " mm");
+  if (e.fold_height_error_mm) {
+    facts.push_back("RMS error of the height of folds, wherever they are, " +
+                    format_significant(e.fold_height_error_mm, 2) + " mm");
+  }
   return fmt::format("{}", fmt::join(facts, " · "));
 }
 

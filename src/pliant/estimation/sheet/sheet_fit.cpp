@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kUsualStrain = 0.01;
+constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make up for
 /// Share of a test's frames that may be left out: fewer tell another story.
 constexpr double kLostShare = 0.25;
 
@@ -97,38 +98,37 @@ class Fitter {
   /// Friction, where the loops of a stage are not those of its cords. Now that something makes the
   /// loops, the curve gets the control points that it is worth.
   void fit_friction(const SheetStage& stage, const ComponentGroup& group) {
-    if (has_unknown_cords(stage) && !needs_friction(stage, group)) return;
-    if (!has_unknown_cords(stage) && !guess_friction(stage, group)) return;
-    const double rms = solve(stage);
-    record(stage, rms, true);
-    refine(stage, group, rms);
+    if (has_unknown_cords(stage)) return fit_loops(stage, group);
+    if (guess_friction(stage, group)) refine(stage, group, solve_and_record(stage));
   }
 
-  /// Whether friction of the cloth makes more of the loops than unknown cords do alone; else these
-  /// are fitted. The curve is what it was, with the friction to begin with.
-  bool needs_friction(const SheetStage& stage, const ComponentGroup& group) {
+  /// Loops that unknown cords make, or the cloth as well.
+  void fit_loops(const SheetStage& stage, const ComponentGroup& group) {
     const State before = state();
-    const double first = solve(stage);
-    record(stage, first, true);
-    const double without = refine(stage, group, first);
+    const double by_cords = solve_and_record(stage);
+    const State dragged = state();
+    // The cords have taken up what the cloth may explain.
+    restore(before);
+    if (guess_friction(stage, group)) {
+      const double by_both = solve_and_record(stage);
+      if (by_both < kClearFall * by_cords) {
+        refine(stage, group, by_both);
+        return;
+      }
+    }
+    const ComponentLaw rubbing = law_of(fit_.material, group);
+    restore(dragged);
+    const double refined = refine(stage, group, by_cords);
+    if (rubbing.friction_law == FrictionLaw::none) return;
+
     const State elastic = state();
-    // The cords would have taken up what the cloth may explain.
-    fit_.cords = before.cords;
-    if (!guess_friction(stage, group)) {
-      restore(elastic);
-      return false;
-    }
-    const double with = solve(stage);
-    const bool worthwhile = is_worth(stage, 3, without, with);
-    record(stage, with, worthwhile);
-    if (!worthwhile) {
-      restore(elastic);
-      return false;
-    }
-    ComponentLaw law = law_of(fit_.material, group);
-    law.stiffness = law_of(before.material, group).stiffness;
+    ComponentLaw law = rubbing;
+    law.stiffness = stiffness_of(group);
     set_law(fit_.material, group, law);
-    return true;
+    const double by_both = solve(stage);
+    const bool worthwhile = is_worth(stage, 3, refined, by_both);
+    record(stage, by_both, worthwhile);
+    if (!worthwhile) restore(elastic);
   }
 
   /// Whether the residual falls by what more parameters are worth: by 1 %, and by the Bayesian
@@ -196,8 +196,11 @@ class Fitter {
     const double largest = strain_of(group);
     int enough = stiffness_of(group).size();
     State accepted = state();
+    // Each search along a path with friction takes long.
+    const int patience = law_of(fit_.material, group).friction_law == FrictionLaw::none ? 2 : 1;
     int useless = 0;
-    for (int points = enough + 1; points <= study_.fit.control_points && useless < 2; ++points) {
+    for (int points = enough + 1; points <= study_.fit.control_points && useless < patience;
+         ++points) {
       if (best < accuracy_of(stage)) break;
       const ScalarCurve last = stiffness_of(group);
       std::vector<double> knots, values;
@@ -366,6 +369,12 @@ class Fitter {
     fit_.material.components.at("shear").stiffness =
         ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
     return true;
+  }
+
+  double solve_and_record(const SheetStage& stage) {
+    const double rms = solve(stage);
+    record(stage, rms, true);
+    return rms;
   }
 
   /// The search of a stage, whose result the material gets.

@@ -149,9 +149,13 @@ std::vector<NamedDocument> shipped_documents() {
   for (const fs::path& file : files_in(kSource / "materials")) {
     documents.push_back(named(file.filename().string(), read_json(file)));
   }
-  for (const char* folder : {"demo", "sheet-sessions"}) {
-    NamedDocument lab = named(std::string("lab of ") + folder,
-                              read_yaml(kSource / "examples" / folder / "lab.yaml"));
+  std::vector<fs::path> labs{kSource / "examples" / "demo" / "lab.yaml",
+                             kSource / "examples" / "sheet-sessions" / "lab.yaml"};
+  for (const fs::path& file : files_in(kSource / "examples" / "sheet-figures")) {
+    if (file.extension() == ".yaml") labs.push_back(file);
+  }
+  for (const fs::path& file : labs) {
+    NamedDocument lab = named("lab " + file.string(), read_yaml(file));
     lab.document.document["material"] = "spandex.json";  // where it stands while it is read here
     documents.push_back(std::move(lab));
   }

@@ -41,9 +41,10 @@ Material first_sheet_material(const Study& study);
 /// make a point earn (BIC). The thesis takes the strains
 /// of the measured shapes, in which noise shows as strain of small triangles.
 ///
-/// Unknown friction of cords is fitted along in every stage that compares forces. The cloth has
-/// friction beside it only where that makes the residual fall by 1 % and by more than its three
-/// parameters are worth.
+/// Unknown friction of cords is fitted along in stages of friction, and in elastic ones that
+/// compare forces where none follows. Beside it the cloth has friction only where that makes the
+/// residual fall by half, or by 1 % and more than its three parameters are worth with as many
+/// control points as the curve is worth without it.
 ///
 /// Up to a quarter of the frames of a test between clips is left out, where they have no
 /// equilibrium with the first stiffnesses.

@@ -130,7 +130,13 @@ double SheetProblem::rms(const LeastSquaresSummary& solution) const {
   for (const SheetPrior& prior : priors_) {
     squares -= std::pow(prior_weight() * prior.miss(solution.parameters), 2);
   }
-  return scales_.front() * std::sqrt(std::max(squares, 0.0) / measured_rows());
+  double weights = 0;
+  for (const SheetTest* test : tests_) {
+    for (int frame = 0; frame < test->frame_count(); ++frame) {
+      weights += test->weights(frame).sum();
+    }
+  }
+  return scales_.front() * std::sqrt(std::max(squares, 0.0) / weights);
 }
 
 Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
@@ -203,10 +209,11 @@ bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& resi
     for (int frame = 0; frame < test.frame_count(); ++frame) {
       const SheetShape& shape = (*shapes[t])[static_cast<std::size_t>(frame)];
       const int rows = test.rows(frame);
+      const Eigen::VectorXd weights = test.weights(frame) / scales_[t];
       residual.segment(row, rows) =
-          (test.predicted(frame, shape) - test.measured(frame)) / scales_[t];
+          weights.cwiseProduct(test.predicted(frame, shape) - test.measured(frame));
       if (jacobian) {
-        const Eigen::MatrixXd by_parameter = test.jacobian(frame, shape) / scales_[t];
+        const Eigen::MatrixXd by_parameter = weights.asDiagonal() * test.jacobian(frame, shape);
         Eigen::Index column = 0;
         for (const std::vector<int>* unknowns : {&places_[t].unknowns, &cords_[t]}) {
           for (const int unknown : *unknowns) {

@@ -92,17 +92,28 @@ double noise_of(const std::vector<double>& path) {
   return std::max(*quartile / (kLowerQuartile * spread), kPoseNoise);
 }
 
-/// 1 where a path rises, -1 where it falls; 1 at its beginning.
-std::vector<int> directions(const std::vector<double>& path) {
-  std::vector<int> direction(path.size(), 1);
+/// Which way a path goes in each frame.
+struct Ways {
+  std::vector<int> direction;  // 1 where it rises, -1 where it falls; 1 at its beginning
+  std::vector<char> certain;   // not so near a turn that noise says in which frame it is
+};
+
+Ways ways_of(const std::vector<double>& path) {
+  const double least = kTurned * noise_of(path);
+  Ways ways{std::vector<int>(path.size(), 1), std::vector<char>(path.size(), 1)};
   std::size_t from = 0;
-  for (const int turn : turning_samples(path, kTurned * noise_of(path))) {
+  for (const int turn : turning_samples(path, least)) {
     const auto to = static_cast<std::size_t>(turn);
     const int sign = path[to] < path[from] ? -1 : 1;
-    for (std::size_t i = from + 1; i <= to; ++i) direction[i] = sign;
+    for (std::size_t i = from + 1; i <= to; ++i) {
+      const bool at_last = to + 1 < path.size() && std::abs(path[i] - path[to]) < least;
+      const bool at_first = from > 0 && std::abs(path[i] - path[from]) < least;
+      ways.direction[i] = sign;
+      ways.certain[i] = !at_last && !at_first;
+    }
     from = to;
   }
-  return direction;
+  return ways;
 }
 
 CordDrag drag_of(const Session& session, const Cord& cord) {
@@ -112,13 +123,15 @@ CordDrag drag_of(const Session& session, const Cord& cord) {
     const auto at = static_cast<Eigen::Index>(i);
     path[i] = path[i - 1] + (points.col(at) - points.col(at - 1)).dot(along.col(at));
   }
-  const std::vector<int> direction = directions(path);
+  const Ways ways = ways_of(path);
   CordDrag drag{cord.clip, cord.name, Eigen::Matrix3Xd::Zero(3, session.frame_count()),
-                Eigen::Matrix3Xd::Zero(3, session.frame_count())};
+                Eigen::Matrix3Xd::Zero(3, session.frame_count()),
+                std::vector<char>(session.frames.size(), 1)};
   for (std::size_t i = 0; i < path.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const int frame = cord.frames[i];
-    const Eigen::Vector3d force = direction[i] * along.col(at) / 2;
+    const Eigen::Vector3d force = ways.direction[i] * along.col(at) / 2;
+    drag.certain[static_cast<std::size_t>(frame)] = ways.certain[i];
     const Eigen::Vector3d arm = points.col(at) - clip_middle(session, frame, cord.clip);
     drag.forces.col(frame) = force;
     drag.moments.col(frame) = arm.cross(force);

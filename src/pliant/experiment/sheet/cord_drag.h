@@ -18,6 +18,7 @@ struct CordDrag {
   std::string cord;          ///< its name, else its number among the cords of the clip, from 1
   Eigen::Matrix3Xd forces;   ///< along the cord, one column a frame; zero where it was not measured
   Eigen::Matrix3Xd moments;  ///< of them about the middle of the clip's vertices (m)
+  std::vector<char> certain;  ///< whether noise leaves no doubt which way it moves, for each frame
 };
 
 /// The drags of all cords of a session, clip by clip.

@@ -181,6 +181,19 @@ Eigen::VectorXd SheetTest::predicted(int frame, const SheetShape& shape) const {
   return values;
 }
 
+Eigen::ArrayXd SheetTest::weights(int frame) const {
+  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(rows(frame));
+  if (!friction_.unknown) return weights;
+  for (std::size_t i = 0; i < compared.forces.size(); ++i) {
+    const bool in_doubt = std::ranges::any_of(cords_, [&](const CordDrag& cord) {
+      return cord.clip == compared.forces[i].clip && !cord.certain[static_cast<std::size_t>(frame)];
+    });
+    if (in_doubt) weights(static_cast<Eigen::Index>(i)) = 0;
+  }
+  return weights;
+}
+
 Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
   const Frame& compared = frames_[static_cast<std::size_t>(frame)];
   Eigen::MatrixXd values(rows(frame), shape.positions_by_parameter.cols());

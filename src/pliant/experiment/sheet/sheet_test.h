@@ -53,6 +53,9 @@ class SheetTest {
 
   Eigen::VectorXd measured(int frame) const;
   Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;
+  /// What each row counts in a fit: 0 where nobody knows which way an unknown cord of the clip
+  /// moves, and so how it drags, else 1.
+  Eigen::ArrayXd weights(int frame) const;
   /// rows x parameters
   Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
 

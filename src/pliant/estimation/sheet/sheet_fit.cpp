@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
@@ -20,8 +21,6 @@ namespace {
 constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kUsualStrain = 0.01;
 constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make up for
-/// Share of a test's frames that may be left out: fewer tell another story.
-constexpr double kLostShare = 0.25;
 
 class Fitter {
  public:

@@ -10,15 +10,13 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
+#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/experiment/sheet/make_predictor.h"
 #include "pliant/material/positive_stiffness.h"
 
 namespace pliant {
 namespace {
-
-/// Share of the frames that a prediction may lack: fewer tell another story.
-constexpr double kLostShare = 0.25;
 
 using Shapes = std::vector<std::optional<SheetShape>>;
 
@@ -35,14 +33,6 @@ Shapes shapes_of(const SheetTest& test, const Material& material, const Eigen::V
     if (shape) add_cord_drags(test.cords(), widths, false, frame, *shape);
   }
   return shapes;
-}
-
-std::vector<int> lost_frames(const Shapes& shapes) {
-  std::vector<int> lost;
-  for (std::size_t frame = 0; frame < shapes.size(); ++frame) {
-    if (!shapes[frame]) lost.push_back(static_cast<int>(frame));
-  }
-  return lost;
 }
 
 /// Shapes of the frames of a test that have an equilibrium. Where frames follow from those before,

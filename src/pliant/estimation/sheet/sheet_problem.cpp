@@ -9,6 +9,7 @@
 #include "pliant/base/parallel.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/monotone_stress.h"
+#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/experiment/sheet/make_predictor.h"
 
@@ -166,11 +167,7 @@ std::vector<int> SheetProblem::lost_frames(std::size_t test, int threads) const 
   const auto shapes =
       predictors_[test]->predict_each(parameters_of(test, start_), {}, threads, context_.stop);
   seconds_ += watch.seconds();
-  std::vector<int> lost;
-  for (std::size_t frame = 0; frame < shapes.size(); ++frame) {
-    if (!shapes[frame]) lost.push_back(static_cast<int>(frame));
-  }
-  return lost;
+  return pliant::lost_frames(shapes);
 }
 
 std::optional<std::vector<SheetShape>> SheetProblem::shapes_of(std::size_t test,

@@ -1,6 +1,5 @@
 #include "pliant/experiment/virtual_session/observed_session.h"
 
-#include <algorithm>
 #include <vector>
 
 #include <Eigen/Geometry>

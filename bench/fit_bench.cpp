@@ -5,8 +5,8 @@
 
 #include "pliant/estimation/study_fit.h"
 #include "pliant/experiment/friction_path.h"
-#include "pliant/experiment/strip_pull.h"
-#include "pliant/experiment/weight_path.h"
+#include "pliant/experiment/hanging/weight_path.h"
+#include "pliant/experiment/tensile/strip_pull.h"
 #include "pliant/material/density/dahl_published.h"
 
 #include "support/virtual_lab.h"

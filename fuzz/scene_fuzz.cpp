@@ -11,9 +11,9 @@
 #include <unistd.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/scene.h"
 #include "pliant/io/document.h"
 #include "pliant/io/text_file.h"
+#include "pliant/scene/scene.h"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/session/document.h"
 #include "pliant/io/document.h"
 #include "pliant/io/text_file.h"
+#include "pliant/measurement/session/document.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/u3m_import.h"
+#include "pliant/exchange/u3m_import.h"
 #include "pliant/io/csv.h"
 #include "pliant/io/document.h"
 #include "pliant/io/text_file.h"

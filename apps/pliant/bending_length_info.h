@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pliant/experiment/overhang_rows.h"
+#include "pliant/experiment/overhang/overhang_rows.h"
 
 namespace pliant {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/checkpoint.h"
+#include "pliant/scene/checkpoint.h"
 
 #include "apps/pliant/file_info.h"
 

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/checkpoint.h"
-#include "pliant/experiment/u3m_file.h"
+#include "pliant/exchange/u3m_file.h"
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/journal_file.h"
 #include "pliant/io/text_file.h"
+#include "pliant/scene/checkpoint.h"
 
 #include "apps/pliant/mesh_info.h"
 

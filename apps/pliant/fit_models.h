@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/study.h"
 #include "pliant/io/result_directory.h"
+#include "pliant/study/study.h"
 
 #include "apps/pliant/command.h"
 

@@ -5,7 +5,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/u3m_import.h"
+#include "pliant/exchange/u3m_import.h"
 #include "pliant/io/result_directory.h"
 
 #include "apps/pliant/command.h"

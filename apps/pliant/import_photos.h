@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/imported_study.h"
+#include "pliant/study/imported_study.h"
 
 namespace pliant {
 

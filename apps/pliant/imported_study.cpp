@@ -1,6 +1,6 @@
 #include "apps/pliant/imported_study.h"
 
-#include "pliant/experiment/u3m_import.h"
+#include "pliant/exchange/u3m_import.h"
 
 namespace pliant {
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/test_template.h"
 #include "pliant/io/result_directory.h"
+#include "pliant/study/test_template.h"
 
 #include "apps/pliant/command.h"
 

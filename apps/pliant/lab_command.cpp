@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "apps/pliant/command.h"
 

@@ -3,8 +3,8 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/study.h"
-#include "pliant/experiment/virtual_lab.h"
+#include "pliant/study/study.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "apps/pliant/file_info.h"
 

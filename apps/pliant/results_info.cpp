@@ -5,11 +5,11 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
-#include "pliant/experiment/study.h"
 #include "pliant/io/result_manifest.h"
 #include "pliant/material/material_file.h"
 #include "pliant/report/report_data.h"
 #include "pliant/report/results.h"
+#include "pliant/study/study.h"
 
 #include "apps/pliant/file_info.h"
 

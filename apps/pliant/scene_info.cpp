@@ -5,12 +5,12 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/scene.h"
-#include "pliant/experiment/scene/cloth_mesh.h"
-#include "pliant/experiment/scene/held_vertices.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/material/use_warnings.h"
+#include "pliant/scene/cloth_mesh.h"
+#include "pliant/scene/held_vertices.h"
+#include "pliant/scene/scene.h"
 
 #include "apps/pliant/file_info.h"
 

@@ -7,8 +7,8 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/session.h"
-#include "pliant/experiment/session/balance.h"
+#include "pliant/measurement/session.h"
+#include "pliant/measurement/session/balance.h"
 
 #include "apps/pliant/file_info.h"
 

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/checkpoint.h"
-#include "pliant/experiment/frame_files.h"
-#include "pliant/experiment/simulation_result.h"
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
+#include "pliant/scene/checkpoint.h"
+#include "pliant/scene/frame_files.h"
+#include "pliant/scene/simulation_result.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/report_pictures.h"

@@ -10,11 +10,10 @@
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/component_fit.h"
 #include "pliant/estimation/sheet/sheet_study.h"
-#include "pliant/experiment/data_source.h"
 #include "pliant/experiment/loop_metrics.h"
-#include "pliant/experiment/make_experiment.h"
-#include "pliant/experiment/sheet/sheet_test.h"
-#include "pliant/experiment/study.h"
+#include "pliant/experiment/session/sheet_test.h"
+#include "pliant/measurement/data_source.h"
+#include "pliant/study/study.h"
 
 #include "apps/pliant/bending_length_info.h"
 #include "apps/pliant/file_info.h"
@@ -240,7 +239,7 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
   for (const ExperimentSpec& spec : study.experiments) {
     Json json = spec_json(spec);
     if (is_supported_type(spec.type)) {
-      auto experiment = make_experiment(spec, study.density, study.model.membrane);
+      auto experiment = read_experiment(spec, study);
       add_measurements(spec, study.model, *experiment, info, json);
       if (!is_sheet(spec, study.model)) experiments.push_back(std::move(experiment));
       if (spec.type == "bending-length") {

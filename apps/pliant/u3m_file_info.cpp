@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/u3m_info.h"
-#include "pliant/experiment/u3m_physics.h"
+#include "pliant/exchange/u3m_info.h"
+#include "pliant/exchange/u3m_physics.h"
 
 #include "apps/pliant/file_info.h"
 

@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "apps/pliant/component_facts.h"
 #include "apps/pliant/file_info.h"

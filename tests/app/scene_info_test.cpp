@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "apps/pliant/file_info.h"
-#include "experiment/scene/scene_text.h"
 #include "io/input_error_of.h"
+#include "scene/scene_text.h"
 
 namespace pliant::test {
 namespace {

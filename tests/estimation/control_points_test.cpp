@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/experiment_result.h"
-#include "pliant/experiment/make_experiment.h"
+#include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
 
@@ -20,7 +20,7 @@ using test::VirtualStudy;
 /// Experiment and problem of a study with one experiment.
 struct OneExperiment {
   explicit OneExperiment(const Study& study)
-      : experiment(make_experiment(study.experiments.front(), study.density, study.model.membrane)),
+      : experiment(read_experiment(study.experiments.front(), study)),
         problem({experiment.get()}) {}
 
   double percent_of_peak(const LawFit& fit) const {

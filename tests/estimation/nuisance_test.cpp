@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/study_evaluation.h"
-#include "pliant/experiment/make_experiment.h"
+#include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
 
@@ -127,7 +127,7 @@ TEST(ApparatusFriction, IsTakenOffWhereItIsStated) {
   study.set_model("stiffness: affine");
   study.add_to_experiment("apparatus_friction: 0.1 N");
   const Study ideal = study.study();
-  const auto experiment = make_experiment(ideal.experiments.front(), 0, ideal.model.membrane);
+  const auto experiment = read_experiment(ideal.experiments.front(), ideal);
   study.edit_rows("cycles.csv", [&](VirtualStudy::Rows& rows) {
     for (size_t i = 0; i < rows.size(); ++i) {
       rows[i][kForce] += 0.1 * experiment->path().direction[i];

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/make_experiment.h"
+#include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
 #include "io/input_error_of.h"
@@ -114,8 +114,7 @@ TEST(PublishedStrips, AreSampledWhereWeightAndStiffnessBothOpenThem) {
   const VirtualStudy virtual_study(
       lab_of(published_bending_material("felt"), rolled_strips(radii)));
   const Study study = virtual_study.study();
-  const auto experiment =
-      make_experiment(study.experiments.front(), study.density, study.model.membrane);
+  const auto experiment = read_experiment(study.experiments.front(), study);
   const MeasuredPath& path = experiment->path();
   ASSERT_EQ(path.published_samples.size(), path.strain.size());
   size_t samples = 0;

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/law_fit.h"
-#include "pliant/experiment/make_experiment.h"
+#include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
 
@@ -104,8 +104,7 @@ Material hermite_material(const std::string& component, double largest) {
 /// Fits the law's own shape to the only experiment of a study, and compares.
 void expect_own_shape_recovered(const VirtualStudy& study, const ComponentLaw& law) {
   const Study read = study.study();
-  const auto experiment =
-      make_experiment(read.experiments.front(), read.density, read.model.membrane);
+  const auto experiment = read_experiment(read.experiments.front(), read);
   const ComponentProblem problem({experiment.get()});
   const LawFit fit = fit_law(problem, law, {}, {});
   const Eigen::VectorXd expected = law.parameters();

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/study_evaluation.h"
-#include "pliant/experiment/strip_shapes.h"
+#include "pliant/experiment/profile/strip_shapes.h"
 
 #include "estimation/virtual_study.h"
 #include "support/virtual_strips.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/weight_path.h"
+#include "pliant/experiment/hanging/weight_path.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/solver/static_path.h"
 

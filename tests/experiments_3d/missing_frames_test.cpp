@@ -13,8 +13,8 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_result.h"
-#include "pliant/experiment/sheet/make_predictor.h"
-#include "pliant/experiment/virtual_session.h"
+#include "pliant/experiment/session/make_predictor.h"
+#include "pliant/experiment/session/virtual_session.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/density/dahl.h"
 

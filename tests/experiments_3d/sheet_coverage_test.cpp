@@ -11,8 +11,8 @@
 #include "pliant/base/parallel.h"
 #include "pliant/base/random.h"
 #include "pliant/estimation/study_fit.h"
-#include "pliant/experiment/virtual_session.h"
-#include "pliant/experiment/virtual_session/observed_session.h"
+#include "pliant/experiment/session/virtual/observed_session.h"
+#include "pliant/experiment/session/virtual_session.h"
 
 #include "io/temporary_folder.h"
 #include "support/virtual_sheets.h"

@@ -1,6 +1,6 @@
 // The equilibria of sheets in full-field sessions.
 
-#include "pliant/experiment/sheet/sheet_equilibria.h"
+#include "pliant/experiment/session/sheet_equilibria.h"
 
 #include <cmath>
 #include <limits>
@@ -9,10 +9,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/session/balance.h"
-#include "pliant/experiment/sheet/sheet_states.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_states.h"
+#include "pliant/experiment/session/sheet_test.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/measurement/session/balance.h"
 
 #include "support/cloth_sheet.h"
 #include "support/session_sheets.h"

@@ -10,8 +10,8 @@
 
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/study_fit.h"
-#include "pliant/experiment/session/frame_measures.h"
-#include "pliant/experiment/virtual_session.h"
+#include "pliant/experiment/session/virtual_session.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 #include "io/temporary_folder.h"
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/study_fit.h"
-#include "pliant/experiment/study.h"
-#include "pliant/experiment/virtual_session.h"
+#include "pliant/experiment/session/virtual_session.h"
 #include "pliant/geometry/irregular_mesh.h"
+#include "pliant/study/study.h"
 
 #include "io/temporary_folder.h"
 #include "support/five_sheet_tests.h"

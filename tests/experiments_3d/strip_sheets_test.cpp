@@ -1,6 +1,6 @@
 // Strips of a tensile tester as sheets.
 
-#include "pliant/experiment/sheet/strip_sheets.h"
+#include "pliant/experiment/session/strip_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/sheet/sheet_path.h"
+#include "pliant/experiment/session/sheet_path.h"
 
 #include "support/study_folder.h"
 
@@ -49,8 +49,13 @@ Study study_of(const StudyFolder& folder, const std::string& direction,
       "model: {" + model + "}\n");
 }
 
+StripSheets sheets_of(const Study& study) {
+  const ExperimentSpec& spec = study.experiments.front();
+  return sheets_of_strips(spec, DataRows(spec.data), study.model, study.density);
+}
+
 SheetTest strip_of(const Study& study) {
-  StripSheets strips = sheets_of_strips(study.experiments.front(), study.model, study.density);
+  StripSheets strips = sheets_of(study);
   EXPECT_EQ(strips.tests.size(), 1U);
   return std::move(strips.tests.front());
 }
@@ -209,7 +214,7 @@ TEST(StripSheets, AnglesOfWeftBiasAndWarpAreTheseDirections) {
 TEST(StripSheets, NeedNoDensity) {
   const StudyFolder folder;
   const Study study = study_of(folder, "warp");
-  const StripSheets strips = sheets_of_strips(study.experiments.front(), study.model, 0);
+  const StripSheets strips = sheets_of(study);
   const Session& session = strips.tests.front().session();
   write_session(folder.path() / "session", session);
   EXPECT_EQ(read_session(folder.path() / "session").frame_count(), session.frame_count());
@@ -219,7 +224,7 @@ TEST(StripSheets, OfSpringsAreRefused) {
   const StudyFolder folder;
   const Study study = study_of(folder, "bias", "", "strips: sheet, membrane: spring");
   try {
-    sheets_of_strips(study.experiments.front(), study.model, study.density);
+    sheets_of(study);
     FAIL() << "springs lie along weft and warp";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("springs"));

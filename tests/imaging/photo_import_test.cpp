@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/make_experiment.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/study/study.h"
 
 #include "imaging/drawn_strip.h"
 #include "io/temporary_folder.h"
@@ -77,8 +77,7 @@ TEST(PhotoImport, GivesTheStiffnessOfADrawnStripBack) {
       if (noisy) look.noise = 0.04;
       const auto photo = folder.draw("strip.png", rigidity, 0.08, look);
       const Study study = folder.import({photo});
-      const auto experiment =
-          make_experiment(study.experiments.front(), study.density, study.model.membrane);
+      const auto experiment = read_experiment(study.experiments.front(), study);
       const double k = rigidity / kStrainPerCurvature;
       EXPECT_NEAR(fitted_stiffness(*experiment, 0.8 * k), k, 0.02 * k) << rigidity << noisy;
     }
@@ -97,7 +96,7 @@ TEST(PhotoImport, WritesAStudyThatSaysWhereItCameFrom) {
   EXPECT_EQ(spec.type, "cantilever");
   EXPECT_EQ(spec.direction, "warp");
   EXPECT_DOUBLE_EQ(spec.width, 0.025);
-  const auto experiment = make_experiment(spec, study.density, study.model.membrane);
+  const auto experiment = read_experiment(spec, study);
   EXPECT_EQ(experiment->rows(), 62);  // two profiles of 31 points
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "a-profile.png"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "b-profile.png"));

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/strip_pull.h"
+#include "pliant/experiment/tensile/strip_pull.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/material_file.h"
 

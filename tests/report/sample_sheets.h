@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pliant/experiment/session.h"
+#include "pliant/measurement/session.h"
 #include "pliant/report/sheet_session.h"
 
 namespace pliant::testing {

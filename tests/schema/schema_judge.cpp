@@ -7,12 +7,12 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
-#include "pliant/experiment/scene.h"
-#include "pliant/experiment/session/document.h"
-#include "pliant/experiment/study.h"
-#include "pliant/experiment/virtual_lab.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/material/material_file.h"
+#include "pliant/measurement/session/document.h"
+#include "pliant/scene/scene.h"
+#include "pliant/study/study.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "io/temporary_folder.h"
 

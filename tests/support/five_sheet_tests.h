@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 #include "io/temporary_folder.h"
 #include "support/virtual_sheets.h"

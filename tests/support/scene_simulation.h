@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "pliant/experiment/simulation.h"
 #include "pliant/material/material_file.h"
+#include "pliant/scene/simulation.h"
 
 #include "io/temporary_folder.h"
 #include "support/cloth_sheet.h"

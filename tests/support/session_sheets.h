@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/session.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/measurement/session.h"
 
 #include "io/temporary_folder.h"
 

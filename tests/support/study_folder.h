@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "pliant/experiment/make_experiment.h"
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 #include "io/temporary_folder.h"
 
@@ -31,7 +30,7 @@ class StudyFolder {
   std::unique_ptr<Experiment> experiment(const std::string& entry,
                                          const std::string& more = "") const {
     const Study read = study(entry, more);
-    return make_experiment(read.experiments.front(), read.density, read.model.membrane);
+    return read_experiment(read.experiments.front(), read);
   }
 
  private:

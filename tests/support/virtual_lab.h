@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/experiment/study.h"
-#include "pliant/experiment/virtual_lab.h"
+#include "pliant/study/study.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "io/temporary_folder.h"
 

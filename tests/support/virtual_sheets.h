@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/sheet/sheet_equilibria.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_equilibria.h"
+#include "pliant/experiment/session/sheet_test.h"
 #include "pliant/geometry/regular_grid.h"
 
 #include "support/session_sheets.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pliant/experiment/bending_length.h"
-#include "pliant/experiment/virtual_lab.h"
+#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/study/virtual_lab.h"
 
 #include "support/published_bending.h"
 #include "support/virtual_lab.h"

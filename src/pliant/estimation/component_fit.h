@@ -9,7 +9,7 @@
 #include "pliant/estimation/fit_result.h"
 #include "pliant/estimation/law_fit.h"
 #include "pliant/estimation/uncertainty.h"
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -9,11 +9,11 @@
 
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/loop_metrics.h"
-#include "pliant/experiment/session.h"
-#include "pliant/experiment/session/fold_error.h"
-#include "pliant/experiment/sheet/equilibrium_work.h"
-#include "pliant/experiment/study.h"
+#include "pliant/experiment/session/equilibrium_work.h"
 #include "pliant/material/material.h"
+#include "pliant/measurement/session.h"
+#include "pliant/measurement/session/fold_error.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

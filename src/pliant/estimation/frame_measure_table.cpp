@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/experiment/session/frame_measures.h"
 #include "pliant/io/csv_writer.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
 namespace {

@@ -3,7 +3,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/component_problem.h"
 #include "pliant/estimation/parameter_limits.h"
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

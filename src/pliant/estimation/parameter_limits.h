@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

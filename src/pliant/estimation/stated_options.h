@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -2,8 +2,8 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/experiment/make_experiment.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 
@@ -29,7 +29,7 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
       left_out[spec.type].push_back(spec.name);
       continue;
     }
-    experiments.push_back(make_experiment(spec, study.density, study.model.membrane));
+    experiments.push_back(read_experiment(spec, study));
     for (const std::string& warning : experiments.back()->info().warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
     }

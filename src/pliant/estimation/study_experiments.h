@@ -6,7 +6,7 @@
 
 #include "pliant/estimation/fit_result.h"
 #include "pliant/experiment/experiment.h"
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -5,7 +5,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/study.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

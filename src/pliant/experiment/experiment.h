@@ -7,12 +7,12 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/strip_shapes.h"
+#include "pliant/experiment/experiment_role.h"
+#include "pliant/experiment/profile/strip_shapes.h"
 #include "pliant/material/component_law.h"
+#include "pliant/measurement/data_source.h"
 
 namespace pliant {
-
-enum class ExperimentRole { fit, validate };
 
 /// What an experiment measures row by row, and how results print it.
 struct MeasuredQuantity {
@@ -65,12 +65,6 @@ struct LoopSeries {
   double width = 1;   ///< across the force (m), for moduli per width; 1 for forces per width
   double length = 1;  ///< gauge length (m) that makes the abscissa an engineering strain; 1 where
                       ///< it is a strain already
-};
-
-/// A column of the experiment's own data file, as it was written there.
-struct OwnColumn {
-  std::string header;
-  std::vector<std::string> cells;
 };
 
 /// Facts of an experiment that hold whatever the law.

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "pliant/experiment/data_source.h"
 #include "pliant/experiment/experiment.h"
-#include "pliant/experiment/study.h"
-#include "pliant/experiment/turning_points.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/measurement/data_source.h"
+#include "pliant/measurement/turning_points.h"
 
 namespace pliant {
 

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/data_source.h"
 #include "pliant/experiment/experiment.h"
-#include "pliant/experiment/turning_points.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/measurement/data_source.h"
+#include "pliant/measurement/turning_points.h"
 
 namespace pliant {
 

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "pliant/experiment/experiment.h"
-#include "pliant/experiment/study.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/material/material.h"
 
 namespace pliant {
 
-/// The experiment that a study describes, its data read.
+/// The experiment that a study describes.
+/// @param data     its rows
 /// @param density  kg/m^2; 0 = not stated
 /// @throws InputError for unusable data; AssertionError for a type that is not supported
-std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, double density,
-                                            MembraneMeasure measure);
+std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, const DataRows& data,
+                                            double density, MembraneMeasure measure);
 
 }  // namespace pliant

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pliant/experiment/turning_points.h"
+#include "pliant/measurement/turning_points.h"
 
 namespace pliant {
 

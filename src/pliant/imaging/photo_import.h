@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/imported_study.h"
 #include "pliant/imaging/strip_photo.h"
+#include "pliant/study/imported_study.h"
 
 namespace pliant {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "pliant/experiment/session/balance.h"
-#include "pliant/experiment/session/frame_measures.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_test.h"
+#include "pliant/measurement/session/balance.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/session.h"
+#include "pliant/measurement/session.h"
 #include "pliant/report/labels.h"
 
 namespace pliant::report {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/session.h"
+#include "pliant/measurement/session.h"
 
 namespace pliant::report {
 

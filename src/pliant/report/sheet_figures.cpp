@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pliant/experiment/session/middle_line.h"
+#include "pliant/measurement/session/middle_line.h"
 #include "pliant/report/force_curve.h"
 #include "pliant/report/frame_choice.h"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_test.h"
 #include "pliant/report/residual_colours.h"
 #include "pliant/report/sheet_camera.h"
 

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/experiment/session/sheet_system.h"
 #include "pliant/io/csv.h"
 #include "pliant/report/numbers_or_none.h"
 

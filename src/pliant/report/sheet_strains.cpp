@@ -1,6 +1,6 @@
 #include "pliant/report/sheet_strains.h"
 
-#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/experiment/session/sheet_system.h"
 #include "pliant/material/positive_stiffness.h"
 
 namespace pliant::report {

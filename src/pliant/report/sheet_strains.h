@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/session.h"
 #include "pliant/material/material.h"
+#include "pliant/measurement/session.h"
 
 namespace pliant::report {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_test.h"
 #include "pliant/io/base64.h"
 #include "pliant/report/frame_choice.h"
 #include "pliant/report/residual_colours.h"

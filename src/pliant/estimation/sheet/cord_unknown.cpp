@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pliant/experiment/session/balance.h"
+#include "pliant/measurement/session/balance.h"
 
 namespace pliant {
 namespace {

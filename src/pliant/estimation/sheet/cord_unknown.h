@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "pliant/estimation/sheet/sheet_unknown.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_test.h"
 
 namespace pliant {
 

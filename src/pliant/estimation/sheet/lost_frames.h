@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/experiment/sheet/sheet_predictor.h"
+#include "pliant/experiment/session/sheet_predictor.h"
 
 namespace pliant {
 

@@ -8,11 +8,11 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/session/balance.h"
-#include "pliant/experiment/session/clip_grid.h"
-#include "pliant/experiment/session/on_mesh.h"
-#include "pliant/experiment/sheet/strip_sheets.h"
+#include "pliant/experiment/session/strip_sheets.h"
 #include "pliant/geometry/grid_pattern.h"
+#include "pliant/measurement/session/balance.h"
+#include "pliant/measurement/session/clip_grid.h"
+#include "pliant/measurement/session/on_mesh.h"
 
 namespace pliant {
 namespace {
@@ -68,7 +68,7 @@ void warn_of_density(const std::string& name, double density, double of_study,
 /// The strips of an experiment, one test a specimen.
 void add_strips(const ExperimentSpec& spec, const Study& study,
                 std::vector<SheetExperiment>& experiments, StudyResult& result) {
-  StripSheets strips = sheets_of_strips(spec, study.model, study.density);
+  StripSheets strips = sheets_of_strips(spec, DataRows(spec.data), study.model, study.density);
   for (const std::string& warning : strips.warnings) {
     result.warnings.push_back(spec.name + ": " + warning);
   }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/sheet/sheet_test.h"
-#include "pliant/experiment/study.h"
+#include "pliant/experiment/session/sheet_test.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/session/frame_measures.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
 namespace {

@@ -12,7 +12,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_result.h"
-#include "pliant/experiment/sheet/make_predictor.h"
+#include "pliant/experiment/session/make_predictor.h"
 #include "pliant/material/positive_stiffness.h"
 
 namespace pliant {

@@ -11,7 +11,7 @@
 #include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_options.h"
-#include "pliant/experiment/sheet/make_predictor.h"
+#include "pliant/experiment/session/make_predictor.h"
 
 namespace pliant {
 namespace {

@@ -12,8 +12,8 @@
 #include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/estimation/sheet/sheet_prior.h"
 #include "pliant/estimation/sheet/sheet_unknown.h"
-#include "pliant/experiment/sheet/sheet_predictor.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_predictor.h"
+#include "pliant/experiment/session/sheet_test.h"
 
 namespace pliant {
 

@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "pliant/experiment/session/fold_error.h"
-#include "pliant/experiment/session/frame_measures.h"
-#include "pliant/experiment/session/middle_line.h"
-#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/experiment/session/sheet_system.h"
+#include "pliant/measurement/session/fold_error.h"
+#include "pliant/measurement/session/frame_measures.h"
+#include "pliant/measurement/session/middle_line.h"
 
 namespace pliant {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/sheet/sheet_test.h"
+#include "pliant/experiment/session/sheet_test.h"
 
 namespace pliant {
 

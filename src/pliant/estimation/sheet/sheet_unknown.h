@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/study.h"
 #include "pliant/material/material.h"
+#include "pliant/study/study.h"
 
 namespace pliant {
 

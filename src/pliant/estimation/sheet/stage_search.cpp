@@ -10,8 +10,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
-#include "pliant/experiment/session/frame_measures.h"
-#include "pliant/experiment/sheet/sheet_system.h"
+#include "pliant/experiment/session/sheet_system.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
 namespace {

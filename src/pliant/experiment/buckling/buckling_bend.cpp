@@ -1,0 +1,210 @@
+#include "pliant/experiment/buckling/buckling_bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include "pliant/experiment/buckling/clamped_strip.h"
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/material/bending_strain.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kElements = 2;          // of half a strip
+constexpr double kLengthShare = 0.1;  // bounds of the strip's length: of the stated one
+
+enum NuisanceIndex { kForceOffset, kForceDrift, kLengthChange };
+
+void require_buckled(const std::vector<double>& distance, double length, const DataRows& data) {
+  const auto longest = std::max_element(distance.begin(), distance.end());
+  if (*longest < length) return;
+  throw InputError(data.location(static_cast<int>(longest - distance.begin()), "distance"),
+                   fmt::format("{} is not below the strip's length, {}", millimetres(*longest),
+                               millimetres(length)),
+                   "clamps nearer than that, between which the strip buckles");
+}
+
+// Both ways: on the way there friction cannot be told from stiffness, nor drift from either.
+void require_return(const MeasuredPath& path, const DataRows& data) {
+  const auto back = std::find(path.direction.begin(), path.direction.end(), -1);
+  const auto there = std::find(path.direction.begin(), path.direction.end(), 1);
+  if (back != path.direction.end() && there != path.direction.end()) return;
+  throw InputError(data.location(0, "distance"), "the clamps move one way only",
+                   "clamps that come nearer and go back");
+}
+
+}  // namespace
+
+/// A strip along the rows of a specimen.
+struct BucklingBend::Followed {
+  Eigen::VectorXd force;   // per width, N/m
+  Eigen::VectorXd strain;  // largest of the strip
+  Eigen::MatrixXd by_law;  // d force / d parameters of the law; empty unless asked for
+};
+
+BucklingBend::BucklingBend(const ExperimentSpec& spec, const DataRows& data, double density)
+    : weight_(density * kStandardGravity),
+      length_(spec.length),
+      width_(spec.width),
+      side_(spec.side) {
+  require_density(spec, density);
+  distance_ = data.quantity("distance", Dimension::length);
+  const std::vector<double> force = data.quantity("force", Dimension::force);
+  require_rows(data.specimens(), data, 3);
+  require_positive(distance_, data, "distance");
+  require_change(distance_, data, "distance");
+  require_change(force, data, "force");
+  require_buckled(distance_, length_, data);
+  measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
+  info_ = describe_experiment(spec, data, {"force_mN", "force", "mN", 1e3});
+  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, spec);
+  require_return(path_, data);
+  info_.handled.push_back(
+      "the clamp distance drives the path; the strip starts straight, free of friction");
+  info_.handled.push_back(
+      spec.rest_length == RestLength::known
+          ? "offset and drift of the force are estimated along (nuisance parameters); the strip is "
+            "as long as stated"
+          : "offset and drift of the force and the strip's length are estimated along (nuisance "
+            "parameters)");
+}
+
+void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {
+  Specimen specimen;
+  specimen.rows = rows;
+  specimen.first_nuisance = static_cast<int>(nuisance_.size());
+  const std::span<const double> distances(distance_.data() + rows.first,
+                                          static_cast<size_t>(rows.count));
+  specimen.stretches =
+      monotone_stretches(distances, reversal_threshold(distances, spec.noise.length.value_or(0)));
+  specimen.length_is_known = spec.rest_length == RestLength::known;
+  const size_t number = specimens_.size();
+  add_nuisance(number, rows, spec.rest_length);
+  read_path(specimen, static_cast<int>(number));
+  specimens_.push_back(std::move(specimen));
+}
+
+void BucklingBend::add_nuisance(size_t number, const SpecimenRows& rows, RestLength rest_length) {
+  const auto forces = measured_.segment(rows.first, rows.count);
+  const double span = forces.maxCoeff() - forces.minCoeff();
+  const double middle = (forces.maxCoeff() + forces.minCoeff()) / 2;
+  nuisance_.push_back({nuisance_name(info_, number, "force_offset"), "N", middle,
+                       middle - 20 * span, middle + 20 * span, 0.1 * span});
+  nuisance_.push_back(
+      {nuisance_name(info_, number, "force_drift"), "N", 0, -2 * span, 2 * span, 0.1 * span});
+  if (rest_length == RestLength::known) return;
+  const auto first = distance_.begin() + rows.first;
+  const double longest = *std::max_element(first, first + rows.count);
+  nuisance_.push_back({nuisance_name(info_, number, "rest_length_change"), "m", 0,
+                       std::max(-kLengthShare * length_, 1.0001 * longest - length_),
+                       kLengthShare * length_, 0.01 * length_});
+}
+
+// What the middle of a strip without weight carries: the force on its rise, were it free of force
+// where the force is largest. The material is loaded where the clamps come nearer.
+void BucklingBend::read_path(const Specimen& specimen, int number) {
+  const double offset = measured_.segment(specimen.rows.first, specimen.rows.count).maxCoeff();
+  const double wave = 2 * std::numbers::pi / length_;
+  const auto load = [&](int row, int) {
+    const double rise = half_rise(length_, distance_[static_cast<size_t>(row)]);
+    return CarriedLoad{kStrainPerCurvature * rise * wave * wave,
+                       (offset - measured_(row)) / width_ * rise, 1};
+  };
+  std::vector<Stretch> stretches = specimen.stretches;
+  for (Stretch& stretch : stretches) stretch.direction = -stretch.direction;
+  append_stretches(specimen.rows, number, stretches, load, path_);
+}
+
+std::optional<BucklingBend::Followed> BucklingBend::follow(const Specimen& specimen,
+                                                           const ComponentLaw& law, double length,
+                                                           bool with_derivatives) const {
+  ClampedStrip strip(law, weight_, length, side_, kElements);
+  const int count = specimen.rows.count;
+  const int parameters = law.parameter_count();
+  Followed followed{Eigen::VectorXd(count), Eigen::VectorXd(count),
+                    Eigen::MatrixXd(count, with_derivatives ? parameters : 0)};
+  for (const Stretch& stretch : specimen.stretches) {
+    for (int i = stretch.first; i <= stretch.last; ++i) {
+      const double distance = distance_[static_cast<size_t>(specimen.rows.first + i)];
+      if (!strip.move_to(distance, with_derivatives)) return std::nullopt;
+      const StripShape& shape = strip.shape();
+      followed.force(i) = shape.far_load.x();
+      followed.strain(i) = kStrainPerCurvature * shape.curvature.cwiseAbs().maxCoeff();
+      if (!with_derivatives) continue;
+      followed.by_law.row(i) = shape.far_load_by_parameter.row(0).head(parameters);
+    }
+    if (!strip.move_to(stretch.turn, with_derivatives)) return std::nullopt;
+  }
+  return followed;
+}
+
+bool BucklingBend::predict_specimen(const Specimen& specimen, const ComponentLaw& law,
+                                    const Eigen::VectorXd& nuisance, bool with_jacobian,
+                                    Prediction& prediction) const {
+  const auto own = nuisance.tail(nuisance.size() - specimen.first_nuisance);
+  const double length = length_ + (specimen.length_is_known ? 0 : own(kLengthChange));
+  const auto followed = follow(specimen, law, length, with_jacobian);
+  if (!followed) return false;
+  const int first = specimen.rows.first, count = specimen.rows.count;
+  const Eigen::VectorXd share = Eigen::VectorXd::LinSpaced(count, 0, 1);
+  prediction.value.segment(first, count) =
+      (width_ * followed->force + own(kForceDrift) * share).array() + own(kForceOffset);
+  prediction.strain.segment(first, count) = followed->strain;
+  for (const Stretch& stretch : specimen.stretches) {
+    for (int i = stretch.first; i <= stretch.last; ++i) {
+      const int before = std::max(i - 1, stretch.first), after = std::min(i + 1, stretch.last);
+      const double way = distance_[static_cast<size_t>(first + after)] -
+                         distance_[static_cast<size_t>(first + before)];
+      const double rise = width_ * (followed->force(after) - followed->force(before));
+      prediction.length_gain(first + i) = way == 0 ? 0 : std::abs(rise / way);
+    }
+  }
+  if (!with_jacobian) return true;
+
+  const int column = law.parameter_count() + specimen.first_nuisance;
+  auto rows = prediction.jacobian.middleRows(first, count);
+  rows.leftCols(law.parameter_count()) = width_ * followed->by_law;
+  rows.col(column + kForceOffset).setOnes();
+  rows.col(column + kForceDrift) = share;
+  if (specimen.length_is_known) return true;
+  const double step = 1e-6 * length;
+  const auto longer = follow(specimen, law, length + step, false);
+  if (!longer) return false;
+  rows.col(column + kLengthChange) = width_ * (longer->force - followed->force) / step;
+  return true;
+}
+
+std::optional<Prediction> BucklingBend::predict(const ComponentLaw& law,
+                                                const Eigen::VectorXd& nuisance,
+                                                bool with_jacobian) const {
+  const auto parameters = law.parameter_count() + static_cast<int>(nuisance_.size());
+  Prediction prediction{Eigen::VectorXd(rows()),
+                        Eigen::MatrixXd::Zero(rows(), with_jacobian ? parameters : 0),
+                        Eigen::VectorXd(rows()), Eigen::VectorXd(rows())};
+  for (const Specimen& specimen : specimens_) {
+    if (!predict_specimen(specimen, law, nuisance, with_jacobian, prediction)) return std::nullopt;
+  }
+  return prediction;
+}
+
+Eigen::VectorXd BucklingBend::unfitted_nuisance(const ComponentLaw& law) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nuisance_.size()));
+  const auto prediction = predict(law, values, false);
+  if (!prediction) return values;
+  for (const Specimen& specimen : specimens_) {
+    const int first = specimen.rows.first, count = specimen.rows.count;
+    Eigen::MatrixX2d zero(count, 2);
+    zero << Eigen::VectorXd::Ones(count), Eigen::VectorXd::LinSpaced(count, 0, 1);
+    values.segment<2>(specimen.first_nuisance) = zero.colPivHouseholderQr().solve(
+        measured_.segment(first, count) - prediction->value.segment(first, count));
+  }
+  return values;
+}
+
+double BucklingBend::reference() const { return measured_.maxCoeff() - measured_.minCoeff(); }
+
+}  // namespace pliant

@@ -1,0 +1,121 @@
+#include "pliant/experiment/hanging/hanging_weights.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/hanging/weight_path.h"
+
+namespace pliant {
+namespace {
+
+// Weights come as forces (weight_N) or as masses (weight_g).
+std::vector<double> read_weights(const DataRows& data) {
+  const std::string unit = data.quantity_unit("weight");
+  if (!unit_scale(unit, Dimension::mass)) return data.quantity("weight", Dimension::force);
+  std::vector<double> weights = data.quantity("weight", Dimension::mass);
+  for (double& weight : weights) weight *= kStandardGravity;
+  return weights;
+}
+
+void require_increasing_steps(const DataRows& data, const std::vector<SpecimenRows>& specimens) {
+  const auto steps = data.optional_integers("step");
+  if (!steps) return;
+  const auto repeats = data.optional_integers("repeat");
+  const auto peaks = data.optional_quantity("peak", Dimension::force);
+  for (const SpecimenRows& specimen : specimens) {
+    for (int i = specimen.first + 1; i < specimen.first + specimen.count; ++i) {
+      const auto now = static_cast<size_t>(i);
+      const bool same_cycle = (!repeats || (*repeats)[now] == (*repeats)[now - 1]) &&
+                              (!peaks || (*peaks)[now] == (*peaks)[now - 1]);
+      if (!same_cycle || (*steps)[now] > (*steps)[now - 1]) continue;
+      throw InputError(data.location(i, "step"),
+                       fmt::format("step {} comes after step {}", (*steps)[now], (*steps)[now - 1]),
+                       "steps that increase within a cycle: rows in the order measured");
+    }
+  }
+}
+
+}  // namespace
+
+HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data, double density,
+                               MembraneMeasure measure)
+    : geometry_{spec.length, spec.width, measure} {
+  specimens_ = data.specimens();
+  const std::vector<double> weights = read_weights(data);
+  const std::vector<double> lengths = data.quantity("length", Dimension::length);
+  require_rows(specimens_, data, 3);
+  require_positive(lengths, data, "length");
+  require_change(weights, data, "weight");
+  require_increasing_steps(data, specimens_);
+
+  const auto repeats = data.optional_integers("repeat");
+  const double cloth = density * spec.length * spec.width / 2;
+  const double added = (spec.clip_mass + cloth) * kStandardGravity;
+  for (const double weight : weights) force_.push_back(weight + added);
+  starts_rested_.assign(force_.size(), 0);
+  for (const SpecimenRows& s : specimens_) starts_rested_[static_cast<size_t>(s.first)] = 1;
+  if (spec.rested && repeats) {
+    for (size_t i = 1; i < force_.size(); ++i) {
+      if ((*repeats)[i] != (*repeats)[i - 1]) starts_rested_[i] = 1;
+    }
+  }
+
+  measured_ = Eigen::Map<const Eigen::VectorXd>(lengths.data(), static_cast<int>(lengths.size()));
+  info_ = describe_experiment(spec, data, {"length_mm", "length", "mm", 1e3});
+  read_path();
+  info_.handled.push_back(fmt::format(
+      "weights drive the path and count as exact; clip ({:.4g} g) and half of the cloth ({:.4g} g) "
+      "add {:.4g} N to each",
+      spec.clip_mass * 1e3, cloth * 1e3, added));
+  if (density == 0) {
+    info_.warnings.push_back("no density is given: the cloth's own weight is left out");
+  }
+  const auto shortest = std::min_element(lengths.begin(), lengths.end());
+  if (*shortest < 0.95 * spec.length) {
+    info_.warnings.push_back(
+        fmt::format("the shortest length, {}, is far below the gauge length, {}",
+                    millimetres(*shortest), millimetres(spec.length)));
+  }
+}
+
+void HangingWeights::read_path() {
+  int anchor = 0, direction = 1, specimen = -1;
+  for (int i = 0; i < rows(); ++i) {
+    const auto row = static_cast<size_t>(i);
+    if (starts_rested_[row]) {
+      anchor = i;
+      direction = 1;
+    } else if (force_[row] != force_[row - 1]) {
+      const int now = force_[row] > force_[row - 1] ? 1 : -1;
+      if (now != direction) anchor = i - 1;
+      direction = now;
+    }
+    if (specimen + 1 < static_cast<int>(specimens_.size()) &&
+        specimens_[static_cast<size_t>(specimen + 1)].first == i) {
+      ++specimen;
+    }
+    path_.strain.push_back(strain_at(geometry_, measured_(i)));
+    path_.force.push_back(force_[row]);
+    path_.factor.push_back(force_factor(geometry_, path_.strain.back()));
+    path_.direction.push_back(direction);
+    path_.anchor.push_back(anchor);
+    path_.specimen.push_back(specimen);
+  }
+}
+
+std::optional<Prediction> HangingWeights::predict(const ComponentLaw& law, const Eigen::VectorXd&,
+                                                  bool with_jacobian) const {
+  auto hung = hang_weights(law, geometry_, force_, starts_rested_, with_jacobian);
+  if (!hung) return std::nullopt;
+  return Prediction{
+      std::move(hung->length), std::move(hung->jacobian), std::move(hung->strain), {}};
+}
+
+std::optional<LoopSeries> HangingWeights::loop(const Eigen::VectorXd& length) const {
+  return LoopSeries{length, Eigen::Map<const Eigen::VectorXd>(force_.data(), rows()),
+                    geometry_.width, geometry_.gauge_length};
+}
+
+}  // namespace pliant

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/uniaxial_geometry.h"
+#include "pliant/measurement/data_source.h"
+
+namespace pliant {
+
+/// Weights hung from a sheet, up and down again; its length under each is measured ([T] 5.3.2).
+///
+/// The weights are known exactly and drive the path; the lengths carry the noise. So the prediction
+/// of a row is the length at which the law balances the weight (Eq. 5.5), reached monotonically
+/// from the row before: the first equilibrium met on the way, as a dead weight finds it.
+class HangingWeights : public Experiment {
+ public:
+  /// @param density  of the cloth (kg/m^2); half of its weight hangs from the middle
+  HangingWeights(const ExperimentSpec& spec, const DataRows& data, double density,
+                 MembraneMeasure measure);
+
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& length) const override;
+
+ private:
+  void read_path();
+
+  UniaxialGeometry geometry_;
+  std::vector<SpecimenRows> specimens_;
+  std::vector<double> force_;        // N, with clip and half of the cloth
+  std::vector<char> starts_rested_;  // rows before which the specimen rested
+};
+
+}  // namespace pliant

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+enum class FrictionChoice { automatic, dahl, none };
+
+struct ComponentModel {
+  std::optional<CurveKind> stiffness;
+  std::optional<FrictionChoice> friction;
+};
+
+struct ModelOptions {
+  MembraneMeasure membrane = MembraneMeasure::stvk;
+  std::string bending = "discrete-shells";
+  bool isotropic = false;           ///< weft and warp share their curves; fits of sheets
+  std::optional<double> mesh_edge;  ///< m, of the grid that sheets are simulated on; absent: 24
+                                    ///< cells on the longer side
+  bool measured_mesh = false;       ///< sheets are simulated on the meshes of their sessions
+  bool strips_as_sheets = false;    ///< tensile-cycles are fitted as sheets, else in one dimension
+  std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
+  FrictionChoice friction = FrictionChoice::automatic;
+  std::map<std::string, ComponentModel> components;
+};
+
+/// Whether a model has springs, which lie along weft and warp.
+inline bool needs_grid(const ModelOptions& model) {
+  return model.membrane == MembraneMeasure::spring || model.bending == "spring";
+}
+
+/// Whether an experiment is fitted and predicted as a sheet: a session, or a strip where the model
+/// asks for it.
+bool is_sheet(const ExperimentSpec& spec, const ModelOptions& model);
+
+}  // namespace pliant

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/overhang/overhang_rows.h"
+
+namespace pliant {
+
+/// Strips pushed out over an edge, flat, until the line to their tip dips by an angle: bending
+/// length (ASTM D1388 option A, ISO 9073-7, [Peirce1930]). The overhang is measured.
+///
+/// With the face up a strip bends to the right of its way out (negative curvature), turned over to
+/// the left; a law that is the same on both sides predicts one overhang.
+class Overhangs : public Experiment {
+ public:
+  /// @param density  kg/m^2, > 0
+  /// @throws InputError without a density, and for unusable data
+  Overhangs(const ExperimentSpec& spec, const DataRows& data, double density);
+
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
+  /// The mean overhang.
+  double reference() const override { return measured_.mean(); }
+
+ private:
+  void read_path(const DataRows& data, const ExperimentSpec& spec);
+
+  OverhangRows readings_;
+  double weight_ = 0;  // N/m^2
+  double angle_ = 0;   // rad
+};
+
+}  // namespace pliant

@@ -1,0 +1,23 @@
+#include "pliant/experiment/profile/strip_shapes.h"
+
+#include "pliant/experiment/friction_path.h"
+#include "pliant/material/bending_strain.h"
+
+namespace pliant {
+
+BendingPath bent_and_released(const ComponentLaw& law, double setting, double curvature) {
+  constexpr int kPoints = 120;  // each way
+  FrictionPath stress(law, {});
+  BendingPath path;
+  path.setting = setting;
+  const auto add = [&](int share) {
+    path.curvature.push_back(curvature * share / kPoints);
+    path.moment.push_back(stress.at(kStrainPerCurvature * path.curvature.back()).stress);
+  };
+  for (int i = 0; i <= kPoints; ++i) add(i);
+  stress.turn_at(kStrainPerCurvature * curvature, {});
+  for (int i = kPoints - 1; i >= 0; --i) add(i);
+  return path;
+}
+
+}  // namespace pliant

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/profile/strip_profiles.h"
+
+namespace pliant {
+
+/// Strips that were rolled around cylinders and released, hanging from a clamp by one end ([P]
+/// 4.3). Each starts flat, is bent to the cylinder's curvature and let go little by little.
+class RolledStrip : public StripProfiles {
+ public:
+  /// @param density  kg/m^2, > 0
+  /// @throws InputError for a radius of zero, or profiles that are more curved than the cylinder
+  RolledStrip(const ExperimentSpec& spec, const DataRows& data, double density);
+};
+
+}  // namespace pliant

@@ -1,0 +1,50 @@
+#include "pliant/experiment/shear/shear_cycles.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/experiment_data.h"
+
+namespace pliant {
+namespace {
+
+void require_acute(const std::vector<double>& angles, const DataRows& data) {
+  for (size_t i = 0; i < angles.size(); ++i) {
+    if (std::abs(angles[i]) < std::numbers::pi / 2) continue;
+    throw InputError(data.location(static_cast<int>(i), "angle"), "is 90 degrees or more",
+                     "a shear angle below 90 degrees");
+  }
+}
+
+StrainRecord read_record(const DataRows& data, double transverse_tension) {
+  StrainRecord record;
+  record.driven = data.quantity("angle", Dimension::angle);
+  record.measured = data.quantity("force", Dimension::force_per_length);
+  record.strain_of = [](double angle) { return std::sin(angle); };
+  record.quantity = {"force_N_per_m", "force per width", "N/m", 1};
+  record.offset = "force_offset";
+  require_change(record.measured, data, "force");
+  require_change(record.driven, data, "angle");
+  require_acute(record.driven, data);
+  for (const double angle : record.driven) {
+    record.apparatus.push_back(transverse_tension * std::tan(angle));
+  }
+  return record;
+}
+
+}  // namespace
+
+ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data)
+    : ImposedStrain(spec, data, read_record(data, spec.transverse_tension)) {
+  info_.handled.push_back(
+      "the angle drives the path; strain is sin(angle): yarns keep their length");
+  info_.handled.push_back(
+      spec.transverse_tension > 0
+          ? fmt::format("the transverse tension, {:.4g} N/m, adds T tan(angle)",
+                        spec.transverse_tension)
+          : "no transverse tension is stated: its share of the force is part of the stiffness");
+}
+
+}  // namespace pliant

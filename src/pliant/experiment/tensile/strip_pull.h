@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "pliant/experiment/uniaxial_geometry.h"
+#include "pliant/material/component_law.h"
+#include "pliant/measurement/turning_points.h"
+
+namespace pliant {
+
+/// What of a strip in a tensile tester is not material.
+struct StripSetup {
+  double force_offset = 0;        ///< N
+  double rest_length_change = 0;  ///< m; rest length = gauge length + change
+  double initial_friction = 0;    ///< share of the maximum friction stress at the first row, -1..1
+  double apparatus_friction = 0;  ///< N, against the motion of the clamps
+};
+
+/// Columns of the Jacobian that hold the derivatives w.r.t. the setup; -1: not wanted.
+struct StripColumns {
+  int force_offset = -1;
+  int rest_length_change = -1;
+  int initial_friction = -1;
+};
+
+/// Row by row: force (N), strain of the material, |d force / d length| (N/m), d force / d
+/// parameters.
+struct StripForces {
+  Eigen::VectorXd force;
+  Eigen::VectorXd strain;
+  Eigen::VectorXd length_gain;
+  Eigen::MatrixXd jacobian;
+};
+
+/// Forces of a strip whose clamps follow a path.
+///
+/// A strip cannot push: when unloading has brought its tension to zero it buckles, its material
+/// keeps the strain it had then (friction holds it), and it takes up load again when the clamps
+/// have come back to that length. A strip that is slack at the start may hold a persistent strain,
+/// told by a negative initial friction.
+/// @param lengths     clamp distances (m)
+/// @param stretches   of `lengths`
+/// @param parameters  number of columns of the Jacobian; 0: no derivatives
+/// @return nothing when the persistent strain at the start has no value
+std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
+                                      const StripSetup& setup, const StripColumns& columns,
+                                      std::span<const double> lengths,
+                                      std::span<const Stretch> stretches, int parameters);
+
+}  // namespace pliant

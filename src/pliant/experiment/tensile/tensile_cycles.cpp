@@ -1,0 +1,216 @@
+#include "pliant/experiment/tensile/tensile_cycles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/tensile/strip_pull.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kSlackShare = 0.995;  // clamps nearer than this share of the gauge length: slack
+constexpr int kSlackRows = 5;          // rows needed to read the force offset off
+constexpr double kForceOffsetShare = 0.1;  // bounds of nuisance parameters: of the peak force
+constexpr double kRestLengthShare = 0.1;   // and of the gauge length
+}  // namespace
+
+TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
+                             MembraneMeasure measure)
+    : geometry_{spec.length, spec.width, measure}, apparatus_friction_(spec.apparatus_friction) {
+  const std::vector<double> force = data.quantity("force", Dimension::force);
+  if (auto length = data.optional_quantity("length", Dimension::length)) {
+    length_ = *length;
+    require_positive(length_, data, "length");
+  } else if (auto extension = data.optional_quantity("extension", Dimension::length)) {
+    for (const double e : *extension) length_.push_back(spec.length + e);
+    require_positive(length_, data, "extension");
+  } else {
+    data.quantity("length", Dimension::length);  // names what is missing
+  }
+  require_rows(data.specimens(), data, 3);
+  require_change(force, data, "force");
+  require_change(length_, data, "length");
+
+  measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
+  info_ = describe_experiment(spec, data, {"force_N", "force", "N", 1});
+  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, spec);
+  describe(spec);
+}
+
+void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {
+  Specimen specimen;
+  specimen.rows = rows;
+  const std::span<const double> lengths(length_.data() + rows.first,
+                                        static_cast<size_t>(rows.count));
+  const double threshold = reversal_threshold(lengths, spec.noise.length.value_or(0));
+  specimen.stretches = monotone_stretches(lengths, threshold);
+  for (int i = rows.first; i < rows.first + rows.count; ++i) {
+    if (length_[static_cast<size_t>(i)] >= kSlackShare * spec.length) continue;
+    specimen.slack_force += measured_(i);
+    ++specimen.slack_rows;
+  }
+  if (specimen.slack_rows > 0) specimen.slack_force /= specimen.slack_rows;
+  if (specimen.slack_rows < kSlackRows) specimen.slack_force = 0;
+
+  exclude_conditioning(specimen, spec.precondition_cycles);
+  const size_t number = specimens_.size();
+  add_nuisance(specimen, number, spec);
+  read_path(specimen, static_cast<int>(number));
+  specimens_.push_back(std::move(specimen));
+}
+
+// The first cycles condition the specimen: they carry its state and stay out of the fit.
+void TensileCycles::exclude_conditioning(const Specimen& specimen, int cycles) {
+  int loadings = 0;
+  for (const Stretch& stretch : specimen.stretches) {
+    if (stretch.direction == 1) ++loadings;
+    if (cycles == 0 || loadings > cycles) return;
+    std::fill_n(info_.used.begin() + specimen.rows.first + stretch.first,
+                stretch.last - stretch.first + 1, 0);
+  }
+}
+
+void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const ExperimentSpec& spec) {
+  const auto add = [&](std::string_view name, const char* unit, double start, double lower,
+                       double upper, double scale) {
+    nuisance_.push_back({nuisance_name(info_, number, name), unit, start, lower, upper, scale});
+    return static_cast<int>(nuisance_.size()) - 1;
+  };
+  const double peak =
+      std::abs(measured_.segment(specimen.rows.first, specimen.rows.count).maxCoeff());
+  const double offset = std::max(kForceOffsetShare * peak, 2 * std::abs(specimen.slack_force));
+  specimen.nuisance.force_offset =
+      add("force_offset", "N", specimen.slack_force, -offset, offset, 0.01 * peak);
+  if (spec.rest_length == RestLength::unknown) {
+    const double change = kRestLengthShare * geometry_.gauge_length;
+    specimen.nuisance.rest_length_change =
+        add("rest_length_change", "m", 0, -change, change, 0.1 * change);
+  }
+  if (spec.initial_friction == InitialFriction::unknown) {
+    // A slack strip can only hold a persistent strain, i.e. friction that pushes.
+    const bool slack = length_[static_cast<size_t>(specimen.rows.first)] < geometry_.gauge_length;
+    specimen.nuisance.initial_friction =
+        add("initial_friction", "1", slack ? -0.1 : 0.0, -1, slack ? 0 : 1, 0.5);
+    nuisance_.back().of_friction = true;
+  }
+}
+
+void TensileCycles::read_path(const Specimen& specimen, int number) {
+  const auto load = [this](int row, int direction) {
+    const double strain = strain_at(geometry_, length_[static_cast<size_t>(row)]);
+    return CarriedLoad{strain, measured_(row) - direction * apparatus_friction_,
+                       force_factor(geometry_, strain)};
+  };
+  append_stretches(specimen.rows, number, specimen.stretches, load, path_);
+}
+
+void TensileCycles::describe(const ExperimentSpec& spec) {
+  int slack = 0, turns = 0;
+  double overshoot = 0;
+  for (const Specimen& specimen : specimens_) {
+    slack += specimen.slack_rows;
+    turns += static_cast<int>(specimen.stretches.size()) - 1;
+    for (const Stretch& stretch : specimen.stretches) {
+      const double last = length_[static_cast<size_t>(specimen.rows.first + stretch.last)];
+      overshoot = std::max(overshoot, std::abs(stretch.turn - last));
+    }
+  }
+  auto& handled = info_.handled;
+  handled.push_back(fmt::format("the clamp distance drives the path; {} reversals found", turns));
+  if (overshoot > 0) {
+    handled.push_back(
+        fmt::format("reversals fall between samples: taken up to {} beyond the last sample",
+                    millimetres(overshoot)));
+  }
+  if (slack > 0) {
+    handled.push_back(fmt::format(
+        "clamps nearer than the gauge length in {} rows: the strip is slack there and carries no "
+        "force",
+        slack));
+  }
+  if (spec.role == ExperimentRole::fit) describe_nuisance(spec);
+  handled.push_back(
+      apparatus_friction_ > 0
+          ? fmt::format("stated friction of the apparatus, {:.4g} N, is taken off",
+                        apparatus_friction_)
+          : "friction of the apparatus is not stated: if there is any, it is part of a");
+  if (spec.precondition_cycles > 0) {
+    handled.push_back(
+        fmt::format("the first {} cycle(s) condition the specimen: carried along, "
+                    "not fitted",
+                    spec.precondition_cycles));
+  }
+  if (spec.pretension > 0) {
+    handled.push_back(fmt::format(
+        "the gauge length was set at a pretension of {:.4g} N: the rest length differs from it",
+        spec.pretension));
+  }
+}
+
+void TensileCycles::describe_nuisance(const ExperimentSpec& spec) {
+  info_.handled.push_back(
+      spec.rest_length == RestLength::unknown
+          ? "force offset and rest length are estimated along (nuisance parameters)"
+          : "the force offset is estimated along (nuisance parameter); the rest "
+            "length is the stated gauge length");
+  info_.handled.push_back(
+      spec.initial_friction == InitialFriction::rest
+          ? "friction starts at rest"
+          : "the friction state at the first row is unknown and estimated along");
+}
+
+std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
+                                                 const Eigen::VectorXd& nuisance,
+                                                 bool with_jacobian) const {
+  const int parameters =
+      with_jacobian ? law.parameter_count() + static_cast<int>(nuisance_.size()) : 0;
+  const auto value = [&](int index) { return index < 0 ? 0.0 : nuisance(index); };
+  const auto column = [&](int index) {
+    return index < 0 || !with_jacobian ? -1 : law.parameter_count() + index;
+  };
+  Prediction prediction{Eigen::VectorXd(rows()), Eigen::MatrixXd(rows(), parameters),
+                        Eigen::VectorXd(rows()), Eigen::VectorXd(rows())};
+  for (const Specimen& specimen : specimens_) {
+    const StripColumns& own = specimen.nuisance;
+    const StripSetup setup{value(own.force_offset), value(own.rest_length_change),
+                           value(own.initial_friction), apparatus_friction_};
+    const StripColumns columns{column(own.force_offset), column(own.rest_length_change),
+                               column(own.initial_friction)};
+    const std::span<const double> lengths(length_.data() + specimen.rows.first,
+                                          static_cast<size_t>(specimen.rows.count));
+    const auto forces =
+        pull_strip(law, geometry_, setup, columns, lengths, specimen.stretches, parameters);
+    if (!forces) return std::nullopt;
+    prediction.value.segment(specimen.rows.first, specimen.rows.count) = forces->force;
+    prediction.strain.segment(specimen.rows.first, specimen.rows.count) = forces->strain;
+    prediction.length_gain.segment(specimen.rows.first, specimen.rows.count) = forces->length_gain;
+    prediction.jacobian.middleRows(specimen.rows.first, specimen.rows.count) = forces->jacobian;
+  }
+  return prediction;
+}
+
+Eigen::VectorXd TensileCycles::unfitted_nuisance(const ComponentLaw&) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<int>(nuisance_.size()));
+  for (const Specimen& specimen : specimens_) {
+    values(specimen.nuisance.force_offset) = specimen.slack_force;
+  }
+  return values;
+}
+
+Eigen::VectorXd TensileCycles::force_offsets() const {
+  Eigen::VectorXd offsets(static_cast<int>(specimens_.size()));
+  for (std::size_t i = 0; i < specimens_.size(); ++i) {
+    offsets(static_cast<Eigen::Index>(i)) = specimens_[i].slack_force;
+  }
+  return offsets;
+}
+
+std::optional<LoopSeries> TensileCycles::loop(const Eigen::VectorXd& force) const {
+  return LoopSeries{Eigen::Map<const Eigen::VectorXd>(length_.data(), rows()), force,
+                    geometry_.width, geometry_.gauge_length};
+}
+
+}  // namespace pliant

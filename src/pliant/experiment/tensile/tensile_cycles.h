@@ -1,0 +1,53 @@
+#pragma once
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/tensile/strip_pull.h"
+#include "pliant/experiment/uniaxial_geometry.h"
+#include "pliant/measurement/data_source.h"
+#include "pliant/measurement/turning_points.h"
+
+namespace pliant {
+
+/// Load-unload cycles of a strip on a tensile tester: clamp distance imposed, force measured.
+///
+/// The clamp distance drives the path; forces follow from pull_strip. The force offset of each
+/// specimen is a nuisance parameter; so are, where they are unknown, its friction state at the
+/// first row and its rest length.
+class TensileCycles : public Experiment {
+ public:
+  TensileCycles(const ExperimentSpec& spec, const DataRows& data, MembraneMeasure measure);
+
+  std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
+                                    bool with_jacobian) const override;
+  /// The force offset read off the rows in which the strip is slack; no slack of its own, no
+  /// friction at the start.
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
+  std::optional<LoopSeries> loop(const Eigen::VectorXd& force) const override;
+
+  /// What the tester reads while each specimen is slack, 0 where it never is (N).
+  Eigen::VectorXd force_offsets() const;
+
+ private:
+  struct Specimen {
+    SpecimenRows rows;
+    std::vector<Stretch> stretches;  // rows counted from the specimen's first
+    double slack_force = 0;          // mean force while the clamps are nearer than the gauge length
+    int slack_rows = 0;
+    StripColumns nuisance;  // indices of the specimen's nuisance parameters
+  };
+
+  void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec);
+  void exclude_conditioning(const Specimen& specimen, int cycles);
+  void add_nuisance(Specimen& specimen, size_t number, const ExperimentSpec& spec);
+  void read_path(const Specimen& specimen, int number);
+  void describe(const ExperimentSpec& spec);
+  void describe_nuisance(const ExperimentSpec& spec);
+
+  UniaxialGeometry geometry_;
+  double apparatus_friction_ = 0;
+  std::vector<double> length_;  // clamp distance, m
+  std::vector<Specimen> specimens_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,163 @@
+#include "pliant/scene/frame_files.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/io/obj.h"
+#include "pliant/io/ply.h"
+#include "pliant/io/vtu.h"
+#include "pliant/mechanics/vertex_fields.h"
+
+namespace pliant {
+namespace {
+
+bool asks_for_field(const Simulation& simulation, const std::string& name) {
+  const auto& fields = simulation.scene().output.fields;
+  const FrameField kind = name.starts_with("friction.") ? FrameField::friction : FrameField::strain;
+  return std::find(fields.begin(), fields.end(), kind) != fields.end();
+}
+
+Polygons faces_of(const Simulation& simulation) {
+  const Eigen::Matrix3Xi& triangles = simulation.built().faces;
+  Polygons faces;
+  for (Eigen::Index f = 0; f < triangles.cols(); ++f) {
+    faces.add(std::array{triangles(0, f), triangles(1, f), triangles(2, f)});
+  }
+  return faces;
+}
+
+// Values at all vertices by name; 0 on cloths that do not have a field.
+std::map<std::string, Eigen::VectorXd> all_fields(const Simulation& simulation) {
+  std::map<std::string, Eigen::VectorXd> all;
+  if (simulation.scene().output.fields.empty()) return all;
+  const SceneSystem& built = simulation.built();
+  for (const ClothPiece& cloth : built.cloths) {
+    const int vertices = cloth.mesh.vertex_count();
+    for (const auto& [name, values] : vertex_fields(*built.system, simulation.now().state,
+                                                    cloth.shown, cloth.first_point, vertices)) {
+      if (!asks_for_field(simulation, name)) continue;
+      Eigen::VectorXd& column = all[name];
+      if (column.size() == 0) column = Eigen::VectorXd::Zero(built.vertices);
+      column.segment(cloth.first_point, vertices) = values;
+    }
+  }
+  return all;
+}
+
+std::vector<double> numbers(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+std::string ply_bytes(const Simulation& simulation) {
+  PlyMesh ply;
+  ply.positions = cloth_points(simulation);
+  ply.faces = faces_of(simulation);
+  for (const auto& [name, values] : all_fields(simulation)) {
+    ply.vertex_columns.push_back({name, numbers(values)});
+  }
+  ply.comments = {fmt::format("time {} s", simulation.now().state.time)};
+  return write_ply(ply);
+}
+
+std::string vtu_bytes(const Simulation& simulation) {
+  VtuGrid grid;
+  grid.points = cloth_points(simulation);
+  const Eigen::Matrix3Xi& faces = simulation.built().faces;
+  grid.corners.assign(faces.data(), faces.data() + faces.size());
+  for (const auto& [name, values] : all_fields(simulation)) {
+    grid.point_data.push_back({name, 1, numbers(values)});
+  }
+  return write_vtu(grid);
+}
+
+std::string energy_table(const Simulation& simulation) {
+  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J\n";
+  for (const EnergyRow& row : simulation.now().energies) {
+    table +=
+        fmt::format("{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work, row.total());
+  }
+  return table;
+}
+
+std::string clip_table(const Simulation& simulation) {
+  const std::vector<SceneClip>& clips = simulation.scene().clips;
+  const SimulationState& now = simulation.now();
+  std::string table = "frame,time_s,clip,tx,ty,tz,qw,qx,qy,qz,fx,fy,fz\n";
+  for (size_t i = 0; i < now.clips.size(); ++i) {
+    const size_t frame = i / clips.size();
+    const ClipRow& row = now.clips[i];
+    table += fmt::format("{},{},{},{},{},{}\n", frame, now.energies[frame].time,
+                         clips[i % clips.size()].name, fmt::join(row.translation, ","),
+                         fmt::join(row.rotation, ","), fmt::join(row.force, ","));
+  }
+  return table;
+}
+
+std::string pvd_text(const Simulation& simulation) {
+  std::vector<PvdFrame> frames;
+  for (const EnergyRow& row : simulation.now().energies) {
+    frames.push_back({row.time, fmt::format("frames/{:06}.vtu", frames.size())});
+  }
+  return write_pvd(frames);
+}
+
+}  // namespace
+
+std::vector<Point3> cloth_points(const Simulation& simulation) {
+  const Eigen::Matrix3Xd& positions = simulation.now().state.configuration.positions;
+  std::vector<Point3> points;
+  for (int i = 0; i < simulation.built().vertices; ++i) {
+    points.push_back({positions(0, i), positions(1, i), positions(2, i)});
+  }
+  return points;
+}
+
+std::vector<std::pair<std::string, std::string>> frame_fields(const Simulation& simulation) {
+  std::vector<std::pair<std::string, std::string>> fields;
+  for (const auto& [name, values] : all_fields(simulation)) {
+    const bool bending = name.find(".bend.") != std::string::npos;
+    const bool friction = name.starts_with("friction.");
+    fields.emplace_back(name, bending ? (friction ? "N" : "1/m") : (friction ? "N/m" : "1"));
+  }
+  return fields;
+}
+
+std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
+  std::vector<NamedFile> files;
+  if (simulation.scene().output.has(FrameFormat::ply)) {
+    files.emplace_back(fmt::format("frames/{:06}.ply", index), ply_bytes(simulation));
+  }
+  if (simulation.scene().output.has(FrameFormat::vtu)) {
+    files.emplace_back(fmt::format("frames/{:06}.vtu", index), vtu_bytes(simulation));
+  }
+  return files;
+}
+
+std::vector<NamedFile> series_files(const Simulation& simulation) {
+  std::vector<NamedFile> files{{"energy.csv", energy_table(simulation)}};
+  if (!simulation.scene().clips.empty()) files.emplace_back("clips.csv", clip_table(simulation));
+  if (simulation.scene().output.has(FrameFormat::vtu)) {
+    files.emplace_back("simulation.pvd", pvd_text(simulation));
+  }
+  return files;
+}
+
+std::string cloth_obj(const Simulation& simulation) {
+  ObjMesh obj;
+  obj.positions = cloth_points(simulation);
+  obj.faces = faces_of(simulation);
+  for (const ClothPiece& cloth : simulation.built().cloths) {
+    const Eigen::Matrix2Xd& corners = cloth.mesh.rest_corners;
+    for (Eigen::Index c = 0; c < corners.cols(); ++c) {
+      obj.texture_corners.push_back(static_cast<int>(obj.texture_points.size()));
+      obj.texture_points.push_back({corners(0, c), corners(1, c)});
+    }
+  }
+  return write_obj(obj);
+}
+
+}  // namespace pliant

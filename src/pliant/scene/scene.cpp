@@ -1,0 +1,101 @@
+#include "pliant/scene/scene.h"
+
+#include <set>
+
+#include "pliant/io/fields.h"
+#include "pliant/io/vector_fields.h"
+
+namespace pliant {
+namespace {
+
+double number_from_zero(const Value& value) {
+  const double number = value.number();
+  if (number < 0) value.fail("is negative", "a number of at least 0");
+  return number;
+}
+
+Air read_air(const Value& value) {
+  Fields fields = value.fields();
+  Air air;
+  air.drag = number_from_zero(fields.require("drag"));
+  if (auto v = fields.optional("density")) {
+    air.density = v->positive_quantity(Dimension::volume_density);
+  }
+  if (auto v = fields.optional("wind")) air.wind = read_vector(*v);
+  fields.finish();
+  return air;
+}
+
+double read_damping(const Value& value) {
+  Fields fields = value.fields();
+  const double fraction = number_from_zero(fields.require("fraction"));
+  fields.finish();
+  return fraction;
+}
+
+std::vector<SceneCloth> read_cloths(const Value& list) {
+  std::vector<SceneCloth> cloths;
+  std::set<std::string> names;
+  for (const Value& node : list.items()) cloths.push_back(read_scene_cloth(node, names));
+  if (cloths.empty()) list.fail("has no cloth", "at least one");
+  return cloths;
+}
+
+void read_holds(Fields& fields, Scene& scene) {
+  if (auto list = fields.optional("pins")) {
+    for (const Value& node : list->items()) scene.pins.push_back(read_scene_pin(node, scene.cloth));
+  }
+  std::set<std::string> names;
+  if (auto list = fields.optional("clips")) {
+    for (const Value& node : list->items()) {
+      scene.clips.push_back(read_scene_clip(node, scene.cloth, names));
+    }
+  }
+}
+
+void refuse_obstacles(Fields& fields) {
+  const auto list = fields.optional("obstacles");
+  if (!list || list->items().empty()) return;
+  list->fail("this version knows no contact", "no obstacles");
+}
+
+/// What belongs to movement means nothing along a path of equilibria.
+void refuse_movement(Fields& fields, const Scene& scene) {
+  for (const SceneCloth& cloth : scene.cloth) {
+    if (!cloth.velocity) continue;
+    Location where = cloth.where;
+    where.field += ".velocity";
+    throw InputError(where, "means nothing in a quasi-static simulation", "`kind: dynamic`");
+  }
+  if (auto v = fields.optional("damping")) {
+    v->fail("means nothing in a quasi-static simulation", "`kind: dynamic`");
+  }
+}
+
+}  // namespace
+
+Scene scene_of(const Document& document) {
+  Fields fields = Value(document).fields();
+  require_document(fields, "scene", 1);
+
+  Scene scene;
+  scene.file = document.file;
+  scene.name = std::filesystem::path(document.file).stem().string();
+  if (auto v = fields.optional("name")) scene.name = v->text();
+  scene.info = fields.texts("info");
+  scene.cloth = read_cloths(fields.require("cloth"));
+  read_holds(fields, scene);
+  refuse_obstacles(fields);
+  if (auto v = fields.optional("gravity")) scene.gravity = read_vector(*v);
+  if (auto v = fields.optional("air")) scene.air = read_air(*v);
+  if (auto v = fields.optional("damping")) scene.damping_fraction = read_damping(*v);
+  scene.time = read_stepping(fields.require("time"));
+  if (scene.time.kind == SimulationKind::quasi_static) refuse_movement(fields, scene);
+  scene.output = read_frame_output(fields.optional("output"), scene.time);
+  fields.finish();
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path) { return scene_of(read_yaml(path)); }
+
+}  // namespace pliant

@@ -1,0 +1,326 @@
+#include "pliant/scene/scene_system.h"
+
+#include <algorithm>
+
+#include "pliant/geometry/grid_pattern.h"
+#include "pliant/material/fill.h"
+#include "pliant/material/positive_stiffness.h"
+#include "pliant/material/use_warnings.h"
+#include "pliant/mechanics/cord.h"
+#include "pliant/mechanics/point_forces.h"
+#include "pliant/scene/cloth_mesh.h"
+#include "pliant/scene/held_vertices.h"
+
+namespace pliant {
+namespace {
+
+// A material with the triangles made of it.
+struct Region {
+  Material material;
+  Location where;
+  std::vector<int> triangles;
+};
+
+std::vector<int> held_axes(const ScenePin& pin) {
+  std::vector<int> axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (pin.directions[static_cast<size_t>(axis)]) axes.push_back(axis);
+  }
+  return axes;
+}
+
+// Cloths and regions may share a material.
+void add_once(const std::string& warning, std::vector<std::string>& warnings) {
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+    warnings.push_back(warning);
+  }
+}
+
+Material usable(const SceneMaterial& given, const std::optional<Material>& filler,
+                std::vector<std::string>& warnings) {
+  Material material = given.material;
+  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
+    add_once(warning, warnings);
+  }
+  if (filler) {
+    for (const std::string& component : fillable_components(material, *filler)) {
+      add_once(component + " of " + quoted_value(material.name) + " was not measured: that of " +
+                   quoted_value(filler->name) + " is assumed",
+               warnings);
+    }
+    material = filled(material, *filler, given.where);
+  }
+  require_complete(material, sheet_component_names(), given.where);
+  require_positive_stiffness(material, sheet_component_names(), given.where);
+  return held_beyond_range(material);
+}
+
+void require_mass(const Region& region, const Scene& scene) {
+  const bool needed = scene.time.kind == SimulationKind::dynamic || !scene.gravity.isZero();
+  if (region.material.density > 0 || !needed) return;
+  throw InputError(region.where,
+                   "the material " + quoted_value(region.material.name) + " has no density",
+                   "a material with \"density\" above zero (kg/m^2), for cloth that has mass");
+}
+
+void require_grid(const Region& region, const TriangleMesh& mesh) {
+  if (!needs_grid(region.material) || is_cut_from_rectangles(mesh)) return;
+  throw InputError(region.where,
+                   "the springs of " + quoted_value(region.material.name) +
+                       " need a grid of rectangles along weft and warp, which this mesh is not",
+                   "a mesh of the kind \"grid\", or a material with other measures");
+}
+
+std::vector<Region> regions_of(const SceneCloth& cloth, const ClothMesh& mesh,
+                               const std::optional<Material>& filler,
+                               std::vector<std::string>& warnings) {
+  std::vector<Region> regions{{usable(cloth.material, filler, warnings), cloth.material.where, {}}};
+  for (const SceneRegion& region : cloth.regions) {
+    regions.push_back({usable(region.material, filler, warnings), region.material.where, {}});
+  }
+  const std::vector<int> region_of = material_of_triangles(cloth, mesh);
+  for (int t = 0; t < mesh.mesh.triangle_count(); ++t) {
+    regions[static_cast<size_t>(region_of[static_cast<size_t>(t)])].triangles.push_back(t);
+  }
+  std::erase_if(regions, [](const Region& region) { return region.triangles.empty(); });
+  return regions;
+}
+
+// Builds the system step by step; each step uses what the ones before it left.
+class SceneBuilder {
+ public:
+  SceneBuilder(const Scene& scene, const std::optional<Material>& filler)
+      : scene_(scene), filler_(filler) {}
+
+  SceneSystem build() && {
+    read_cloths();
+    count_points();
+    result_.system = std::make_unique<System>(positions_, masses_);
+    for (size_t i = 0; i < scene_.pins.size(); ++i) add_pin(scene_.pins[i], held_.pins[i]);
+    for (size_t i = 0; i < scene_.clips.size(); ++i) add_clip(scene_.clips[i], held_.clips[i]);
+    add_materials();
+    add_forces();
+    result_.system->finish();
+    result_.start = result_.system->initial_state();
+    set_velocities();
+    return std::move(result_);
+  }
+
+ private:
+  System& system() { return *result_.system; }
+
+  void read_cloths() {
+    std::vector<Eigen::Matrix3Xd> own_positions;
+    for (const SceneCloth& cloth : scene_.cloth) {
+      ClothMesh made = make_cloth_mesh(cloth.mesh);
+      result_.warnings.insert(result_.warnings.end(), made.warnings.begin(), made.warnings.end());
+      regions_.push_back(regions_of(cloth, made, filler_, result_.warnings));
+      TriangleMesh& mesh = made.mesh;
+      own_positions.push_back(mesh.positions);
+      for (const Region& region : regions_.back()) {
+        require_mass(region, scene_);
+        require_grid(region, mesh);
+      }
+      mesh.positions = initial_positions(cloth, mesh.positions);
+      const int vertices = mesh.vertex_count();
+      result_.cloths.push_back({cloth.name, std::move(mesh), result_.vertices, {}});
+      result_.vertices += vertices;
+    }
+    held_ = held_vertices(scene_, own_positions);
+  }
+
+  // Positions, masses and faces of all points: vertices, then the points of cords.
+  void count_points() {
+    int attachments = 0, faces = 0;
+    for (const SceneClip& clip : scene_.clips) {
+      for (const SceneCord& cord : clip.cords) attachments += cord.vertex ? 0 : 1;
+    }
+    for (const ClothPiece& cloth : result_.cloths) faces += cloth.mesh.triangle_count();
+    positions_.resize(3, result_.vertices + attachments);
+    masses_ = Eigen::VectorXd::Zero(positions_.cols());
+    result_.faces.resize(3, faces);
+    place_cloths();
+    place_clips();
+  }
+
+  void place_cloths() {
+    int next_face = 0;
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
+      const ClothPiece& cloth = result_.cloths[c];
+      const TriangleMesh& mesh = cloth.mesh;
+      positions_.middleCols(cloth.first_point, mesh.vertex_count()) = mesh.positions;
+      result_.faces.middleCols(next_face, mesh.triangle_count()) =
+          mesh.triangles.array() + cloth.first_point;
+      next_face += mesh.triangle_count();
+      for (const Region& region : regions_[c]) add_mass(cloth, region);
+    }
+  }
+
+  void add_mass(const ClothPiece& cloth, const Region& region) {
+    for (const int t : region.triangles) {
+      const double third = region.material.density * rest_area(cloth.mesh, t) / 3;
+      for (const int vertex : cloth.mesh.triangles.col(t)) {
+        masses_(cloth.first_point + vertex) += third;
+      }
+    }
+  }
+
+  // Masses of clips and the points of their cords.
+  void place_clips() {
+    int next_point = result_.vertices;
+    for (size_t k = 0; k < scene_.clips.size(); ++k) {
+      const SceneClip& clip = scene_.clips[k];
+      const int first = result_.cloths[static_cast<size_t>(clip.cloth)].first_point;
+      for (const int vertex : held_.clips[k]) {
+        masses_(first + vertex) += clip.mass / static_cast<double>(held_.clips[k].size());
+      }
+      for (const SceneCord& cord : clip.cords) {
+        if (cord.vertex) continue;
+        positions_.col(next_point++) =
+            initial_position(scene_.cloth[static_cast<size_t>(clip.cloth)], cord.at);
+      }
+    }
+  }
+
+  void add_pin(const ScenePin& pin, const std::vector<int>& vertices) {
+    const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
+    const std::vector<int> axes = held_axes(pin);
+    std::vector<int> points;
+    for (const int vertex : vertices) {
+      points.push_back(first + vertex);
+      hold(points.back(), axes);
+    }
+    if (!pin.motion) return;
+    const Eigen::Matrix3Xd start = positions_(Eigen::all, points);
+    system().add_drive(
+        [points, axes, start, motion = *pin.motion](double time, Configuration& configuration) {
+          const Pose pose = pose_at(motion, time);
+          for (size_t i = 0; i < points.size(); ++i) {
+            const Eigen::Vector3d place = pose.apply(start.col(static_cast<Eigen::Index>(i)));
+            for (const int axis : axes) configuration.positions(axis, points[i]) = place(axis);
+          }
+        });
+  }
+
+  void hold(int point, const std::vector<int>& axes) {
+    if (axes.size() == 3) {
+      system().coordinates().prescribe(point);
+      return;
+    }
+    for (const int axis : axes) system().coordinates().prescribe_axis(point, axis);
+  }
+
+  void add_clip(const SceneClip& clip, const std::vector<int>& vertices) {
+    const int first = result_.cloths[static_cast<size_t>(clip.cloth)].first_point;
+    std::vector<int> points;
+    for (const int vertex : vertices) points.push_back(first + vertex);
+    std::vector<int> pulled;  // the points of the cords
+    for (const SceneCord& cord : clip.cords) {
+      pulled.push_back(cord.vertex ? first + *cord.vertex : next_attachment_++ + result_.vertices);
+      if (!cord.vertex) points.push_back(pulled.back());
+    }
+    const int number = system().coordinates().add_clip(points, !clip.free);
+    if (clip.motion) {
+      const Eigen::Vector3d origin = positions_(Eigen::all, points).rowwise().mean();
+      system().add_drive([this_system = &system(), number, origin, motion = *clip.motion](
+                             double time, Configuration& configuration) {
+        const Pose moved = pose_at(motion, time);
+        this_system->coordinates().place_clip(number, {moved.rotation, moved.apply(origin)},
+                                              configuration);
+      });
+    }
+    for (size_t i = 0; i < clip.cords.size(); ++i) add_cord(clip.cords[i], pulled[i]);
+  }
+
+  void add_cord(const SceneCord& cord, int point) {
+    if (!cord.force) {
+      const CordSpring& spring = cord.spring;
+      const auto potential =
+          std::make_shared<Cord>(point, spring.stiffness, spring.length, value_at(spring.end, 0));
+      system().add(potential);
+      system().add_drive([potential, end = spring.end](double time, Configuration&) {
+        potential->move_end(value_at(end, time));
+      });
+      return;
+    }
+    const auto at = [point, points = positions_.cols()](const Eigen::Vector3d& force) {
+      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, points);
+      forces.col(point) = force;
+      return forces;
+    };
+    const auto potential = std::make_shared<PointForces>(at(value_at(*cord.force, 0)));
+    system().add(potential);
+    system().add_drive([potential, at, force = *cord.force](double time, Configuration&) {
+      potential->set_forces(at(value_at(force, time)));
+    });
+  }
+
+  void add_materials() {
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
+      ClothPiece& piece = result_.cloths[c];
+      for (const Region& region : regions_[c]) {
+        DensityOptions options;
+        options.friction = scene_.time.friction.has_value();
+        options.friction_form = scene_.time.friction.value_or(FrictionForm::variational);
+        options.damping_fraction =
+            scene_.damping_fraction.value_or(region.material.damping_fraction.value_or(0));
+        Cloth cloth = add_cloth(system(), piece.mesh, piece.first_point, region.material,
+                                region.triangles, options, result_.parameters);
+        piece.shown.insert(piece.shown.end(), cloth.shown.begin(), cloth.shown.end());
+        result_.warnings.insert(result_.warnings.end(), cloth.warnings.begin(),
+                                cloth.warnings.end());
+      }
+    }
+  }
+
+  void add_forces() {
+    system().add(std::make_shared<PointForces>(scene_.gravity * masses_.transpose()));
+  }
+
+  // Free clips start with their cloth; what is held, or moved from outside, starts at rest.
+  void set_velocities() {
+    Eigen::Matrix3Xd& velocities = result_.start.velocities;
+    const auto of_cloth = [this](int cloth) -> Eigen::Vector3d {
+      return scene_.cloth[static_cast<size_t>(cloth)].velocity.value_or(Eigen::Vector3d::Zero());
+    };
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
+      const ClothPiece& piece = result_.cloths[c];
+      velocities.middleCols(piece.first_point, piece.mesh.vertex_count()).colwise() =
+          of_cloth(static_cast<int>(c));
+    }
+    for (size_t k = 0; k < scene_.clips.size(); ++k) {
+      const SceneClip& clip = scene_.clips[k];
+      const Eigen::Vector3d velocity =
+          clip.free ? of_cloth(clip.cloth) : Eigen::Vector3d::Zero().eval();
+      for (const int point : system().coordinates().clip_points(static_cast<int>(k))) {
+        velocities.col(point) = velocity;
+      }
+    }
+    for (size_t i = 0; i < scene_.pins.size(); ++i) stop_pin(scene_.pins[i], held_.pins[i]);
+  }
+
+  void stop_pin(const ScenePin& pin, const std::vector<int>& vertices) {
+    const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
+    const std::vector<int> axes = held_axes(pin);
+    for (const int vertex : vertices) {
+      for (const int axis : axes) result_.start.velocities(axis, first + vertex) = 0;
+    }
+  }
+
+  const Scene& scene_;
+  const std::optional<Material>& filler_;
+  SceneSystem result_;
+  std::vector<std::vector<Region>> regions_;  // by cloth
+  HeldVertices held_;
+  Eigen::Matrix3Xd positions_;
+  Eigen::VectorXd masses_;
+  int next_attachment_ = 0;
+};
+
+}  // namespace
+
+SceneSystem build_scene(const Scene& scene, const std::optional<Material>& filler) {
+  return SceneBuilder(scene, filler).build();
+}
+
+}  // namespace pliant

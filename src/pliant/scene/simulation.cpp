@@ -1,0 +1,195 @@
+#include "pliant/scene/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/solver/static_path.h"
+#include "pliant/solver/time_stepper.h"
+
+namespace pliant {
+
+struct Simulation::StepResult {
+  int substeps = 0;
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  double work = 0;  // J
+};
+
+/// Takes a simulation's state through one step.
+class Simulation::Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// @throws SolverError; `state` is then as it was
+  virtual StepResult advance(State& state) = 0;
+};
+
+namespace {
+
+// 10 uN ([T] 3.4.1), but never more than a thousandth of what a node weighs on earth: with more, a
+// fine mesh would not notice gravity.
+double default_tolerance(const System& system) {
+  constexpr double kOfThesis = 1e-5, kOfWeight = 1e-3;
+  const double weight = kStandardGravity * system.masses().sum() / system.points();
+  return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
+}
+
+TimeStepOptions time_step_options(const Scene& scene) {
+  TimeStepOptions options;
+  options.step = scene.time.step;
+  options.integrator = scene.time.integrator;
+  options.solve = scene.time.solution;
+  options.tolerance = scene.time.tolerance.value();
+  options.linear_tolerance = scene.time.linear_tolerance;
+  options.air = scene.air;
+  return options;
+}
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+class Simulation::TimeSteps : public Simulation::Stepper {
+ public:
+  TimeSteps(const Scene& scene, const SceneSystem& built)
+      : adaptive_(scene.time.adaptive),
+        stepper_(*built.system, time_step_options(scene), built.faces),
+        step_(scene.time.step) {}
+
+  StepResult advance(State& state) override {
+    State next = state;
+    StepResult result;
+    advance(next, step_, 0, result);
+    state = std::move(next);
+    return result;
+  }
+
+ private:
+  // With `adaptive`, a step that fails is taken as two of half its size.
+  void advance(State& state, double step, int halvings, StepResult& result) {
+    constexpr int kMostHalvings = 8;
+    State next = state;
+    const StepSummary summary = attempt(next, step);
+    result.newton_iterations += summary.newton_iterations;
+    result.linear_iterations += summary.linear_iterations;
+    if (summary.converged) {
+      ++result.substeps;
+      result.work += summary.work;
+      state = std::move(next);
+      return;
+    }
+    if (!adaptive_ || halvings == kMostHalvings) {
+      throw SolverError(fmt::format("the step to {:.6g} s", state.time + step),
+                        summary.newton_iterations, summary.residual);
+    }
+    for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
+  }
+
+  StepSummary attempt(State& state, double step) {
+    try {
+      return stepper_.advance(state, step);
+    } catch (const SolverError& error) {
+      return {.converged = false,
+              .newton_iterations = error.iterations(),
+              .residual = error.best_residual()};
+    }
+  }
+
+  bool adaptive_;
+  TimeStepper stepper_;
+  double step_;
+};
+
+class Simulation::Equilibria : public Simulation::Stepper {
+ public:
+  Equilibria(const Scene& scene, const SceneSystem& built)
+      : path_(*built.system, options(scene), built.start), step_(scene.time.step) {}
+
+  StepResult advance(State& state) override {
+    path_.go_on_from(state);
+    const PathEquilibrium point = path_.step(state.time + step_);
+    state = path_.state();
+    return {point.equilibria, point.newton.iterations, point.newton.linear_iterations, point.work};
+  }
+
+ private:
+  static StaticPathOptions options(const Scene& scene) {
+    StaticPathOptions options;
+    options.newton.tolerance = scene.time.tolerance.value();
+    return options;
+  }
+
+  StaticPath path_;
+  double step_;
+};
+
+Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler, int threads)
+    : scene_(scene), built_(build_scene(scene, filler)) {
+  built_.system->set_threads(threads);
+  if (!scene_.time.tolerance) scene_.time.tolerance = default_tolerance(*built_.system);
+  if (scene_.time.kind == SimulationKind::dynamic) {
+    stepper_ = std::make_unique<TimeSteps>(scene_, built_);
+  } else {
+    stepper_ = std::make_unique<Equilibria>(scene_, built_);
+  }
+  now_.state = built_.start;
+}
+
+Simulation::~Simulation() = default;
+
+bool Simulation::is_frame() const {
+  return now_.steps % steps_per_frame(scene_.output, scene_.time) == 0 || is_finished();
+}
+
+void Simulation::record_frame() {
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, built_.system->points());
+  Derivatives derivatives;
+  derivatives.gradient = &gradient;
+  built_.system->evaluate(now_.state.configuration, now_.state, {}, Curvature::exact, derivatives);
+  record_energy(derivatives.energy.stored);
+  record_clips(gradient);
+}
+
+void Simulation::record_energy(double stored) {
+  EnergyRow row;
+  row.time = now_.state.time;
+  row.kinetic = now_.state.velocities.colwise().squaredNorm().dot(built_.system->masses()) / 2;
+  row.stored = stored;
+  row.work = now_.work;
+  now_.energies.push_back(row);
+}
+
+void Simulation::record_clips(const Eigen::Matrix3Xd& gradient) {
+  const Configuration& start = built_.start.configuration;
+  for (size_t k = 0; k < start.clips.size(); ++k) {
+    const Pose& pose = now_.state.configuration.clips[k];
+    const Eigen::Vector3d shift = pose.translation - pose.rotation * start.clips[k].translation;
+    const Eigen::Quaterniond& turn = pose.rotation;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (const int point : built_.system->coordinates().clip_points(static_cast<int>(k))) {
+      force += gradient.col(point);
+    }
+    now_.clips.push_back({{shift.x(), shift.y(), shift.z()},
+                          {turn.w(), turn.x(), turn.y(), turn.z()},
+                          {force.x(), force.y(), force.z()}});
+  }
+}
+
+void Simulation::advance() {
+  const double begin = seconds_now();
+  const StepResult result = stepper_->advance(now_.state);
+  ++now_.steps;
+  // Not a sum of steps, which would drift.
+  now_.state.time = now_.steps * scene_.time.step;
+  now_.work += result.work;
+  now_.records.seconds.push_back(seconds_now() - begin);
+  now_.records.substeps.push_back(result.substeps);
+  now_.records.newton_iterations.push_back(result.newton_iterations);
+  now_.records.linear_iterations.push_back(result.linear_iterations);
+}
+
+}  // namespace pliant

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "pliant/scene/scene_system.h"
+
+namespace pliant {
+
+/// Where the energy of a system is at one time (J). Without drives, and as far as a step's
+/// equations are solved, the total never grows (but for what backward Euler gains while it
+/// buckles).
+struct EnergyRow {
+  double time = 0;
+  double kinetic = 0;
+  double stored = 0;  ///< elastic energy, gravity and cords
+  double work = 0;    ///< done against friction, damping and air since the start
+
+  double total() const { return kinetic + stored + work; }
+};
+
+/// A clip at one time.
+struct ClipRow {
+  /// Rigid motion from where it started: x = R x_start + t.
+  std::array<double, 3> translation{};  ///< t, m
+  std::array<double, 4> rotation{};     ///< R as a quaternion w, x, y, z
+  /// What holds or moves it from outside, against cloth, weight and cords (N); nothing where it is
+  /// free and in equilibrium.
+  std::array<double, 3> force{};
+};
+
+/// What the steps of a simulation took, attempts that failed included.
+struct StepRecords {
+  std::vector<double> seconds;
+  std::vector<int> substeps;  ///< 1 but where a step was halved
+  std::vector<int> newton_iterations;
+  std::vector<int> linear_iterations;
+};
+
+/// Everything that a simulation is at the end of a step: what it takes to go on to the same bits.
+struct SimulationState {
+  int steps = 0;  ///< of the scene's constant size, accepted
+  State state;
+  double work = 0;  ///< see EnergyRow
+  StepRecords records;
+  std::vector<EnergyRow> energies;  ///< one a frame
+  std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene
+};
+
+/// A scene on its way through time, or along a path of equilibria. An equilibrium that is not found
+/// is approached by half the step, and its halves again; so is a time step where the scene says
+/// `adaptive`.
+class Simulation {
+ public:
+  /// @param threads  to compute with, at most; the results do not depend on it
+  Simulation(const Scene& scene, const std::optional<Material>& filler, int threads = 1);
+  ~Simulation();
+
+  /// The scene, with the tolerance that its steps are solved to.
+  const Scene& scene() const { return scene_; }
+  const SceneSystem& built() const { return built_; }
+  const SimulationState& now() const { return now_; }
+  /// Goes on from a state of a simulation of the same scene.
+  void resume(SimulationState state) { now_ = std::move(state); }
+
+  bool is_finished() const { return now_.steps >= scene_.time.step_count(); }
+  /// Whether a frame stands at the present step.
+  bool is_frame() const;
+  /// Keeps what tables tell of the present step: energies, clips.
+  void record_frame();
+
+  /// Takes one step of the scene.
+  /// @throws SolverError when it does not converge, however short; the state is then as it was
+  void advance();
+
+ private:
+  struct StepResult;
+  class Stepper;
+  class TimeSteps;
+  class Equilibria;
+
+  void record_energy(double stored);
+  void record_clips(const Eigen::Matrix3Xd& gradient);
+
+  Scene scene_;
+  SceneSystem built_;
+  std::unique_ptr<Stepper> stepper_;
+  SimulationState now_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,86 @@
+#include "pliant/scene/simulation_result.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "pliant/scene/frame_files.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json statistics(std::vector<T> values) {
+  if (values.empty()) return nullptr;
+  std::sort(values.begin(), values.end());
+  const size_t n = values.size();
+  const double median =
+      (static_cast<double>(values[(n - 1) / 2]) + static_cast<double>(values[n / 2])) / 2;
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {{"min", values.front()},
+          {"median", median},
+          {"mean", sum / static_cast<double>(n)},
+          {"max", values.back()}};
+}
+
+Json frames(const Simulation& simulation) {
+  Json list = Json::array();
+  for (const EnergyRow& row : simulation.now().energies) {
+    list.push_back({{"index", list.size()}, {"time", row.time}});
+  }
+  return list;
+}
+
+// `time_step` stands beside it.
+Json method(const Stepping& time) {
+  const bool dynamic = time.kind == SimulationKind::dynamic;
+  const bool converged = time.solution == StepSolve::converged;
+  return {{"kind", name_of(time.kind)},
+          {"integrator", dynamic ? Json(name_of(time.integrator)) : Json(nullptr)},
+          {"solve", name_of(time.solution)},
+          {"tolerance", converged ? Json(time.tolerance.value()) : Json(nullptr)},
+          {"linear_tolerance", converged ? Json(nullptr) : Json(time.linear_tolerance)},
+          {"adaptive", time.adaptive || !dynamic},
+          {"friction", name_of(time.friction)}};
+}
+
+}  // namespace
+
+std::string simulation_text(const Simulation& simulation, const SimulationFacts& facts) {
+  const Scene& scene = simulation.scene();
+  const SimulationState& now = simulation.now();
+  Json fields = Json::object();
+  for (const auto& [name, unit] : frame_fields(simulation)) fields[name] = unit;
+  Json json{{"pliant", "simulation/1"},
+            {"name", scene.name},
+            {"info", scene.info},
+            {"command", facts.command},
+            {"created", facts.created},
+            {"version", facts.version},
+            {"scene", scene.file},
+            {"scene_sha256", facts.scene_sha256},
+            {"threads", facts.threads},
+            {"finished", simulation.is_finished()},
+            {"triangles", simulation.built().faces.cols()},
+            {"vertices", simulation.built().vertices},
+            {"steps", now.steps},
+            {"time_step", scene.time.step},
+            {"method", method(scene.time)},
+            {"frames", frames(simulation)},
+            {"fields", fields},
+            {"seconds_per_step", statistics(now.records.seconds)},
+            {"substeps", statistics(now.records.substeps)},
+            {"newton_iterations", statistics(now.records.newton_iterations)},
+            {"linear_iterations", statistics(now.records.linear_iterations)},
+            {"peak_memory_MB", facts.peak_memory},
+            {"min_contact_distance", nullptr},
+            {"energy", "energy.csv"},
+            {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
+            {"warnings", simulation.built().warnings}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace pliant

@@ -1,0 +1,95 @@
+#include "pliant/study/test_template.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/experiment/loop_metrics.h"
+#include "pliant/study/study.h"
+
+#include "io/input_error_of.h"
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::input_error_of;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr int kPageLines = 70;  // of A4 at 10 point
+constexpr std::size_t kLineLength = 110;
+
+std::string content_of_file(const TestTemplate& files, const std::string& name) {
+  for (const auto& [file, content] : files.files) {
+    if (file == name) return content;
+  }
+  ADD_FAILURE() << "no file " << name;
+  return {};
+}
+
+class Template : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Template, IsReadAsAStudyWithItsExample) {
+  const TemporaryFolder folder;
+  for (const auto& [name, content] : make_test_template(GetParam()).files) {
+    folder.write(name, content);
+  }
+  const Study study = read_study(folder.path() / "study.yaml");
+  ASSERT_EQ(study.experiments.size(), 1U);
+  EXPECT_GT(study.density, 0);
+  const ExperimentSpec& spec = study.experiments.front();
+  EXPECT_EQ(spec.type, GetParam());
+  const auto experiment = read_experiment(spec, study);
+  EXPECT_GE(experiment->rows(), 10);
+  EXPECT_THAT(experiment->info().warnings, IsEmpty());
+}
+
+TEST_P(Template, ExampleUnloadsWhereTheTestDoes) {
+  const TemporaryFolder folder;
+  for (const auto& [name, content] : make_test_template(GetParam()).files) {
+    folder.write(name, content);
+  }
+  const Study study = read_study(folder.path() / "study.yaml");
+  const auto experiment = read_experiment(study.experiments.front(), study);
+  EXPECT_EQ(unloads(experiment->path()),
+            GetParam() != "cantilever" && GetParam() != "bending-length");
+}
+
+TEST_P(Template, ProtocolFitsOnOnePage) {
+  std::istringstream protocol(content_of_file(make_test_template(GetParam()), "PROTOCOL.md"));
+  int lines = 0;
+  for (std::string line; std::getline(protocol, line); ++lines) {
+    EXPECT_LE(line.size(), kLineLength) << line;
+  }
+  EXPECT_LE(lines, kPageLines);
+}
+
+TEST_P(Template, ProtocolTellsWhatEveryProtocolMust) {
+  const std::string protocol = content_of_file(make_test_template(GetParam()), "PROTOCOL.md");
+  for (const char* part :
+       {"**Purpose.**", "**Standards.**", "ISO 139", "**Samples.**", "Mark the warp",
+        "**Procedure**", "**Write down.**", "**Precision.**", "**Frequent mistakes**"}) {
+    EXPECT_THAT(protocol, HasSubstr(part));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Template, ::testing::ValuesIn(template_tests()),
+                         [](const auto& name) {
+                           std::string text = name.param;
+                           std::erase(text, '-');
+                           return text;
+                         });
+
+TEST(TestTemplate, AnUnknownTestNamesTheNearestOne) {
+  const InputError error = input_error_of([] { make_test_template("tensile-cycle"); });
+  EXPECT_THAT(error.problem(), HasSubstr("did you mean \"tensile-cycles\"?"));
+  EXPECT_THAT(error.expected(), HasSubstr("hanging-weights"));
+}
+
+}  // namespace
+}  // namespace pliant

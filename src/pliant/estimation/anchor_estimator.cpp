@@ -22,7 +22,7 @@ struct ForceErrors {
     if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
     Eigen::Index row = 0;
     for (size_t e = 0; e < problem.experiments().size(); ++e) {
-      const Experiment& experiment = *problem.experiments()[e];
+      const ComponentExperiment& experiment = *problem.experiments()[e];
       const Eigen::VectorXd nuisance = experiment.unfitted_nuisance(law);
       const double offset = nuisance.size() > 0 ? nuisance(0) : 0;
       const MeasuredPath& path = experiment.path();
@@ -69,9 +69,12 @@ LeastSquaresProblem stage_problem(const LeastSquaresProblem& all, const Eigen::V
 }
 
 LeastSquaresProblem force_errors(const ComponentProblem& problem, const ComponentLaw& shape,
-                                 const ParameterLimits& limits) {
-  return {ForceErrors{problem, shape}, problem.used_rows(), limits.lower, limits.upper,
-          limits.scale};
+                                 const std::vector<Unknown>& unknowns) {
+  LeastSquaresProblem errors;
+  errors.evaluate = ForceErrors{problem, shape};
+  errors.residuals = problem.used_rows();
+  set_bounds(unknowns, errors);
+  return errors;
 }
 
 // The rows that give the stiffness and those that give friction: all of them give both, unless
@@ -84,9 +87,10 @@ struct PublishedRows {
 PublishedRows published_rows(const ComponentProblem& problem) {
   const auto& experiments = problem.experiments();
   const auto has = [&](bool overhang) {
-    return std::any_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
-      return overhangs(experiment->info().type) == overhang;
-    });
+    return std::any_of(experiments.begin(), experiments.end(),
+                       [&](const ComponentExperiment* experiment) {
+                         return overhangs(experiment->info().type) == overhang;
+                       });
   };
   const bool apart = has(true) && has(false);
   const auto rows_of = [&](bool overhang) {
@@ -102,9 +106,9 @@ PublishedRows published_rows(const ComponentProblem& problem) {
 // Linearised with the parameters outside [first, last) held at their values.
 Uncertainty stage_uncertainty(const ComponentProblem& problem, LawFit fit, int first, int last) {
   for (int i = 0; i < fit.solution.parameters.size(); ++i) {
-    if (i < first || i >= last) fit.limits.fixed[static_cast<size_t>(i)] = 1;
+    if (i < first || i >= last) fit.unknowns[static_cast<size_t>(i)].fixed = true;
   }
-  return linearised_uncertainty(force_errors(problem, fit.law, fit.limits), problem, fit, false);
+  return linearised_uncertainty(force_errors(problem, fit.law, fit.unknowns), problem, fit, false);
 }
 
 // That of the first parameters by one stage, and of the others by another.
@@ -128,10 +132,11 @@ Uncertainty joined(Uncertainty result, const Uncertainty& others, int first) {
 AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
                      const FitOptions& options, const StopToken& stop) {
   const PublishedRows rows = published_rows(problem);
-  const DataScale scale{problem.peak_stress(), problem.largest_strain()};
   AnchorFit result;
   LawFit& fit = result.fit;
-  fit.limits = parameter_limits(shape, component_of(problem), {}, scale, options);
+  fit.unknowns = unknowns_of(shape, {component_of(problem)},
+                             {problem.peak_stress(), problem.largest_strain()});
+  apply_options(options, fit.unknowns);
 
   const int stiffness = shape.stiffness.size();
   const int count = shape.parameter_count();
@@ -144,7 +149,7 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
   }
 
   const auto run = [&](const ComponentProblem& part, const std::string& name, int first, int last) {
-    const LeastSquaresProblem all = force_errors(part, shape, fit.limits);
+    const LeastSquaresProblem all = force_errors(part, shape, fit.unknowns);
     const LeastSquaresSummary solution =
         solve_least_squares(stage_problem(all, values, first, last), values, {}, stop);
     values = solution.parameters;

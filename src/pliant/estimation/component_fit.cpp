@@ -15,19 +15,19 @@ constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
 template <class Belongs>
-bool all_types(const std::vector<const Experiment*>& experiments, const Belongs& belongs) {
-  return std::all_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
-    return belongs(experiment->info().type);
-  });
+bool all_types(const std::vector<const ComponentExperiment*>& experiments, const Belongs& belongs) {
+  return std::all_of(
+      experiments.begin(), experiments.end(),
+      [&](const ComponentExperiment* experiment) { return belongs(experiment->info().type); });
 }
 
-bool only_of(const char* type, const std::vector<const Experiment*>& experiments) {
+bool only_of(const char* type, const std::vector<const ComponentExperiment*>& experiments) {
   return all_types(experiments, [&](const std::string& other) { return other == type; });
 }
 
 // The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
 // Not strips alone that only load: friction that is not told from stiffness makes that fall.
-bool only_published_tests(const std::vector<const Experiment*>& experiments) {
+bool only_published_tests(const std::vector<const ComponentExperiment*>& experiments) {
   return all_types(experiments,
                    [](const std::string& type) {
                      return type == "hanging-weights" || bends_by_weight(type);
@@ -37,7 +37,7 @@ bool only_published_tests(const std::vector<const Experiment*>& experiments) {
 
 // The force at which a strip buckles is the same at all distances, so that an offset of the force
 // hides most of a curve; a bending length is one number.
-CurveKind default_stiffness(const std::vector<const Experiment*>& experiments) {
+CurveKind default_stiffness(const std::vector<const ComponentExperiment*>& experiments) {
   if (only_of("buckling-bend", experiments) || only_of("bending-length", experiments)) {
     return CurveKind::constant;
   }
@@ -62,13 +62,14 @@ ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem
 }
 
 bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
-  const bool length_noise = std::any_of(
-      problem.experiments().begin(), problem.experiments().end(), [](const Experiment* experiment) {
-        return experiment->info().length_noise && experiment->info().quantity.kind != "length";
-      });
+  const bool length_noise = std::any_of(problem.experiments().begin(), problem.experiments().end(),
+                                        [](const ComponentExperiment* experiment) {
+                                          return experiment->info().length_noise &&
+                                                 experiment->info().quantity.kind != "length";
+                                        });
   // A prior is weighed against the noise of the data.
-  const bool prior = std::any_of(fit.limits.priors.begin(), fit.limits.priors.end(),
-                                 [](const auto& p) { return p.has_value(); });
+  const bool prior = std::any_of(fit.unknowns.begin(), fit.unknowns.end(),
+                                 [](const Unknown& unknown) { return unknown.prior.has_value(); });
   return length_noise || prior || problem.experiments().size() > 1;
 }
 
@@ -87,7 +88,7 @@ void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop)
 
 size_t specimen_count(const ComponentProblem& problem) {
   size_t count = 0;
-  for (const Experiment* experiment : problem.experiments()) {
+  for (const ComponentExperiment* experiment : problem.experiments()) {
     count += experiment->info().specimens.size();
   }
   return count;
@@ -147,14 +148,15 @@ LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
 
 // The moments of a buckled strip come from a force whose zero is not known without a fit; what is
 // left of rolled strips' samples must tell friction's three parameters.
-void refuse_anchors(const Study& study, const std::vector<const Experiment*>& experiments) {
+void refuse_anchors(const Study& study,
+                    const std::vector<const ComponentExperiment*>& experiments) {
   constexpr int kFewest = 3;
   if (study.fit.estimator != EstimatorKind::anchor) return;
   const Location where{study.file, 0, "fit.estimator"};
   if (study.fit.monotone_stress) {
     throw InputError(where, "the published estimator knows no monotone_stress", "path");
   }
-  for (const Experiment* experiment : experiments) {
+  for (const ComponentExperiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;
     if (experiment->info().type == "buckling-bend") {
@@ -175,7 +177,8 @@ void refuse_anchors(const Study& study, const std::vector<const Experiment*>& ex
 
 }  // namespace
 
-ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+ComponentPlan plan_component(const Study& study,
+                             const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes) {
   const std::string& component = experiments.front()->info().component;
   ComponentModel model;
@@ -192,9 +195,9 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
                     " at other curvatures: a bending length determines one number");
   }
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
-  const bool data_unloads =
-      std::any_of(experiments.begin(), experiments.end(),
-                  [](const Experiment* experiment) { return unloads(experiment->path()); });
+  const bool data_unloads = std::any_of(
+      experiments.begin(), experiments.end(),
+      [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
   if (choice == FrictionChoice::none) plan.friction = FrictionLaw::none;
   if (!data_unloads && choice != FrictionChoice::none) {
     notes.push_back("friction of " + component +

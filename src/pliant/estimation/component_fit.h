@@ -36,7 +36,8 @@ struct ComponentFit {
 /// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
 /// @throws InputError where the study asks for the published estimator of a buckled strip, or of
 ///         strips that all roll with their weight
-ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+ComponentPlan plan_component(const Study& study,
+                             const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes);
 
 /// Fits one component; `problem` keeps the noise that its residuals show.

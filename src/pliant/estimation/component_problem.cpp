@@ -12,12 +12,12 @@ namespace {
 constexpr double kFirstNoiseShare = 0.01;
 constexpr double kSmallestNoiseShare = 1e-9;  // noise-free data still has a weight
 
-bool measures_length(const Experiment& experiment) {
+bool measures_length(const ComponentExperiment& experiment) {
   const std::string& kind = experiment.info().quantity.kind;
   return kind == "length" || kind == "distance";
 }
 
-std::optional<double> stated_noise(const Experiment& experiment) {
+std::optional<double> stated_noise(const ComponentExperiment& experiment) {
   const ExperimentInfo& info = experiment.info();
   return measures_length(experiment) ? info.length_noise : info.force_noise;
 }
@@ -34,7 +34,7 @@ double mean_square(const Eigen::VectorXd& values, const std::vector<char>& used)
   return count == 0 ? 0 : sum / count;
 }
 
-RowNoise make_noise(const Experiment& experiment, const std::vector<char>& used, double sd,
+RowNoise make_noise(const ComponentExperiment& experiment, const std::vector<char>& used, double sd,
                     const Eigen::VectorXd& from_length) {
   RowNoise noise;
   noise.stated = stated_noise(experiment).has_value();
@@ -45,11 +45,11 @@ RowNoise make_noise(const Experiment& experiment, const std::vector<char>& used,
 
 }  // namespace
 
-ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
+ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments)
     : experiments_(std::move(experiments)) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   smallest_strain_ = 1e300;
-  for (const Experiment* experiment : experiments_) {
+  for (const ComponentExperiment* experiment : experiments_) {
     first_nuisance_.push_back(nuisance_count_);
     nuisance_count_ += static_cast<int>(experiment->nuisance().size());
     used_.push_back(experiment->info().used);
@@ -87,10 +87,19 @@ ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen
   });
 }
 
-std::vector<NuisanceParameter> ComponentProblem::nuisance() const {
-  std::vector<NuisanceParameter> all;
-  for (const Experiment* experiment : experiments_) {
-    all.insert(all.end(), experiment->nuisance().begin(), experiment->nuisance().end());
+std::vector<Unknown> ComponentProblem::unknowns(const ComponentLaw& shape,
+                                                const FitOptions& options) const {
+  const std::string& component = experiments_.front()->info().component;
+  std::vector<Unknown> all = unknowns_of(shape, {component}, {peak_stress_, largest_strain_});
+  for (const ComponentExperiment* experiment : experiments_) {
+    const std::vector<Unknown> own = unknowns_of(*experiment);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  apply_options(options, all);
+  // Without friction the state of friction means nothing.
+  for (Unknown& unknown : all) {
+    const bool of_state = unknown.of_friction && !unknown.of_material;
+    if (of_state && shape.friction_law == FrictionLaw::none) unknown.hold(0);
   }
   return all;
 }
@@ -98,7 +107,7 @@ std::vector<NuisanceParameter> ComponentProblem::nuisance() const {
 double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
   double change = 0;
   for (size_t e = 0; e < experiments_.size(); ++e) {
-    const Experiment& experiment = *experiments_[e];
+    const ComponentExperiment& experiment = *experiments_[e];
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const auto prediction =
         experiment.predict(law, nuisance.segment(first_nuisance_[e], count), false);
@@ -120,54 +129,17 @@ double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::Vect
   return change;
 }
 
-LeastSquaresProblem ComponentProblem::least_squares(const ComponentLaw& shape,
-                                                    const ParameterLimits& limits) const {
-  std::vector<Eigen::Index> with_prior;
-  for (size_t i = 0; i < limits.priors.size(); ++i) {
-    if (limits.priors[i] && !limits.fixed[i]) with_prior.push_back(static_cast<Eigen::Index>(i));
+Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown> unknowns) const {
+  std::vector<ProblemPart> parts;
+  for (size_t e = 0; e < experiments_.size(); ++e) {
+    const std::vector<char>& used = used_[e];
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(noise_[e].sd.size());
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      if (used[static_cast<size_t>(i)]) weight(i) = 1 / noise_[e].sd(i);
+    }
+    parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }
-  LeastSquaresProblem problem;
-  problem.residuals = used_rows_ + static_cast<int>(with_prior.size());
-  problem.lower = limits.lower;
-  problem.upper = limits.upper;
-  problem.scale = limits.scale;
-  problem.not_negative = limits.not_negative;
-  const auto priors = limits.priors;
-  problem.evaluate = [this, shape, with_prior, priors](const Eigen::VectorXd& p,
-                                                       Eigen::VectorXd& residual,
-                                                       Eigen::MatrixXd* jacobian) {
-    const int law_count = shape.parameter_count();
-    const ComponentLaw law = shape.with_parameters(p);
-    if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
-    Eigen::Index row = 0;
-    for (size_t e = 0; e < experiments_.size(); ++e) {
-      const Experiment& experiment = *experiments_[e];
-      const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
-      const Eigen::Index first = law_count + first_nuisance_[e];
-      const auto prediction = experiment.predict(law, p.segment(first, count), jacobian != nullptr);
-      if (!prediction) return false;
-      const std::vector<char>& used = used_[e];
-      for (Eigen::Index i = 0; i < experiment.rows(); ++i) {
-        if (!used[static_cast<size_t>(i)]) continue;
-        const double weight = 1 / noise_[e].sd(i);
-        residual(row) = weight * (prediction->value(i) - experiment.measured()(i));
-        if (jacobian != nullptr) {
-          jacobian->row(row).head(law_count) = weight * prediction->jacobian.row(i).head(law_count);
-          jacobian->row(row).segment(first, count) =
-              weight * prediction->jacobian.row(i).tail(count);
-        }
-        ++row;
-      }
-    }
-    for (const Eigen::Index i : with_prior) {
-      const GaussianPrior& prior = *priors[static_cast<size_t>(i)];
-      residual(row) = (p(i) - prior.mean) / prior.sd;
-      if (jacobian != nullptr) (*jacobian)(row, i) = 1 / prior.sd;
-      ++row;
-    }
-    return true;
-  };
-  return problem;
+  return {std::move(parts), std::move(unknowns), {}};
 }
 
 }  // namespace pliant

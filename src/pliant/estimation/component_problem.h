@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "pliant/estimation/least_squares.h"
-#include "pliant/estimation/parameter_limits.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/estimation/problem.h"
+#include "pliant/estimation/unknown.h"
+#include "pliant/experiment/component_experiment.h"
 
 namespace pliant {
 
@@ -21,11 +21,11 @@ struct RowNoise {
 /// The estimation of one strain component from all experiments that measure it.
 ///
 /// Unknowns are the parameters of the law followed by the nuisance parameters of each experiment.
-/// The residual of a row is (predicted - measured) / sd; rows that are left out have none.
+/// The residual of a row is (predicted - measured) / sd; that of a row that is left out is zero.
 class ComponentProblem {
  public:
   /// @param experiments  all of one component, role fit; they outlive the problem
-  explicit ComponentProblem(std::vector<const Experiment*> experiments);
+  explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments);
 
   /// The same problem with fewer rows.
   using RowChoice = std::function<bool(size_t experiment, size_t row)>;
@@ -33,14 +33,15 @@ class ComponentProblem {
   /// The same problem with one specimen's rows alone.
   ComponentProblem restricted_to(size_t experiment, int specimen) const;
 
-  const std::vector<const Experiment*>& experiments() const { return experiments_; }
+  const std::vector<const ComponentExperiment*>& experiments() const { return experiments_; }
   /// Rows of an experiment that take part.
   const std::vector<char>& used(size_t experiment) const { return used_[experiment]; }
   int nuisance_count() const { return nuisance_count_; }
   int used_rows() const { return used_rows_; }
   /// Index of an experiment's first nuisance parameter among all nuisance parameters.
   int first_nuisance(size_t experiment) const { return first_nuisance_[experiment]; }
-  std::vector<NuisanceParameter> nuisance() const;
+  /// The unknowns of a law of some form, with what a study says of them.
+  std::vector<Unknown> unknowns(const ComponentLaw& shape, const FitOptions& options) const;
 
   double peak_stress() const { return peak_stress_; }
   double largest_strain() const { return largest_strain_; }
@@ -52,11 +53,12 @@ class ComponentProblem {
   /// change.
   double update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance);
 
-  /// The least-squares problem of a law of this shape; priors add a residual each.
-  LeastSquaresProblem least_squares(const ComponentLaw& shape, const ParameterLimits& limits) const;
+  /// The least-squares problem of a law of this shape.
+  /// @param unknowns  as `unknowns` gives them for the shape
+  Problem problem(const ComponentLaw& shape, std::vector<Unknown> unknowns) const;
 
  private:
-  std::vector<const Experiment*> experiments_;
+  std::vector<const ComponentExperiment*> experiments_;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
   std::vector<RowNoise> noise_;

@@ -20,11 +20,12 @@ std::optional<double> if_finite(double value) {
 ParameterEstimate estimate_of(const ComponentFit& fit, Eigen::Index i) {
   const auto index = static_cast<size_t>(i);
   ParameterEstimate estimate;
-  estimate.name = fit.fit.limits.names[index];
-  estimate.owner = fit.component;
-  estimate.unit = fit.fit.limits.units[index];
+  const Unknown& unknown = fit.fit.unknowns[index];
+  estimate.name = unknown.name;
+  estimate.owner = unknown.owner;
+  estimate.unit = unknown.unit;
   estimate.value = fit.fit.solution.parameters(i);
-  estimate.fixed = fit.fit.limits.fixed[index];
+  estimate.fixed = unknown.fixed;
   estimate.at_bound = fit.uncertainty.at_bound[index];
   estimate.identified = fit.uncertainty.identified[index];
   estimate.std_error = if_finite(fit.uncertainty.std_error(i));
@@ -35,21 +36,6 @@ ParameterEstimate estimate_of(const ComponentFit& fit, Eigen::Index i) {
   return estimate;
 }
 
-const Experiment& owner_of_nuisance(const ComponentProblem& problem, int nuisance) {
-  size_t owner = 0;
-  for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    if (problem.first_nuisance(e) <= nuisance && !problem.experiments()[e]->nuisance().empty()) {
-      owner = e;
-    }
-  }
-  return *problem.experiments()[owner];
-}
-
-std::string control_point_note(const ScalarCurve& stiffness, size_t index) {
-  if (stiffness.kind() != CurveKind::hermite || index >= stiffness.knots().size()) return "";
-  return fmt::format("at strain {:.3g}", stiffness.knots()[index]);
-}
-
 void add_parameters(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   const int law_count = fit.fit.law.parameter_count();
@@ -57,11 +43,10 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
     ParameterEstimate estimate = estimate_of(fit, i);
     if (i < law_count) {
       estimate.between_specimen_sd = fit.between_specimen_sd[static_cast<size_t>(i)];
-      estimate.note = control_point_note(fit.fit.law.stiffness, static_cast<size_t>(i));
+      const std::optional<double> strain = fit.fit.unknowns[static_cast<size_t>(i)].strain;
+      if (strain) estimate.note = fmt::format("at strain {:.3g}", *strain);
       result.parameters.push_back(estimate);
     } else {
-      estimate.owner =
-          owner_of_nuisance(*work.problem, static_cast<int>(i) - law_count).info().name;
       result.nuisance.push_back(estimate);
     }
   }
@@ -94,7 +79,7 @@ void warn_of_noise(const ExperimentResult& row, StudyResult& result) {
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
-    const Experiment& experiment = *work.fitted[e];
+    const ComponentExperiment& experiment = *work.fitted[e];
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const int first = work.problem->first_nuisance(e);
     ExperimentResult row = compare(experiment, fit.fit.law, fit.fit.nuisance.segment(first, count));
@@ -107,7 +92,7 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     }
     result.experiments.push_back(std::move(row));
   }
-  for (const Experiment* experiment : work.validated) {
+  for (const ComponentExperiment* experiment : work.validated) {
     const Eigen::VectorXd nuisance = experiment->unfitted_nuisance(fit.fit.law);
     try {
       ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
@@ -129,11 +114,11 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
   }
   for (Eigen::Index i = 0; i < fit.fit.law.parameter_count(); ++i) {
     const auto index = static_cast<size_t>(i);
-    const std::string& name = fit.fit.limits.names[index];
+    const std::string& name = fit.fit.unknowns[index].name;
     if (fit.uncertainty.at_bound[index]) {
       result.warnings.push_back(name + " is at its bound");
       result.undetermined.push_back(name + " (the data pushes it to its bound)");
-    } else if (!fit.uncertainty.identified[index] && !fit.fit.limits.fixed[index]) {
+    } else if (!fit.uncertainty.identified[index] && !fit.fit.unknowns[index].fixed) {
       const bool interval = std::isfinite(fit.uncertainty.std_error(i));
       result.undetermined.push_back(
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
@@ -149,7 +134,7 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
 // Settings of the rolled strips whose cylinders bent them no further than a law snaps.
 int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
   int count = 0;
-  for (const Experiment* experiment : work.fitted) {
+  for (const ComponentExperiment* experiment : work.fitted) {
     if (experiment->info().type != "rolled-strip") continue;
     const MeasuredPath& path = experiment->path();
     for (size_t i = 0; i < path.strain.size(); ++i) {

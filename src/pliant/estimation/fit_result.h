@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/equilibrium_work.h"
 #include "pliant/material/material.h"

@@ -32,14 +32,10 @@ bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
   return law != FrictionLaw::constant_slope || !shaped;
 }
 
-int free_parameters(const ParameterLimits& limits) {
-  return static_cast<int>(((limits.upper - limits.lower).array() > 0).count());
-}
-
 double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
   double worst = 0;
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    const Experiment& experiment = *problem.experiments()[e];
+    const ComponentExperiment& experiment = *problem.experiments()[e];
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const ExperimentResult result =
         compare(experiment, fit.law, fit.nuisance.segment(problem.first_nuisance(e), count));
@@ -66,7 +62,7 @@ std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const C
     ModelRank rank;
     rank.component = fit.component;
     rank.name = candidate.name;
-    rank.parameters = free_parameters(model.limits);
+    rank.parameters = free_count(model.unknowns);
     rank.rms_percent = worst_percent(problem, model);
     rank.aic = independent * std::log(mean_square) + 2 * rank.parameters;
     rank.bic = independent * std::log(mean_square) + std::log(independent) * rank.parameters;

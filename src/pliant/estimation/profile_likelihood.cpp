@@ -29,15 +29,16 @@ std::optional<double> crossing(const Profile& profile, size_t from, int step) {
 Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& fit,
                            Eigen::Index index, const StopToken& stop) {
   const LawFit& best = fit.fit;
+  const Unknown& own = best.unknowns[static_cast<size_t>(index)];
   const double estimate = best.solution.parameters(index);
   const double std_error = fit.uncertainty.std_error(index);
   const bool known =
       std::isfinite(std_error) && fit.uncertainty.identified[static_cast<size_t>(index)];
-  const double step = kReach / kSteps * (known ? std_error : best.limits.scale(index) / 4);
+  const double step = kReach / kSteps * (known ? std_error : own.scale / 4);
 
   Profile profile;
-  profile.parameter = best.limits.names[static_cast<size_t>(index)];
-  profile.unit = best.limits.units[static_cast<size_t>(index)];
+  profile.parameter = own.name;
+  profile.unit = own.unit;
   if (std::isfinite(std_error)) profile.std_error = std_error;
   const double unit = fit.uncertainty.variance * fit.uncertainty.correlation_length;
 
@@ -45,11 +46,11 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
   for (const int side : {-1, 1}) {
     LawFit neighbour = best;
     for (int i = 1; i <= kSteps; ++i) {
-      const double value = std::clamp(estimate + side * i * step, best.limits.lower(index),
-                                      best.limits.upper(index));
+      const double value = std::clamp(estimate + side * i * step, own.lower, own.upper);
       if (value == points.back().first) break;  // at the bound
       LawFit held = neighbour;
-      held.limits.lower(index) = held.limits.upper(index) = value;
+      Unknown& unknown = held.unknowns[static_cast<size_t>(index)];
+      unknown.lower = unknown.upper = value;
       held.solution.parameters(index) = value;
       held = refit(problem, held, stop);
       points.push_back({value, 2 * (held.solution.cost - best.solution.cost) / unit});

@@ -17,9 +17,10 @@ constexpr double kUnseenShare = 1e-6;  // of a unit vector
 constexpr double kIdentifiedShare = 0.05;  // of the scale
 
 bool is_at_bound(const LawFit& fit, Eigen::Index i) {
-  const double gap = kBoundShare * fit.limits.scale(i);
+  const Unknown& unknown = fit.unknowns[static_cast<size_t>(i)];
+  const double gap = kBoundShare * unknown.scale;
   const double value = fit.solution.parameters(i);
-  return value - fit.limits.lower(i) <= gap || fit.limits.upper(i) - value <= gap;
+  return value - unknown.lower <= gap || unknown.upper - value <= gap;
 }
 
 // Mean over the specimens, by number of rows.
@@ -45,6 +46,32 @@ bool all_noise_is_stated(const ComponentProblem& problem) {
                      [](const RowNoise& noise) { return noise.stated; });
 }
 
+// The problem without the rows that do not count.
+LeastSquaresProblem counted_rows(const Problem& rows) {
+  std::vector<Eigen::Index> counted;
+  Eigen::Index row = 0;
+  for (const ProblemPart& part : rows.parts()) {
+    for (const double weight : part.weight) {
+      if (weight > 0) counted.push_back(row);
+      ++row;
+    }
+  }
+  LeastSquaresProblem all = rows.least_squares();
+  while (row < all.residuals) counted.push_back(row++);  // priors
+  LeastSquaresProblem problem = all;
+  problem.residuals = static_cast<int>(counted.size());
+  problem.evaluate = [all, counted](const Eigen::VectorXd& p, Eigen::VectorXd& residual,
+                                    Eigen::MatrixXd* jacobian) {
+    Eigen::VectorXd each(all.residuals);
+    Eigen::MatrixXd by(all.residuals, p.size());
+    if (!all.evaluate(p, each, jacobian ? &by : nullptr)) return false;
+    residual = each(counted);
+    if (jacobian) *jacobian = by(counted, Eigen::all);
+    return true;
+  };
+  return problem;
+}
+
 using Svd = Eigen::BDCSVD<Eigen::MatrixXd>;
 
 Uncertainty nothing_known(Eigen::Index count) {
@@ -63,7 +90,7 @@ std::vector<Eigen::Index> free_unknowns(const LawFit& fit, Uncertainty& result) 
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < fit.solution.parameters.size(); ++i) {
     const auto index = static_cast<size_t>(i);
-    if (fit.limits.fixed[index]) continue;
+    if (fit.unknowns[index].fixed) continue;
     result.at_bound[index] = is_at_bound(fit, i) ? 1 : 0;
     free.push_back(i);
   }
@@ -118,8 +145,8 @@ double student_quantile_95(double degrees_of_freedom) {
 }
 
 Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
-  return linearised_uncertainty(problem.least_squares(fit.law, fit.limits), problem, fit,
-                                all_noise_is_stated(problem));
+  const Problem rows = problem_of(problem, fit);
+  return linearised_uncertainty(counted_rows(rows), problem, fit, all_noise_is_stated(problem));
 }
 
 Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
@@ -132,7 +159,7 @@ Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
   if (free.empty() || !least_squares.evaluate(fit.solution.parameters, residual, &jacobian)) {
     return result;
   }
-  const Eigen::VectorXd scale = fit.limits.scale(free);
+  const Eigen::VectorXd scale = least_squares.scale(free);
   const Svd svd(jacobian(Eigen::all, free) * scale.asDiagonal(),
                 Eigen::ComputeThinU | Eigen::ComputeThinV);
   result.singular_values = svd.singularValues();

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/stage_search.h"
+#include "pliant/experiment/session/lost_frames.h"
 
 namespace pliant {
 namespace {

@@ -36,8 +36,8 @@ namespace {
 std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord) {
   std::vector<Eigen::Index> all;
   for (std::size_t i = 0; i < uncertainty.unknowns.size(); ++i) {
-    const SheetUnknown &one = uncertainty.unknowns[cord], &other = uncertainty.unknowns[i];
-    if (one.owner == other.owner && one.clip == other.clip) {
+    const Unknown &one = uncertainty.unknowns[cord], &other = uncertainty.unknowns[i];
+    if (one.together == other.together) {
       all.push_back(static_cast<Eigen::Index>(i));
     }
   }
@@ -51,15 +51,15 @@ std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord
 /// the prior.
 ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
-  const SheetUnknown& unknown = uncertainty.unknowns[index];
+  const Unknown& unknown = uncertainty.unknowns[index];
   ParameterEstimate estimate;
   estimate.name = unknown.name;
   estimate.owner = unknown.owner;
   estimate.unit = unknown.unit;
   estimate.value = uncertainty.values(i);
-  const bool cord = !unknown.clip.empty();
+  const bool cord = !unknown.of_material;
   if (!cord && !unknown.of_friction) {
-    estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
+    estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain.value_or(0));
   }
   estimate.note += cord ? loops_together(uncertainty, index) : uncertainty.told_by[index];
   estimate.fixed = unknown.fixed;
@@ -271,7 +271,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   result.covariance = uncertainty.covariance;
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
     ParameterEstimate estimate = estimate_of(uncertainty, i);
-    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].clip.empty();
+    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;
     (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
   result.material = fit.material;

@@ -53,10 +53,10 @@ double frames_together(const std::vector<FramePart>& frames, const Indices& own)
 }
 
 /// The unknowns that the prediction of a test depends on: those of the material and its own cords.
-Indices places_in(const SheetTest& test, const std::vector<SheetUnknown>& unknowns) {
+Indices places_in(const SheetTest& test, const std::vector<Unknown>& unknowns) {
   Indices places;
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    const bool of_material = unknowns[u].clip.empty();
+    const bool of_material = unknowns[u].of_material;
     if (of_material || unknowns[u].owner == test.name()) {
       places.push_back(static_cast<Eigen::Index>(u));
     }
@@ -71,18 +71,16 @@ TestPart part_of(const SheetTest& test, const SheetFit& fit, const Indices& own,
                  const Indices& places, const Eigen::VectorXd& unit, const RunContext& context) {
   const SheetProblem problem({&test}, fit.material, fit.groups,
                              std::vector<double>(fit.groups.size(), 1), context, fit.cords);
-  const LeastSquaresProblem squares = problem.least_squares();
-  Eigen::VectorXd residual(squares.residuals);
-  Eigen::MatrixXd by_places;
+  const auto predicted = problem.rows().predict(0, problem.start(), /*derivatives=*/true);
   TestPart result;
-  const bool found = squares.evaluate(problem.start(), residual, &by_places);
-  result.work = problem.work();
-  if (!found) return result;
-  const double scale = problem.scales().front();
+  result.work = problem.rows().work();
+  if (!predicted) return result;
+  const Eigen::ArrayXd weights = test.weights();
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(test.rows(), unit.size());
-  jacobian(Eigen::all, places) = scale * by_places.topRows(test.rows());
-  residual = scale * residual.head(test.rows()).eval();
-  result.variance = std::max(residual.squaredNorm() / test.rows(), 1e-20 * scale * scale);
+  jacobian(Eigen::all, places) = weights.matrix().asDiagonal() * predicted->by;
+  const Eigen::VectorXd residual = weights * (predicted->value - test.measured()).array();
+  const double size = test.measured().cwiseAbs().maxCoeff();
+  result.variance = std::max(residual.squaredNorm() / test.rows(), 1e-20 * size * size);
   result.information = jacobian.colwise().squaredNorm().transpose() / result.variance;
   jacobian *= unit.asDiagonal();
   const Eigen::Index n = unit.size();
@@ -129,23 +127,18 @@ std::vector<const SheetStage*> take_unknowns(const SheetFit& fit, const FitOptio
     for (const SheetStage& stage : plan) {
       if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
     }
-    for (const SheetUnknown& unknown :
-         unknowns_of(fit.material, {group}, {largest_strain(fit, group)},
-                     shortest_edge(*plan.front().tests.front()))) {
+    for (const Unknown& unknown : unknowns_of(fit.material, {group}, {largest_strain(fit, group)},
+                                              shortest_edge(*plan.front().tests.front()))) {
       result.unknowns.push_back(unknown);
       stage_of.push_back(last);
     }
   }
-  result.values = values_of(fit.material, fit.groups);
   for (const auto& [test, stage] : last_stages(plan)) {
-    const std::vector<SheetUnknown> cords = cord_unknowns(*test);
-    if (cords.empty()) continue;
+    const std::vector<Unknown> cords = cord_unknowns(*test, fit.cords);
     result.unknowns.insert(result.unknowns.end(), cords.begin(), cords.end());
     stage_of.insert(stage_of.end(), cords.size(), stage);
-    const auto count = static_cast<Eigen::Index>(cords.size());
-    result.values.conservativeResize(result.values.size() + count);
-    result.values.tail(count) = cord_widths(*test, fit.cords);
   }
+  result.values = starts_of(result.unknowns);
   apply_options(options, result.unknowns);
   return stage_of;
 }
@@ -168,7 +161,7 @@ using TestParts = std::map<const SheetTest*, TestPart, ByName>;
 /// The unknowns on which there is information, in more than one frame.
 Indices known_unknowns(const Eigen::MatrixXd& slope, const TestParts& tests,
                        const std::vector<const SheetStage*>& stage_of,
-                       const std::vector<SheetUnknown>& unknowns) {
+                       const std::vector<Unknown>& unknowns) {
   Eigen::VectorXd of_one = Eigen::VectorXd::Zero(slope.rows());
   for (const auto& [test, part] : tests) {
     for (const FramePart& frame : part.frames) of_one = of_one.cwiseMax(frame.slope.diagonal());
@@ -215,7 +208,7 @@ PriorPart prior_part(const SheetUncertainty& result, const Eigen::VectorXd& unit
                      const TestParts& tests, const std::vector<const SheetStage*>& stage_of) {
   const Eigen::Index n = unit.size();
   PriorPart part{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
-  for (const SheetPrior& prior : priors_of(result.unknowns)) {
+  for (const SumPrior& prior : priors_of(result.unknowns)) {
     double squares = 0, rows = 0;
     const auto first = static_cast<std::size_t>(prior.sum.front().first);
     for (const SheetTest* test : stage_of[first]->tests) {
@@ -273,9 +266,9 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& option
 
   std::map<const SheetTest*, Indices, ByName> unknowns_in;
   for (Eigen::Index u = 0; u < n; ++u) {
-    const SheetUnknown& unknown = result.unknowns[static_cast<std::size_t>(u)];
+    const Unknown& unknown = result.unknowns[static_cast<std::size_t>(u)];
     for (const SheetTest* test : stage_of[static_cast<std::size_t>(u)]->tests) {
-      if (unknown.clip.empty() || unknown.owner == test->name()) unknowns_in[test].push_back(u);
+      if (unknown.of_material || unknown.owner == test->name()) unknowns_in[test].push_back(u);
     }
   }
   TestParts tests;

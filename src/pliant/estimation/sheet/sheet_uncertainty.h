@@ -11,7 +11,7 @@ namespace pliant {
 
 /// What the data of an incremental fit says about its unknowns.
 struct SheetUncertainty {
-  std::vector<SheetUnknown> unknowns;  ///< of all groups, then the cords of all tests
+  std::vector<Unknown> unknowns;  ///< of all groups, then the cords of all tests
   Eigen::VectorXd values;
   Eigen::MatrixXd covariance;  ///< zero rows and columns where undetermined or fixed
   std::vector<char> determined;

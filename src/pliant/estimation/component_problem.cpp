@@ -10,37 +10,12 @@ namespace {
 
 // First guess of a residual's size, as a share of the measured range.
 constexpr double kFirstNoiseShare = 0.01;
-constexpr double kSmallestNoiseShare = 1e-9;  // noise-free data still has a weight
 
-bool measures_length(const ComponentExperiment& experiment) {
-  const std::string& kind = experiment.info().quantity.kind;
-  return kind == "length" || kind == "distance";
-}
-
-std::optional<double> stated_noise(const ComponentExperiment& experiment) {
+double first_noise(const ComponentExperiment& experiment) {
   const ExperimentInfo& info = experiment.info();
-  return measures_length(experiment) ? info.length_noise : info.force_noise;
-}
-
-// Mean square of the used rows.
-double mean_square(const Eigen::VectorXd& values, const std::vector<char>& used) {
-  double sum = 0;
-  int count = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (!used[static_cast<size_t>(i)]) continue;
-    sum += values(i) * values(i);
-    ++count;
-  }
-  return count == 0 ? 0 : sum / count;
-}
-
-RowNoise make_noise(const ComponentExperiment& experiment, const std::vector<char>& used, double sd,
-                    const Eigen::VectorXd& from_length) {
-  RowNoise noise;
-  noise.stated = stated_noise(experiment).has_value();
-  noise.sd = (from_length.array().square() + sd * sd).sqrt();
-  noise.typical = std::sqrt(mean_square(noise.sd, used));
-  return noise;
+  const bool length = info.quantity.kind == "length" || info.quantity.kind == "distance";
+  const std::optional<double>& stated = length ? info.length_noise : info.force_noise;
+  return stated.value_or(kFirstNoiseShare * experiment.reference());
 }
 
 }  // namespace
@@ -63,9 +38,7 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
       const bool from_zero = !path.starts_flat.empty() && path.starts_flat[i];
       smallest_strain_ = std::min(smallest_strain_, from_zero ? 0.0 : std::abs(path.strain[i]));
     }
-    const double sd =
-        stated_noise(*experiment).value_or(kFirstNoiseShare * experiment->reference());
-    noise_.push_back(make_noise(*experiment, used, sd, Eigen::VectorXd::Zero(experiment->rows())));
+    weight_.push_back(Eigen::VectorXd::Constant(experiment->rows(), 1 / first_noise(*experiment)));
   }
 }
 
@@ -104,27 +77,12 @@ std::vector<Unknown> ComponentProblem::unknowns(const ComponentLaw& shape,
   return all;
 }
 
-double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
+double ComponentProblem::take_noise(const MeasuredNoise& noise) {
   double change = 0;
   for (size_t e = 0; e < experiments_.size(); ++e) {
-    const ComponentExperiment& experiment = *experiments_[e];
-    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
-    const auto prediction =
-        experiment.predict(law, nuisance.segment(first_nuisance_[e], count), false);
-    if (!prediction) continue;
-    Eigen::VectorXd from_length = Eigen::VectorXd::Zero(experiment.rows());
-    if (!measures_length(experiment) && prediction->length_gain.size() > 0) {
-      from_length = experiment.info().length_noise.value_or(0) * prediction->length_gain;
-    }
-    const std::vector<char>& used = used_[e];
-    const double smallest = kSmallestNoiseShare * experiment.reference();
-    const double unexplained = mean_square(prediction->value - experiment.measured(), used) -
-                               mean_square(from_length, used);
-    const double sd =
-        stated_noise(experiment).value_or(std::sqrt(std::max(unexplained, smallest * smallest)));
-    const double before = noise_[e].typical;
-    noise_[e] = make_noise(experiment, used, sd, from_length);
-    change = std::max(change, std::abs(noise_[e].typical - before) / before);
+    if (noise.weight[e].maxCoeff() <= 0) continue;  // no row of it takes part
+    change = std::max(change, std::abs(noise.weight[e].norm() / weight_[e].norm() - 1));
+    weight_[e] = noise.weight[e];
   }
   return change;
 }
@@ -133,9 +91,9 @@ Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown
   std::vector<ProblemPart> parts;
   for (size_t e = 0; e < experiments_.size(); ++e) {
     const std::vector<char>& used = used_[e];
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(noise_[e].sd.size());
+    Eigen::VectorXd weight = weight_[e];
     for (Eigen::Index i = 0; i < weight.size(); ++i) {
-      if (used[static_cast<size_t>(i)]) weight(i) = 1 / noise_[e].sd(i);
+      if (!used[static_cast<size_t>(i)]) weight(i) = 0;
     }
     parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }

@@ -5,23 +5,19 @@
 
 #include <Eigen/Core>
 
+#include "pliant/estimation/measured_noise.h"
 #include "pliant/estimation/problem.h"
 #include "pliant/estimation/unknown.h"
 #include "pliant/experiment/component_experiment.h"
 
 namespace pliant {
 
-/// How strongly the rows of one experiment count: the standard deviation of each row's residual.
-struct RowNoise {
-  Eigen::VectorXd sd;   ///< one per row, in the unit of the measured quantity
-  bool stated = false;  ///< by the study; otherwise estimated from residuals
-  double typical = 0;   ///< root mean square of `sd` over the used rows
-};
-
 /// The estimation of one strain component from all experiments that measure it.
 ///
 /// Unknowns are the parameters of the law followed by the nuisance parameters of each experiment.
-/// The residual of a row is (predicted - measured) / sd; that of a row that is left out is zero.
+/// Residuals are weighed by what is known of the noise: at first what the study states, or 1 % of
+/// the measured range, then what the residuals of a solution show. That of a row that is left out
+/// is zero.
 class ComponentProblem {
  public:
   /// @param experiments  all of one component, role fit; they outlive the problem
@@ -47,11 +43,9 @@ class ComponentProblem {
   double largest_strain() const { return largest_strain_; }
   double smallest_strain() const { return smallest_strain_; }
 
-  const std::vector<RowNoise>& noise() const { return noise_; }
-  /// Sets the noise of experiments whose noise is not stated from the residuals at a solution, and
-  /// the share of stated length noise in forces from the slopes there. Returns the largest relative
-  /// change.
-  double update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance);
+  /// Takes the weights that the noise at a solution gives. Returns the largest relative change of
+  /// those of an experiment.
+  double take_noise(const MeasuredNoise& noise);
 
   /// The least-squares problem of a law of this shape.
   /// @param unknowns  as `unknowns` gives them for the shape
@@ -61,7 +55,7 @@ class ComponentProblem {
   std::vector<const ComponentExperiment*> experiments_;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
-  std::vector<RowNoise> noise_;
+  std::vector<Eigen::VectorXd> weight_;  // of each experiment
   int nuisance_count_ = 0;
   int used_rows_ = 0;
   double peak_stress_ = 0;

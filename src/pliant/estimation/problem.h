@@ -20,6 +20,8 @@ struct ProblemPart {
   /// What the difference of each row is multiplied by: 1 / its standard deviation, or 0 where the
   /// row does not count.
   Eigen::VectorXd weight = {};
+  /// Whether what the study states of the noise holds for the differences.
+  bool takes_stated_noise = true;
 };
 
 /// All rows of an experiment as some values of the unknowns predict them.

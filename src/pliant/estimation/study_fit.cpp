@@ -39,7 +39,7 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToke
   work.problem.emplace(work.fitted);
   work.fit = fit_component(*work.problem, work.plan, stop);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
-    work.models = compare_friction(*work.problem, work.fit, work.plan.fit, stop);
+    work.models = compare_friction(*work.problem, work.fit, work.plan, stop);
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
   const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;

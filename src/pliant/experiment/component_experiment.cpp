@@ -74,6 +74,16 @@ std::vector<Frame> ComponentExperiment::frames() const {
   return frames;
 }
 
+std::vector<std::vector<int>> ComponentExperiment::series() const {
+  std::vector<std::vector<int>> series;
+  for (int row = 0; row < rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (row == 0 || path_.specimen[i] != path_.specimen[i - 1]) series.emplace_back();
+    series.back().push_back(row);
+  }
+  return series;
+}
+
 Eigen::ArrayXd ComponentExperiment::weights() const {
   return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(
              info_.used.data(), static_cast<Eigen::Index>(info_.used.size()))

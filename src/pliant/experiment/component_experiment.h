@@ -51,6 +51,9 @@ class ComponentExperiment : public Experiment {
 
   /// Runs of rows that the path goes from one turning point.
   std::vector<Frame> frames() const override;
+  /// One of each specimen.
+  std::vector<std::vector<int>> series() const override;
+  double reference() const override;
   Eigen::ArrayXd weights() const override;
   std::unique_ptr<Predictor> predictor(const Material& material) const override;
   /// The same for a law of its component, in a form that materials need not have.
@@ -70,9 +73,6 @@ class ComponentExperiment : public Experiment {
   /// apparatus.
   /// @param law  that will be predicted with: what no apparatus knows is read off beside it
   virtual Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const = 0;
-
-  /// What an error is compared with (SI): the largest force, or the largest change of length.
-  virtual double reference() const;
 
   /// Largest force that the material carries (N, or N/m for forces per width).
   virtual double peak_force() const;

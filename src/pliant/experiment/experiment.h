@@ -61,6 +61,11 @@ class Experiment {
   virtual std::vector<Frame> frames() const = 0;
   const std::vector<NuisanceParameter>& nuisance() const { return nuisance_; }
 
+  /// Rows of one channel in the order in which it was measured, whose errors may go together.
+  virtual std::vector<std::vector<int>> series() const = 0;
+  /// What an error is compared with (SI), > 0: the largest force, or the largest change of length.
+  virtual double reference() const = 0;
+
   /// What each row counts in a fit: 1, or 0 where it is left out.
   virtual Eigen::ArrayXd weights() const = 0;
 

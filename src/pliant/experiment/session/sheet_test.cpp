@@ -1,6 +1,7 @@
 #include "pliant/experiment/session/sheet_test.h"
 
 #include <algorithm>
+#include <map>
 #include <ranges>
 #include <utility>
 
@@ -175,6 +176,9 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
   info_.name = std::move(name);
   info_.type = "session";
   info_.direction = session_.test;
+  info_.quantity = objective == SheetObjective::positions
+                       ? MeasuredQuantity{"height_mm", "distance", "mm", 1e3}
+                       : MeasuredQuantity{"force_N", "force", "N", 1};
   require_directions(session_, objective_, info_.name);
   if (friction_.unknown || friction_.width > 0) cords_ = cord_drags(session_);
   if (friction_.unknown) add_cords();
@@ -322,6 +326,30 @@ std::vector<Frame> SheetTest::frames() const {
     first += rows(frame);
   }
   return frames;
+}
+
+std::vector<std::vector<int>> SheetTest::series() const {
+  std::map<std::pair<int, Eigen::Index>, std::vector<int>> channels;  // by clip or node, and place
+  int row = 0;
+  for (const Compared& compared : compared_) {
+    std::map<int, Eigen::Index> place;
+    for (const ForceRow& force : compared.forces) {
+      channels[{force.clip, place[force.clip]++}].push_back(row++);
+    }
+    for (const int node : compared.nodes) {
+      for (Eigen::Index axis = 0; axis < 3; ++axis) channels[{node, axis}].push_back(row++);
+    }
+  }
+  std::vector<std::vector<int>> series;
+  for (auto& [channel, rows] : channels) series.push_back(std::move(rows));
+  return series;
+}
+
+double SheetTest::reference() const {
+  if (objective_ == SheetObjective::positions) {
+    return std::max(session_.sample.width, session_.sample.height);
+  }
+  return measured_.cwiseAbs().maxCoeff();
 }
 
 Eigen::ArrayXd SheetTest::weights() const {

@@ -67,6 +67,9 @@ class SheetTest : public Experiment {
   Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
 
   std::vector<Frame> frames() const override;
+  /// One of each coordinate of a clip's force or of a node, along the frames.
+  std::vector<std::vector<int>> series() const override;
+  double reference() const override;
   Eigen::ArrayXd weights() const override;
   /// @param material  complete
   std::unique_ptr<Predictor> predictor(const Material& material) const override;

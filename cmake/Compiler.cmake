@@ -31,6 +31,10 @@ if(PLIANT_FAST_BUILD)
   target_compile_options(pliant_options INTERFACE -Wno-shadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(pliant_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # Given for the standard library's own strings, by chance of inlining (GCC bug 105651).
+      target_compile_options(pliant_options INTERFACE -Wno-restrict)
+    endif()
   endif()
 endif()
 

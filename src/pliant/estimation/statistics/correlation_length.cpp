@@ -44,6 +44,7 @@ std::vector<double> autocorrelations(const std::vector<ResidualSeries>& series, 
 /// Spectrum at frequency zero over the variance, of the autoregression with these autocorrelations
 /// (Levinson's recursion) whose order has the least BIC.
 double spectrum_at_zero(const std::vector<double>& correlation, double spare) {
+  if (correlation[1] <= 0) return 1;  // neighbours do not go together
   std::vector<double> coefficients;
   double innovation = 1, least = 0, spectrum = 1;
   for (std::size_t order = 1; order < correlation.size(); ++order) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFewestSpareRows = 5;
 constexpr double kAssumedShare = 0.01;   // of the measured range
 constexpr double kSmallestShare = 1e-9;  // of the range: noise-free data still has a weight
-constexpr double kContradiction = 0.99;  // chi squared beyond it contradicts an assumption
+constexpr double kContradiction = 0.95;  // chi squared beyond it contradicts an assumption
 
 std::vector<ResidualSeries> series_of(const ExperimentResiduals& experiment) {
   PLIANT_ASSERT(experiment.series.size() == static_cast<size_t>(experiment.residual.size()),
@@ -34,7 +34,14 @@ double own_squares(const ExperimentResiduals& experiment) {
   return std::max(experiment.residual.squaredNorm() - rows * experiment.carried_mean_square, 0.0);
 }
 
-bool tells_noise(const ExperimentNoise& noise) { return noise.spare_rows >= kFewestSpareRows; }
+bool tells_noise(const ExperimentResiduals& experiment) {
+  return static_cast<double>(experiment.residual.size()) - experiment.leverage >= kFewestSpareRows;
+}
+
+/// Rows that sd is told by: rows - L leverage.
+double spare_for_sd(const ExperimentNoise& noise) {
+  return noise.spare_rows * noise.correlation_length;
+}
 
 /// From the residuals alone; sd is 0 where too few rows are spare.
 ExperimentNoise from_residuals(const ExperimentResiduals& experiment) {
@@ -44,8 +51,8 @@ ExperimentNoise from_residuals(const ExperimentResiduals& experiment) {
   noise.effective_rows = noise.rows / noise.correlation_length;
   noise.spare_rows = noise.effective_rows - experiment.leverage;
   noise.degrees = std::max(noise.spare_rows, 1.0);
-  if (tells_noise(noise)) {
-    noise.sd = std::sqrt(own_squares(experiment) / (noise.spare_rows * noise.correlation_length));
+  if (tells_noise(experiment)) {
+    noise.sd = std::sqrt(own_squares(experiment) / spare_for_sd(noise));
   }
   return noise;
 }
@@ -62,9 +69,9 @@ Assumption assumed_noise(const ExperimentResiduals& experiment,
                          const std::vector<ExperimentNoise>& told) {
   double squares = 0, spare = 0, degrees = 0;
   for (size_t e = 0; e < all.size(); ++e) {
-    if (!tells_noise(told[e]) || all[e].quantity != experiment.quantity) continue;
+    if (!tells_noise(all[e]) || all[e].quantity != experiment.quantity) continue;
     squares += own_squares(all[e]);
-    spare += told[e].spare_rows * told[e].correlation_length;
+    spare += spare_for_sd(told[e]);
     degrees += told[e].spare_rows;
   }
   if (spare == 0) return {kAssumedShare * experiment.range};
@@ -77,7 +84,7 @@ void assume(const Assumption& assumption, const ExperimentResiduals& experiment,
   noise.source = assumption.source;
   noise.degrees = assumption.degrees;
   if (noise.spare_rows <= 0) return;
-  const double expected = noise.spare_rows * noise.correlation_length;
+  const double expected = spare_for_sd(noise);
   const double squares = own_squares(experiment);
   const double possible =
       chi_square_quantile(kContradiction, expected) * assumption.sd * assumption.sd;
@@ -87,9 +94,9 @@ void assume(const Assumption& assumption, const ExperimentResiduals& experiment,
   noise.degrees = std::max(noise.spare_rows, 1.0);
 }
 
-void take_stated(double stated, ExperimentNoise& noise) {
-  if (tells_noise(noise) && noise.sd > stated) return;
-  noise.sd = stated;
+void take_stated(const ExperimentResiduals& experiment, ExperimentNoise& noise) {
+  if (tells_noise(experiment) && noise.sd > *experiment.stated) return;
+  noise.sd = *experiment.stated;
   noise.source = NoiseSource::stated;
   noise.degrees = std::numeric_limits<double>::infinity();
 }
@@ -106,8 +113,8 @@ std::vector<ExperimentNoise> measure_noise(const std::vector<ExperimentResiduals
     const ExperimentResiduals& experiment = experiments[e];
     ExperimentNoise& noise = result[e];
     if (experiment.stated) {
-      take_stated(*experiment.stated, noise);
-    } else if (!tells_noise(noise)) {
+      take_stated(experiment, noise);
+    } else if (!tells_noise(experiment)) {
       assume(assumed_noise(experiment, experiments, told), experiment, noise);
     }
     const double rounding = rounding_sd(experiment.resolution);

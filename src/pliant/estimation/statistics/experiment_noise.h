@@ -48,11 +48,11 @@ struct ExperimentNoise {
 /// The noise of each experiment at a solution.
 ///
 /// sd^2 = sum r^2 / (rows - L leverage): what the unknowns took out of the residuals is put back,
-/// also where they go together over L rows (`correlation_length`). With fewer than five spare rows
-/// that says nothing; then the pooled sd of experiments of the same quantity is assumed (their
-/// summed r^2 over their summed spare rows), else 1 % of the range, unless the residuals contradict
-/// it (chi squared at 99 %). A stated sd is a floor where residuals can tell; so is the resolution,
-/// step / sqrt(12), everywhere.
+/// also where they go together over L rows (`correlation_length`). With fewer than five rows -
+/// leverage that says nothing; then the pooled sd of experiments of the same quantity is assumed
+/// (their summed r^2 over their summed spare rows), else 1 % of the range, unless the residuals
+/// contradict it (chi squared at 95 %). A stated sd is a floor where residuals can tell; so is the
+/// resolution, step / sqrt(12), everywhere.
 ///
 /// Noise and leverage depend on each other: fit, measure and fit again until both settle.
 std::vector<ExperimentNoise> measure_noise(const std::vector<ExperimentResiduals>& experiments);

@@ -12,7 +12,6 @@ namespace pliant {
 namespace {
 
 constexpr double kLeftWithout = 1e-3;     // of the information on an unknown, without one group
-constexpr double kFewestDegrees = 2;      // a variance of fewer is no variance
 constexpr double kNoInformation = 1e-12;  // of G^-1 G_i: a group that tells nothing
 
 /// All in units in which the formula's standard errors are 1.
@@ -131,7 +130,6 @@ JackknifeVariance jackknife_variance(const EstimatingSums& sums, const FormulaCo
     const Eigen::MatrixXd noise = changes_under_noise(all, changes, u);
     if (noise.trace() <= kNoInformation) continue;
     const double degrees = noise.trace() * noise.trace() / noise.squaredNorm();
-    if (degrees < kFewestDegrees) continue;
     const double by_data =  // the formula's variance is 1
         (1 - by_priors(u)) * changes.change.row(u).squaredNorm() / noise.trace();
     const double share = by_data / (by_data + by_priors(u));

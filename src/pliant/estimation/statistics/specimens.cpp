@@ -35,6 +35,18 @@ Weighed weighed(const SpecimenFits& fits, double between, double least) {
   return result;
 }
 
+/// A joint fit gives a specimen the share 1 / variance, whatever the material does: by how much
+/// that raises the variance of a mean over specimens that differ, against equal shares.
+double unevenness(const SpecimenFits& fits, double least) {
+  double sum = 0, squares = 0;
+  for (const double variance : fits.variance) {
+    const double weight = 1 / std::max(variance, least);
+    sum += weight;
+    squares += weight * weight;
+  }
+  return static_cast<double>(fits.value.size()) * squares / (sum * sum);
+}
+
 /// The variance at which the weighed squares are as many as the degrees of freedom.
 double paule_mandel(const SpecimenFits& fits, double largest, double least) {
   const auto degrees = static_cast<double>(fits.value.size() - 1);
@@ -66,8 +78,9 @@ std::optional<SpecimenSpread> specimen_spread(const SpecimenFits& fits) {
   const Weighed at = weighed(fits, between, least);
   spread.between_sd = std::sqrt(between);
   spread.mean = at.mean;
-  spread.mean_sd = std::sqrt(std::max(at.squares / (spread.degrees * at.weights),
-                                      between / static_cast<double>(fits.value.size())));
+  const auto count = static_cast<double>(fits.value.size());
+  const double variance = std::max(at.squares / (spread.degrees * at.weights), between / count);
+  spread.mean_sd = std::sqrt(variance * unevenness(fits, least));
   return spread;
 }
 

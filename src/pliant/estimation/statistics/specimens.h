@@ -17,16 +17,18 @@ struct SpecimenFits {
 struct SpecimenSpread {
   double between_sd = 0;  ///< without the fits' own noise; 0 where that explains all
   double mean = 0;        ///< weighed by 1 / (between_sd^2 + variance)
-  double mean_sd = 0;     ///< standard error of a mean over specimens
+  double mean_sd = 0;     ///< standard error of a joint fit over specimens
   double degrees = 1;     ///< of freedom of mean_sd: specimens - 1
 };
 
 /// Random effects over specimens: between_sd^2 is where the weighed squares about the mean come to
 /// their expectation, specimens - 1 ([Paule1982]), and mean_sd^2 is the weighed scatter itself,
-/// sum w (x - mean)^2 / ((m - 1) sum w) ([Hartung2001]), never below between_sd^2 / m.
+/// sum w (x - mean)^2 / ((m - 1) sum w) ([Hartung2001]), never below between_sd^2 / m. It is raised
+/// by m sum a^2 / (sum a)^2, a = 1 / variance: a joint fit weighs specimens by their noise alone.
 ///
-/// That is exact for specimens that are equally well measured, however much they differ; the moment
-/// estimator of DerSimonian and Laird with a normal interval covers 62 to 88 % for 2 to 10 of them.
+/// For specimens that are equally well measured that is exact, however much they differ. The moment
+/// estimator of DerSimonian and Laird with a normal interval ([DerSimonian1986]) covers 70 to 92 %
+/// for 2 to 10 of them (docs/estimation.md).
 /// @return nothing for fewer than two specimens
 std::optional<SpecimenSpread> specimen_spread(const SpecimenFits& fits);
 

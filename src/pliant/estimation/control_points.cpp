@@ -7,6 +7,7 @@
 #include "pliant/estimation/linear_start.h"
 #include "pliant/estimation/measured_noise.h"
 #include "pliant/estimation/statistics/model_growth.h"
+#include "pliant/experiment/loop_metrics.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -106,9 +107,13 @@ double root_mean_square(const ComponentProblem& problem, const LawFit& fit) {
 }
 
 // Rows whose residuals go together count as one: told by the richest curve at hand, as a poor one
-// misses them all in one way. A linear fit will do.
-double effective_rows_of(const ComponentProblem& problem, FrictionLaw friction,
-                         const DataStrains& strains, const FitOptions& options, bool even) {
+// misses them all in one way: with friction where there are loops, whatever is fitted. A linear fit
+// will do.
+double effective_rows_of(const ComponentProblem& problem, const DataStrains& strains,
+                         const FitOptions& options, bool even) {
+  const bool loops = std::ranges::any_of(
+      problem.experiments(), [](const auto* experiment) { return unloads(experiment->path()); });
+  const FrictionLaw friction = loops ? FrictionLaw::dahl : FrictionLaw::none;
   std::vector<double> knots;
   for (int i = 0; i < options.control_points; ++i) {
     const double share = i / std::max(options.control_points - 1.0, 1.0);
@@ -130,7 +135,7 @@ GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
                         const FitOptions& options, const StopToken& stop) {
   const bool even = is_even(component_of(problem));
   const DataStrains strains = data_strains(problem, even);
-  const double rows = effective_rows_of(problem, friction, strains, options, even);
+  const double rows = effective_rows_of(problem, strains, options, even);
   std::vector<LawFit> fits;  // of one point, of two, ...
   const auto fit_of = [&](int points) -> std::optional<ModelFit> {
     if (points == 1) {

@@ -87,6 +87,7 @@ double change(const std::vector<ExperimentNoise>& now, const std::vector<Experim
 
 void measure_leverages(const Problem& problem, const ToldUnknowns& told, MeasuredNoise& noise) {
   const std::vector<Eigen::Index> free = free_unknowns(problem.unknowns());
+  if (free.empty()) return;
   const EstimatingSums sums = estimating_sums(problem, noise.rows, noise.weight, free, told);
   const Eigen::VectorXd unit = units_of(problem.unknowns(), free);
   const std::vector<double> infinite(noise.of.size(), INFINITY);

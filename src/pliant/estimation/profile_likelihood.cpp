@@ -12,6 +12,14 @@ constexpr double kThreshold = 3.841458820694124;  // 95 % of chi squared with on
 constexpr int kSteps = 8;                         // values on each side of the estimate
 constexpr double kReach = 4;                      // standard errors on each side
 
+// By how much the variance of an unknown exceeds the formula's, where groups of rows disagree by
+// more than the noise of rows: chi squared counts in units of it.
+double squared_excess(const Uncertainty& uncertainty, Eigen::Index index) {
+  const double ratio = uncertainty.covariance(index, index) /
+                       (uncertainty.formula_sd(index) * uncertainty.formula_sd(index));
+  return ratio > 1 ? ratio : 1;
+}
+
 // The fit with an unknown held at a value, from a fit nearby.
 LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index, double value,
                const StopToken& stop) {
@@ -39,6 +47,7 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
   profile.unit = own.unit;
   if (std::isfinite(std_error)) profile.std_error = std_error;
 
+  const double unit = squared_excess(fit.uncertainty, index);
   std::vector<std::pair<double, double>> points{{estimate, 0.0}};
   for (const int side : {-1, 1}) {
     LawFit neighbour = best;
@@ -46,7 +55,7 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
       const double value = std::clamp(estimate + side * i * step, own.lower, own.upper);
       if (value == points.back().first) break;  // at the bound
       neighbour = held_at(problem, neighbour, index, value, stop);
-      points.push_back({value, 2 * (neighbour.solution.cost - best.solution.cost)});
+      points.push_back({value, 2 * (neighbour.solution.cost - best.solution.cost) / unit});
     }
   }
   std::sort(points.begin(), points.end());
@@ -70,7 +79,8 @@ std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawF
   const Unknown& own = fit.unknowns[static_cast<size_t>(index)];
   LimitSearch search;
   search.estimate = fit.solution.parameters(index);
-  search.cost = fit.solution.cost;
+  const double unit = squared_excess(uncertainty, index);
+  search.cost = fit.solution.cost / unit;
   const bool below = search.estimate - own.lower < own.upper - search.estimate;
   const double sd = std::sqrt(uncertainty.covariance(index, index));
   search.step = (below ? 1 : -1) * (sd > 0 ? sd : own.scale / 10);
@@ -80,8 +90,8 @@ std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawF
   LawFit neighbour = fit;
   const HeldCost cost = [&](double value) -> std::optional<double> {
     neighbour = held_at(problem, neighbour, index, value, stop);
-    return std::isfinite(neighbour.solution.cost) ? std::optional(neighbour.solution.cost)
-                                                  : std::nullopt;
+    const double least = neighbour.solution.cost;
+    return std::isfinite(least) ? std::optional(least / unit) : std::nullopt;
   };
   return one_sided_limit(cost, search);
 }

@@ -137,7 +137,8 @@ Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values
     result.outliers.push_back(outliers_of(problem, result.noise, p));
   }
   for (Eigen::Index u = 0; u < n; ++u) {
-    result.told_by.push_back(shares_of(problem, result.noise, told, u));
+    const bool free = std::ranges::find(result.free, u) != result.free.end();
+    result.told_by.push_back(free ? shares_of(problem, result.noise, told, u) : "");
   }
   if (result.free.empty()) return result;
   const EstimatingSums sums =

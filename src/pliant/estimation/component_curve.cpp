@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "pliant/experiment/friction_path.h"
+#include "pliant/math/quantiles.h"
 
 namespace pliant {
 namespace {
 
 constexpr int kPoints = 100;
-constexpr double kNormalQuantile = 1.959963984540054;
 
 }  // namespace
 
@@ -20,6 +20,7 @@ ComponentCurve component_curve(const std::string& component, const ComponentLaw&
   FrictionPath unloading = loading;
   unloading.turn_at(largest_strain, zero);
 
+  const double normal_quantile = student_quantile_95(std::numeric_limits<double>::infinity());
   ComponentCurve curve;
   curve.component = component;
   for (int i = 0; i <= kPoints; ++i) {
@@ -27,7 +28,7 @@ ComponentCurve component_curve(const std::string& component, const ComponentLaw&
     const PathStress load = loading.at(strain);
     const double band =
         covariance.size() > 0
-            ? kNormalQuantile *
+            ? normal_quantile *
                   std::sqrt(std::max(load.gradient.dot(covariance * load.gradient), 0.0))
             : std::numeric_limits<double>::quiet_NaN();
     curve.strain.push_back(strain);

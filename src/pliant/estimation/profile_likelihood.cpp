@@ -3,26 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/estimation/statistics/profile_limits.h"
+#include "pliant/math/quantiles.h"
+
 namespace pliant {
 namespace {
 
-constexpr double kThreshold = 3.841458820694124;  // 95 % of chi squared with one degree of freedom
-constexpr int kSteps = 8;                         // values on each side of the estimate
-constexpr double kReach = 4;                      // standard errors on each side
-
-std::optional<double> crossing(const Profile& profile, size_t from, int step) {
-  for (auto i = static_cast<std::ptrdiff_t>(from);; i += step) {
-    const auto next = i + step;
-    if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.value.size())) return std::nullopt;
-    const auto a = static_cast<size_t>(i), b = static_cast<size_t>(next);
-    if (profile.delta_chi2[b] < kThreshold) continue;
-    // Delta chi2 is close to a parabola: its root is close to a straight line.
-    const double low = std::sqrt(std::max(profile.delta_chi2[a], 0.0));
-    const double high = std::sqrt(profile.delta_chi2[b]);
-    const double share = (std::sqrt(kThreshold) - low) / (high - low);
-    return profile.value[a] + share * (profile.value[b] - profile.value[a]);
-  }
-}
+constexpr int kSteps = 8;     // values on each side of the estimate
+constexpr double kReach = 4;  // standard errors on each side
 
 }  // namespace
 
@@ -63,8 +51,10 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
     profile.value.push_back(value);
     profile.delta_chi2.push_back(rise);
   }
-  profile.lower = crossing(profile, middle, -1);
-  profile.upper = crossing(profile, middle, 1);
+  const ProfileCrossings crossings =
+      profile_crossings(profile.value, profile.delta_chi2, middle, chi_square_quantile(0.95, 1));
+  profile.lower = crossings.lower;
+  profile.upper = crossings.upper;
   return profile;
 }
 

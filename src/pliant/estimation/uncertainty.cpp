@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "pliant/estimation/autocorrelation.h"
+#include "pliant/math/quantiles.h"
 
 namespace pliant {
 namespace {
@@ -107,15 +108,6 @@ double quantile_of(const Uncertainty& result) {
 }
 
 }  // namespace
-
-double student_quantile_95(double degrees_of_freedom) {
-  const double z = 1.959963984540054;
-  const double n = std::max(degrees_of_freedom, 1.0);
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z, z9 = z7 * z * z;
-  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n) +
-         (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / (92160 * n * n * n * n);
-}
 
 Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
   return linearised_uncertainty(problem.least_squares(fit.law, fit.limits), problem, fit,

@@ -42,8 +42,4 @@ Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
                                    const ComponentProblem& problem, const LawFit& fit,
                                    bool noise_is_stated);
 
-/// Two-sided 95 % quantile of Student's t (expansion in 1 / degrees of freedom; within
-/// 1e-3 from 4 on, 1 % at 2, 11 % too small at 1).
-double student_quantile_95(double degrees_of_freedom);
-
 }  // namespace pliant

@@ -4,10 +4,15 @@
 #include <cmath>
 
 #include "pliant/estimation/statistics/profile_limits.h"
+<<<<<<< HEAD
+=======
+#include "pliant/math/quantiles.h"
+>>>>>>> w-stat
 
 namespace pliant {
 namespace {
 
+<<<<<<< HEAD
 constexpr double kThreshold = 3.841458820694124;  // 95 % of chi squared with one degree of freedom
 constexpr int kSteps = 8;                         // values on each side of the estimate
 constexpr double kReach = 4;                      // standard errors on each side
@@ -28,6 +33,10 @@ LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index,
   near.solution.parameters(index) = value;
   return refit(problem, near, stop);
 }
+=======
+constexpr int kSteps = 8;     // values on each side of the estimate
+constexpr double kReach = 4;  // standard errors on each side
+>>>>>>> w-stat
 
 }  // namespace
 
@@ -66,7 +75,11 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
     profile.delta_chi2.push_back(rise);
   }
   const ProfileCrossings crossings =
+<<<<<<< HEAD
       profile_crossings(profile.value, profile.delta_chi2, middle, kThreshold);
+=======
+      profile_crossings(profile.value, profile.delta_chi2, middle, chi_square_quantile(0.95, 1));
+>>>>>>> w-stat
   profile.lower = crossings.lower;
   profile.upper = crossings.upper;
   return profile;

@@ -23,11 +23,11 @@
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
-#include "pliant/estimation/uncertainty.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
+#include "pliant/math/quantiles.h"
 #include "pliant/measurement/session/balance.h"
 
 namespace pliant {

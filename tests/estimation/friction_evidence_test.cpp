@@ -97,7 +97,8 @@ TEST(AsManyRowsAsParameters, AreJudgedByAStatedNoise) {
   VirtualStudy study(one_small_loop());
   study.add_to_experiment("noise: {length: 0.2 mm}");
   const StudyResult result = study.fit();
-  EXPECT_FALSE(estimate_named(result, "stretch.warp.friction.tau").identified);
+  EXPECT_NE(estimate_named(result, "stretch.warp.friction.tau").determination,
+            Determination::within_10_percent);
   EXPECT_TRUE(estimate_named(result, "stretch.warp.k1").std_error.has_value());
 }
 

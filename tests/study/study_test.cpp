@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/base/name_pattern.h"
+
 #include "io/temporary_folder.h"
 #include "study/study_text.h"
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/registry.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/io/text_file.h"
 
@@ -124,6 +125,27 @@ TEST(SchemaText, IsTheTextInDocs) {
   for (const std::string& type : types) {
     EXPECT_EQ(schema_text(type),
               read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));
+  }
+}
+
+/// The types of the experiments of a study or lab.
+std::set<std::string> types_of(const Json& document) {
+  std::set<std::string> types;
+  for (const Json& experiment : document["experiments"]) types.insert(experiment["type"]);
+  return types;
+}
+
+TEST(SchemaText, KnowsTheTestsOfTheRegistry) {
+  std::set<std::string> registered;
+  for (const TestType* type : test_types()) registered.emplace(type->name);
+  const std::vector<NamedDocument> full = full_documents();
+  for (const std::size_t i : {0, 1}) {
+    const SchemaCase& document = full[i].document;
+    const Json schema = Json::parse(schema_text(document.type));
+    const Json& type = schema["definitions"]["experiment"]["properties"]["type"];
+    EXPECT_EQ(type["enum"].get<std::set<std::string>>(), registered) << document.type;
+    // Their fields are compared where one of each stands.
+    EXPECT_EQ(types_of(document.document), registered) << full[i].name;
   }
 }
 

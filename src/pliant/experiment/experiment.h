@@ -9,6 +9,7 @@
 
 #include "pliant/experiment/experiment_role.h"
 #include "pliant/experiment/profile/strip_shapes.h"
+#include "pliant/experiment/test_facts.h"
 #include "pliant/material/component_law.h"
 #include "pliant/measurement/data_source.h"
 
@@ -71,6 +72,7 @@ struct LoopSeries {
 struct ExperimentInfo {
   std::string name;
   std::string type;
+  TestFacts test;  ///< what holds of all of its type
   std::string direction;
   std::string component;  ///< strain component that it determines, e.g. stretch.warp
   ExperimentRole role = ExperimentRole::fit;

@@ -12,6 +12,7 @@
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/model_options.h"
+#include "pliant/experiment/registry.h"
 
 namespace pliant {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
 
@@ -210,8 +211,9 @@ Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
 }
 
 SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
-  const SheetObjective objective = spec.objective.value_or(usual_objective(session));
-  if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
+  const auto& own = spec_of<SessionSpec>(spec);
+  const SheetObjective objective = own.objective.value_or(usual_objective(session));
+  if (own.cord_friction.unknown && objective == SheetObjective::positions) {
     throw InputError(
         spec.where,
         fmt::format("positions are compared in {}, which say nothing of the friction of cords",
@@ -219,7 +221,7 @@ SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
         "`cord_friction` where forces are compared");
   }
   try {
-    return {spec.name, std::move(session), objective, spec.cord_friction};
+    return {spec.name, std::move(session), objective, own.cord_friction};
   } catch (const InputError& error) {
     throw InputError(spec.where, error.problem(), error.expected());
   }

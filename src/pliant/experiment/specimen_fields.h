@@ -30,8 +30,9 @@ inline constexpr std::string_view kUnfittedStrip =
 
 /// `TestType::make` of an experiment of that class.
 template <class Made>
-std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, const DataRows& data,
-                                            const ClothFacts& cloth) {
+std::unique_ptr<ComponentExperiment> make_experiment(const ExperimentSpec& spec,
+                                                     const DataRows& data,
+                                                     const ClothFacts& cloth) {
   return std::make_unique<Made>(spec, data, cloth);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/template_files.h"
 #include "pliant/experiment/test_facts.h"
@@ -71,8 +71,8 @@ struct TestType {
                                           ExperimentSpec& experiment);
   /// Makes the experiment of a specification and its rows; none where sheets are measured.
   /// @throws InputError for unusable data
-  std::unique_ptr<Experiment> (*make)(const ExperimentSpec& spec, const DataRows& data,
-                                      const ClothFacts& cloth) = nullptr;
+  std::unique_ptr<ComponentExperiment> (*make)(const ExperimentSpec& spec, const DataRows& data,
+                                               const ClothFacts& cloth) = nullptr;
   /// Reads the type's fields of an experiment of a lab.
   /// @throws InputError
   std::shared_ptr<VirtualTest> (*read_virtual)(Fields& fields);

@@ -14,7 +14,7 @@ std::string VirtualImposedStrain::rows(const ComponentLaw& law, const ClothFacts
   }
   turns.push_back(0);
   const SampledPath path = sample_path(turns, 2 * *most / (samples - 1));
-  const std::unique_ptr<Experiment> experiment = on(path);
+  const std::unique_ptr<ComponentExperiment> experiment = on(path);
   const Prediction imposed = predicted(*experiment, law);
 
   const ImposedTable columns = table();

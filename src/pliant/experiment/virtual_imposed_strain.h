@@ -21,7 +21,7 @@ struct VirtualImposedStrain : VirtualCycles {
  protected:
   virtual ImposedTable table() const = 0;
   /// The test on a path of what the machine moves.
-  virtual std::unique_ptr<Experiment> on(const SampledPath& path) const = 0;
+  virtual std::unique_ptr<ComponentExperiment> on(const SampledPath& path) const = 0;
 };
 
 /// `TestFacts::unfitted` of such tests.

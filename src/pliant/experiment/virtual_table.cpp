@@ -114,7 +114,7 @@ std::string VirtualTable::sequence_text(const std::vector<double>& values, Dimen
                      more);
 }
 
-Prediction VirtualTable::predicted(const Experiment& experiment, const ComponentLaw& law,
+Prediction VirtualTable::predicted(const ComponentExperiment& experiment, const ComponentLaw& law,
                                    const Eigen::VectorXd& nuisance) const {
   auto prediction = experiment.predict(law, nuisance, /*with_jacobian=*/false);
   if (!prediction) fail("the material cannot carry its loads; its prediction");

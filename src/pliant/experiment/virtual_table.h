@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/sampled_path.h"
 #include "pliant/experiment/test_type.h"
 #include "pliant/experiment/virtual_test.h"
@@ -58,7 +58,7 @@ struct VirtualTable : VirtualTest {
                             const std::string& more = "") const;
   /// A prediction that has to be there.
   /// @throws SolverError
-  Prediction predicted(const Experiment& experiment, const ComponentLaw& law,
+  Prediction predicted(const ComponentExperiment& experiment, const ComponentLaw& law,
                        const Eigen::VectorXd& nuisance = {}) const;
   [[noreturn]] void fail(const std::string& problem) const;
 };

@@ -268,7 +268,8 @@ void apply_validate(const Value& list, Study& study) {
 
 }  // namespace
 
-std::unique_ptr<Experiment> read_experiment(const ExperimentSpec& spec, const Study& study) {
+std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
+                                                     const Study& study) {
   const TestType& type = spec.test->type();
   PLIANT_ASSERT(type.make, "the caller asks is_supported_type first");
   return type.make(spec, DataRows(spec.data), {study.density, study.model.membrane});

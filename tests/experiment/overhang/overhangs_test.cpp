@@ -33,8 +33,8 @@ ComponentLaw elastic(double k) {
   return law;
 }
 
-std::unique_ptr<Experiment> readings(const StudyFolder& folder, const std::string& csv,
-                                     const std::string& more = "") {
+std::unique_ptr<ComponentExperiment> readings(const StudyFolder& folder, const std::string& csv,
+                                              const std::string& more = "") {
   folder.write("data.csv", csv);
   return folder.experiment("{name: l, type: bending-length, direction: weft, data: data.csv" +
                            more + "}");

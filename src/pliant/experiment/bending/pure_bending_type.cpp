@@ -51,7 +51,7 @@ WrittenFields VirtualPureBending::study_fields() const {
   return {{"direction", direction}, {"initial_friction", "rest"}};
 }
 
-std::unique_ptr<Experiment> VirtualPureBending::on(const SampledPath& path) const {
+std::unique_ptr<ComponentExperiment> VirtualPureBending::on(const SampledPath& path) const {
   return std::make_unique<PureBending>(path);
 }
 

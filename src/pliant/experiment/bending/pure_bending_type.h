@@ -23,7 +23,7 @@ struct VirtualPureBending : VirtualImposedStrain {
 
  protected:
   ImposedTable table() const override { return {"curvature_1_per_m", 1, "moment_N"}; }
-  std::unique_ptr<Experiment> on(const SampledPath& path) const override;
+  std::unique_ptr<ComponentExperiment> on(const SampledPath& path) const override;
   WrittenFields own_description() const override;
 };
 

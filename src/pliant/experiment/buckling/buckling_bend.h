@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pliant/experiment/buckling/buckling_side.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/sampled_path.h"
 #include "pliant/experiment/specimen_fields.h"
 #include "pliant/experiment/test_type.h"
@@ -24,7 +24,7 @@ struct BucklingStrip {
 ///
 /// Forces are a few millinewtons: their offset and an even drift of it are estimated along, and the
 /// strip's length where the study does not know it.
-class BucklingBend : public Experiment {
+class BucklingBend : public ComponentExperiment {
  public:
   /// @throws InputError where there is no density, or the data are not those of a buckled strip
   BucklingBend(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);

@@ -62,7 +62,7 @@ ImposedTable VirtualShearCycles::table() const {
   return {"angle_deg", 180 / std::numbers::pi, "force_N_per_m"};
 }
 
-std::unique_ptr<Experiment> VirtualShearCycles::on(const SampledPath& path) const {
+std::unique_ptr<ComponentExperiment> VirtualShearCycles::on(const SampledPath& path) const {
   return std::make_unique<ShearCycles>(path, transverse_tension);
 }
 

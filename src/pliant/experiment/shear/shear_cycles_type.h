@@ -25,7 +25,7 @@ struct VirtualShearCycles : VirtualImposedStrain {
 
  protected:
   ImposedTable table() const override;
-  std::unique_ptr<Experiment> on(const SampledPath& path) const override;
+  std::unique_ptr<ComponentExperiment> on(const SampledPath& path) const override;
   WrittenFields own_description() const override;
 };
 

@@ -70,7 +70,7 @@ TEST(FrictionChoice, NoneLeavesFrictionOut) {
 TEST(FrictionOfAnElasticMaterial, IsNotFoundToBeThere) {
   Material elastic = published_fabric("cotton");
   elastic.components.at("stretch.warp").friction.reset();
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   const StudyResult result = VirtualStudy(lab_of(elastic, experiment)).fit();
   const ParameterEstimate a = estimate_named(result, "stretch.warp.friction.a");
@@ -79,7 +79,7 @@ TEST(FrictionOfAnElasticMaterial, IsNotFoundToBeThere) {
 }
 
 VirtualLab one_small_loop() {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.peaks = {2};
   experiment.repeats = 1;
   experiment.instrument.length_noise = 0.2e-3;

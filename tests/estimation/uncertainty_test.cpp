@@ -24,8 +24,8 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-LabExperiment noisy_strip(double force_noise, double length_noise) {
-  LabExperiment experiment = strip_cycles({0.05, 0.1, 0.2});
+VirtualTensileCycles noisy_strip(double force_noise, double length_noise) {
+  auto experiment = strip_cycles({0.05, 0.1, 0.2});
   experiment.instrument.force_noise = force_noise;
   experiment.instrument.length_noise = length_noise;
   return experiment;
@@ -153,7 +153,7 @@ TEST(StandardErrors, OfCorrelatedNoiseStillCoverTheTruthMostly) {
 }
 
 TEST(Covariance, AgreesWithTheStandardErrors) {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   const StudyResult result = VirtualStudy(lab_of(published_fabric("cotton"), experiment)).fit();
   ASSERT_EQ(result.covariance.rows(), 5);

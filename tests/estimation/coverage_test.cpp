@@ -24,9 +24,10 @@ using test::strip_cycles;
 using test::VirtualStudy;
 
 constexpr int kSeeds = 200;
-// 95 % of 200 trials vary by a standard deviation of 1.5 %: three of them either way.
+// 95 % of 200 trials vary by a standard deviation of 1.5 %: three of them below. The larger of two
+// standard errors holds the truth a little more often than either: up to 99.5 %.
 constexpr double kLowestRate = 0.905;
-constexpr double kHighestRate = 0.985;
+constexpr double kHighestRate = 0.995;
 constexpr double kIdentifiable = 0.95;  // of the seeds
 
 struct Sample {

@@ -87,21 +87,6 @@ FormulaCovariance formula_covariance(const EstimatingSums& sums, const Eigen::Ve
   return result;
 }
 
-namespace {
-
-/// The variance of few groups exceeds the formula's by chance half of the time, and then the
-/// formula still knows how certain it is.
-bool exceeds_by_more_than_chance(const ParameterErrors& errors, const JackknifeVariance& jackknife,
-                                 Eigen::Index u) {
-  constexpr double kChance = 0.8;
-  const double degrees = jackknife.degrees(u);
-  if (!(degrees >= 1)) return false;
-  const double ratio = errors.jackknife_sd(u) / errors.formula_sd(u);
-  return ratio * ratio > chi_square_quantile(kChance, degrees) / degrees;
-}
-
-}  // namespace
-
 ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::VectorXd& unit,
                                  const std::vector<double>& noise_degrees) {
   const FormulaCovariance formula = formula_covariance(sums, unit, noise_degrees);
@@ -116,9 +101,7 @@ ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::Vector
   errors.unseen = formula.unseen;
   errors.half_width.resize(n);
   for (Eigen::Index u = 0; u < n; ++u) {
-    if (exceeds_by_more_than_chance(errors, jackknife, u)) {
-      errors.degrees(u) = jackknife.degrees(u);
-    }
+    if (errors.jackknife_sd(u) > errors.formula_sd(u)) errors.degrees(u) = jackknife.degrees(u);
     if (is_unseen(Eigen::VectorXd::Unit(n, u), errors.unseen)) {
       errors.sd(u) = std::numeric_limits<double>::quiet_NaN();
     }

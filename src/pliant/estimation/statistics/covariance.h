@@ -53,10 +53,9 @@ struct ParameterErrors {
   Eigen::MatrixXd unseen;        ///< as in FormulaCovariance
 };
 
-/// The larger standard error of each unknown, formula's or jackknife's, with the jackknife's
-/// degrees of freedom where it is larger by more than chance. Rows and columns of the formula's
-/// correlation matrix are scaled to them: that is a covariance again, which the jackknife's own
-/// matrix of few groups is not.
+/// The larger standard error of each unknown, formula's or jackknife's, with its own degrees of
+/// freedom. Rows and columns of the formula's correlation matrix are scaled to them: that is a
+/// covariance again, which the jackknife's own matrix of few groups is not.
 ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::VectorXd& unit,
                                  const std::vector<double>& noise_degrees);
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/base/errors.h"
+#include <Eigen/QR>
+
 #include "pliant/estimation/linear_start.h"
-#include "pliant/estimation/measured_noise.h"
+#include "pliant/estimation/statistics/correlation_length.h"
 #include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/material/material.h"
@@ -106,27 +107,63 @@ double root_mean_square(const ComponentProblem& problem, const LawFit& fit) {
   return std::sqrt(2 * fit.solution.cost / problem.used_rows());
 }
 
-// Rows whose residuals go together count as one: told by the richest curve at hand, as a poor one
-// misses them all in one way: with friction where there are loops, whatever is fitted. A linear fit
-// will do.
-double effective_rows_of(const ComponentProblem& problem, const DataStrains& strains,
-                         const FitOptions& options, bool even) {
+// A law with as many points as there may be, found without iteration; with friction where there are
+// loops, whatever is fitted.
+ComponentLaw rich_law(const ComponentProblem& problem, const DataStrains& strains,
+                      const FitOptions& options, bool even) {
   const bool loops = std::ranges::any_of(
       problem.experiments(), [](const auto* experiment) { return unloads(experiment->path()); });
-  const FrictionLaw friction = loops ? FrictionLaw::dahl : FrictionLaw::none;
   std::vector<double> knots;
   for (int i = 0; i < options.control_points; ++i) {
     const double share = i / std::max(options.control_points - 1.0, 1.0);
     knots.push_back(strains.low + share * (strains.high - strains.low));
   }
-  const ComponentLaw rich = linear_starts(problem, shape_of(knots, friction, even), 1).front().law;
-  const std::vector<Unknown> unknowns = problem.unknowns(rich, options);
-  try {
-    const Problem rows = problem.problem(rich, unknowns);
-    return effective_rows(measure_noise(rows, starts_of(unknowns)).of).effective;
-  } catch (const SolverError&) {
-    return problem.used_rows();  // it cannot carry the loads
+  const FrictionLaw friction = loops ? FrictionLaw::dahl : FrictionLaw::none;
+  return linear_starts(problem, shape_of(knots, friction, even), 1).front().law;
+}
+
+// How many of an experiment's rows are independent as far as noise goes. What a law misses smoothly
+// along a half cycle is no noise and must not hide what a richer law would tell: a cubic takes it
+// out of each half cycle that has rows for that.
+double independent_rows(const Experiment& experiment, Eigen::VectorXd residual,
+                        const std::vector<char>& used) {
+  constexpr int kTerms = 4, kRowsPerTerm = 4;
+  double leverage = 0;
+  for (const Frame& frame : experiment.frames()) {
+    if (frame.count < kTerms * kRowsPerTerm) continue;
+    const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(frame.count, -1, 1);
+    Eigen::MatrixXd powers(frame.count, kTerms);
+    for (int k = 0; k < kTerms; ++k) powers.col(k) = x.pow(k);
+    const auto rows = residual.segment(frame.first, frame.count);
+    residual.segment(frame.first, frame.count) =
+        rows - powers * powers.householderQr().solve(Eigen::VectorXd(rows));
+    leverage += kTerms;
   }
+  std::vector<ResidualSeries> series;
+  double rows = 0;
+  for (const std::vector<int>& channel : experiment.series()) {
+    ResidualSeries& own = series.emplace_back();
+    for (const int row : channel) {
+      if (used[static_cast<size_t>(row)]) own.push_back(residual(row));
+    }
+    rows += static_cast<double>(own.size());
+  }
+  return rows / correlation_length(series, leverage);
+}
+
+double independent_rows(const ComponentProblem& problem, const DataStrains& strains,
+                        const FitOptions& options, bool even) {
+  const ComponentLaw law = rich_law(problem, strains, options, even);
+  const std::vector<Unknown> unknowns = problem.unknowns(law, options);
+  const Problem rows = problem.problem(law, unknowns);
+  double sum = 0;
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    const ComponentExperiment& experiment = *problem.experiments()[e];
+    const auto predicted = rows.predict(e, starts_of(unknowns), /*derivatives=*/false);
+    if (!predicted) return problem.used_rows();  // it cannot carry the loads
+    sum += independent_rows(experiment, predicted->value - experiment.measured(), problem.used(e));
+  }
+  return sum;
 }
 
 }  // namespace
@@ -135,7 +172,7 @@ GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
                         const FitOptions& options, const StopToken& stop) {
   const bool even = is_even(component_of(problem));
   const DataStrains strains = data_strains(problem, even);
-  const double rows = effective_rows_of(problem, strains, options, even);
+  const double rows = independent_rows(problem, strains, options, even);
   std::vector<LawFit> fits;  // of one point, of two, ...
   const auto fit_of = [&](int points) -> std::optional<FittedModel> {
     if (points == 1) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/name_pattern.h"
 #include "pliant/estimation/sheet/sheet_models.h"
 #include "pliant/estimation/study_fit.h"
 #include "pliant/io/result_directory.h"

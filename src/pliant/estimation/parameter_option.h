@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "pliant/base/name_pattern.h"
 #include "pliant/study/study.h"
 
 namespace pliant {

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/name_pattern.h"
 #include "pliant/base/parallel.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/name_pattern.h"
 #include "pliant/estimation/parameter_option.h"
 #include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/material/fill.h"

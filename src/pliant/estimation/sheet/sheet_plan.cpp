@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/name_pattern.h"
 #include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {

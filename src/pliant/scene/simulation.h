@@ -84,6 +84,7 @@ class Simulation {
   void record_clips(const Eigen::Matrix3Xd& gradient);
 
   Scene scene_;
+  int threads_;
   SceneSystem built_;
   std::unique_ptr<Stepper> stepper_;
   SimulationState now_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,12 @@ struct SheetEquilibria::Held {
       : sheet(session, material, kElastic, std::move(held)),
         rest(sheet.system().initial_state()),
         workspace(sheet.system()) {}
+};
+
+/// Made by the first thread that needs it.
+struct SheetEquilibria::Place {
+  std::once_flag made;
+  std::optional<const Held> held;
 };
 
 class SheetEquilibria::Search {
@@ -122,19 +129,25 @@ SheetEquilibria::SheetEquilibria(const Session& session, const Material& materia
       states_(sheet_states(session)),
       reached_(states_.states.size()) {
   for (const SheetState& state : states_.states) {
-    std::unique_ptr<const Held>& held = held_[state.held];
-    if (!held) held = std::make_unique<const Held>(session, material, state.held);
+    std::unique_ptr<Place>& place = held_[state.held];
+    if (!place) place = std::make_unique<Place>();
   }
-  const SheetSystem& first = held_.at(states_.states.front().held)->sheet;
+  const SheetSystem& first = held(0).sheet;
   parameters_ = first.system().parameters();
   warnings_ = first.warnings();
 }
 
 SheetEquilibria::~SheetEquilibria() = default;
 
-SheetEquilibria::Search SheetEquilibria::search(int state,
-                                                const Eigen::VectorXd& parameters) const {
-  return {*held_.at(states_.states[static_cast<std::size_t>(state)].held), parameters, stop_};
+const SheetEquilibria::Held& SheetEquilibria::held(int state) {
+  const std::vector<int>& nodes = states_.states[static_cast<std::size_t>(state)].held;
+  Place& place = *held_.at(nodes);
+  std::call_once(place.made, [&] { place.held.emplace(session_, material_, nodes); });
+  return *place.held;
+}
+
+SheetEquilibria::Search SheetEquilibria::search(int state, const Eigen::VectorXd& parameters) {
+  return {held(state), parameters, stop_};
 }
 
 std::vector<Eigen::Matrix3Xd> SheetEquilibria::guesses() const {

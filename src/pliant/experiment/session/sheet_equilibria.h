@@ -37,9 +37,11 @@ class SheetEquilibria : public SheetPredictor {
  private:
   struct Held;     // the sheet, held at some nodes: constant, for searches on any thread
   class Search;    // for an equilibrium
+  struct Place;    // for one of these
   struct Reached;  // an equilibrium with its derivatives
 
-  Search search(int state, const Eigen::VectorXd& parameters) const;
+  const Held& held(int state);
+  Search search(int state, const Eigen::VectorXd& parameters);
   /// Shapes to begin a search at, one after the other, before the measured one.
   std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
   bool find(int state, Search& search, Eigen::Matrix3Xd start);
@@ -56,8 +58,8 @@ class SheetEquilibria : public SheetPredictor {
   SheetStates states_;
   StopToken stop_;
   std::vector<Reached> reached_;
-  std::vector<Eigen::Matrix3Xd> guesses_;                         // one a state, or none at all
-  std::map<std::vector<int>, std::unique_ptr<const Held>> held_;  // by the nodes that are
+  std::vector<Eigen::Matrix3Xd> guesses_;                    // one a state, or none at all
+  std::map<std::vector<int>, std::unique_ptr<Place>> held_;  // by the nodes that are
 };
 
 }  // namespace pliant

@@ -25,6 +25,18 @@ add_library(pliant_options INTERFACE)
 target_include_directories(pliant_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
 target_compile_options(pliant_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(PLIANT_FAST_BUILD)
+  # Where sources are compiled as one, a variable that is called like something in another source
+  # hides nothing, and an anonymous namespace is not in a header.
+  target_compile_options(pliant_options INTERFACE -Wno-shadow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(pliant_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # Given for the standard library's own strings, by chance of inlining (GCC bug 105651).
+      target_compile_options(pliant_options INTERFACE -Wno-restrict)
+    endif()
+  endif()
+endif()
 
 if(PLIANT_SANITIZE)
   # The checks left out take half of the build's time and find what the address sanitizer finds.

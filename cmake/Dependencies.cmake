@@ -9,6 +9,7 @@ find_package(yaml-cpp QUIET)
 find_package(nlohmann_json QUIET)
 find_package(OpenSSL QUIET)
 find_package(Eigen3 QUIET)
+find_package(Boost QUIET) # its headers: Boost.Math
 find_package(CLI11 QUIET)
 find_package(PNG QUIET)
 find_package(embree 3 QUIET)

@@ -22,7 +22,7 @@ namespace pliant {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Experiments = std::vector<std::unique_ptr<Experiment>>;
+using Experiments = std::vector<std::unique_ptr<ComponentExperiment>>;
 
 constexpr int kDigits = 4;
 
@@ -179,7 +179,7 @@ std::string component_of(const ExperimentSpec& spec, const ModelOptions& model) 
 }
 
 void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
-                      const Experiment& experiment, FileInfo& info, Json& json) {
+                      const ComponentExperiment& experiment, FileInfo& info, Json& json) {
   const ExperimentInfo& about = experiment.info();
   const std::string component = component_of(spec, model);
   const MeasuredPath& path = experiment.path();
@@ -274,16 +274,16 @@ std::string friction_reason(FrictionChoice choice, bool data_unloads) {
 
 /// What `fit` does with the experiments of one component.
 void add_plan(const Study& study, const std::string& component,
-              const std::vector<const Experiment*>& fitted, FileInfo& info) {
+              const std::vector<const ComponentExperiment*>& fitted, FileInfo& info) {
   std::vector<std::string> notes;
   const ComponentPlan plan = plan_component(study, fitted, notes);
   const bool data_unloads =
       std::any_of(fitted.begin(), fitted.end(),
-                  [](const Experiment* experiment) { return unloads(experiment->path()); });
+                  [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
   const std::string reason = friction_reason(friction_choice(study, component), data_unloads);
   const std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
   std::vector<std::string> names;
-  for (const Experiment* experiment : fitted) names.push_back(experiment->info().name);
+  for (const ComponentExperiment* experiment : fitted) names.push_back(experiment->info().name);
 
   Json json{{"component", component},
             {"experiments", names},
@@ -313,7 +313,7 @@ void add_plans(const Study& study, const Experiments& experiments, FileInfo& inf
   }
   info.lines.push_back(labelled("fit", "estimator " + estimator));
   for (const std::string& component : cloth_component_names()) {
-    std::vector<const Experiment*> fitted;
+    std::vector<const ComponentExperiment*> fitted;
     bool validated = false;
     for (const auto& experiment : experiments) {
       if (experiment->info().component != component) continue;

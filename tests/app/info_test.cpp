@@ -106,9 +106,9 @@ TEST(ComponentFacts, SidesOfFrictionAreToldApart) {
 }
 
 /// A folder with virtual measurements of spandex: weights to fit, cycles to predict.
-class MeasuredFolder : public TemporaryFolder {
+class SpandexFolder : public TemporaryFolder {
  public:
-  MeasuredFolder() {
+  SpandexFolder() {
     write("spandex.json", read_text_file(kSource / "materials" / "spandex.json"));
     const fs::path lab = write(
         "lab.yaml",
@@ -121,7 +121,7 @@ class MeasuredFolder : public TemporaryFolder {
 };
 
 TEST(Info, OfAStudyTellsWhatEachExperimentHoldsAndIsFor) {
-  const MeasuredFolder folder;
+  const SpandexFolder folder;
   const FileInfo info = describe_file(folder.path() / "study.yaml");
   EXPECT_EQ(info.json["type"], "study/1");
   const auto& weights = info.json["experiments"][0];
@@ -142,7 +142,7 @@ TEST(Info, OfAStudyTellsWhatEachExperimentHoldsAndIsFor) {
 }
 
 TEST(Info, OfAStudyTellsWhatWillBeFittedAndWhy) {
-  const MeasuredFolder folder;
+  const SpandexFolder folder;
   const FileInfo info = describe_file(folder.path() / "study.yaml");
   ASSERT_EQ(info.json["fit"]["components"].size(), 1u);
   const auto& component = info.json["fit"]["components"][0];
@@ -305,7 +305,7 @@ TEST(Info, OfAnInstrumentFileListsItsTests) {
 }
 
 TEST(Info, OfALabTellsItsExperiments) {
-  const MeasuredFolder folder;
+  const SpandexFolder folder;
   const FileInfo info = describe_file(folder.path() / "lab.yaml");
   EXPECT_EQ(info.json["type"], "lab/1");
   EXPECT_EQ(info.json["experiments"].size(), 2u);
@@ -339,14 +339,14 @@ TEST(Info, TellsADocumentByItsContentWhereTheNameSaysNothing) {
 }
 
 /// What a run of the program printed and how it ended.
-struct ProgramRun {
+struct ShellRun {
   std::string output;
   int status = -1;
 };
 
 /// @param arguments  as for a shell; standard error goes where they send it
-ProgramRun run_program(const std::string& arguments) {
-  ProgramRun run;
+ShellRun run_in_shell(const std::string& arguments) {
+  ShellRun run;
   FILE* pipe = ::popen(("'" PLIANT_EXECUTABLE "' " + arguments).c_str(), "r");
   std::array<char, 4096> part{};
   while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe)) {
@@ -359,26 +359,26 @@ ProgramRun run_program(const std::string& arguments) {
 
 TEST(InfoCommand, PrintsTheDescriptionOnStandardOutput) {
   const std::string file = (kSource / "materials" / "spandex.json").string();
-  const ProgramRun run = run_program("info '" + file + "' 2>/dev/null");
+  const ShellRun run = run_in_shell("info '" + file + "' 2>/dev/null");
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.output, AllOf(StartsWith(file + ": material/1\n"), HasSubstr("157 g/m^2")));
 }
 
 TEST(InfoCommand, PrintsOneJsonObjectAndNothingElse) {
   const std::string file = (kSource / "materials" / "felt.json").string();
-  const ProgramRun run = run_program("info --json '" + file + "' 2>/dev/null");
+  const ShellRun run = run_in_shell("info --json '" + file + "' 2>/dev/null");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(Json::parse(run.output)["name"], "felt");
 }
 
 TEST(InfoCommand, IsSilentOnRequest) {
   const std::string file = (kSource / "materials" / "spandex.json").string();
-  EXPECT_EQ(run_program("info --quiet '" + file + "' 2>/dev/null").output, "");
+  EXPECT_EQ(run_in_shell("info --quiet '" + file + "' 2>/dev/null").output, "");
 }
 
 TEST(InfoCommand, PrintsEverySchema) {
   for (const std::string& type : schema_types()) {
-    const ProgramRun run = run_program("info --schema " + type);
+    const ShellRun run = run_in_shell("info --schema " + type);
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.output, schema_text(type));
   }
@@ -387,24 +387,24 @@ TEST(InfoCommand, PrintsEverySchema) {
 TEST(InfoCommand, RefusesWithALocatedLineAndStatusTwo) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("study.yaml", "pliant: study/1\nname: x\nexperimets: []\n");
-  const ProgramRun run = run_program("info '" + file.string() + "' 2>&1");
+  const ShellRun run = run_in_shell("info '" + file.string() + "' 2>&1");
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.output, StartsWith("error: " + file.string() + ":"));
   EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1);
   for (const char* arguments : {"info", "info --schema studies", "info --schema study x.yaml"}) {
-    EXPECT_EQ(run_program(std::string(arguments) + " 2>/dev/null").status, 2) << arguments;
+    EXPECT_EQ(run_in_shell(std::string(arguments) + " 2>/dev/null").status, 2) << arguments;
   }
 }
 
 TEST(InfoCommand, DescribesTheResultsOfTheOtherCommands) {
-  const MeasuredFolder folder;
+  const SpandexFolder folder;
   const std::string base = folder.path().string();
   const auto json_of = [&](const std::string& name) {
-    const ProgramRun run = run_program("info --json '" + base + "/" + name + "' 2>/dev/null");
+    const ShellRun run = run_in_shell("info --json '" + base + "/" + name + "' 2>/dev/null");
     EXPECT_EQ(run.status, 0) << name;
     return Json::parse(run.output);
   };
-  ASSERT_EQ(run_program("fit --quiet '" + base + "/study.yaml' -o '" + base + "/fit'").status, 0);
+  ASSERT_EQ(run_in_shell("fit --quiet '" + base + "/study.yaml' -o '" + base + "/fit'").status, 0);
   const Json fit = json_of("fit");
   EXPECT_EQ(fit["type"], "fit/1 results");
   EXPECT_EQ(fit["made_by"], "fit");
@@ -414,17 +414,17 @@ TEST(InfoCommand, DescribesTheResultsOfTheOtherCommands) {
   EXPECT_EQ(json_of("fit/predictions/cycles.csv")["type"], "csv");
   EXPECT_EQ(json_of("fit/parameters.csv")["rows"], 5);
 
-  ASSERT_EQ(run_program("evaluate --quiet '" + base + "/study.yaml' -m '" + base +
-                        "/fit/material.json' -o '" + base + "/evaluation'")
+  ASSERT_EQ(run_in_shell("evaluate --quiet '" + base + "/study.yaml' -m '" + base +
+                         "/fit/material.json' -o '" + base + "/evaluation'")
                 .status,
             0);
   EXPECT_EQ(json_of("evaluation")["type"], "evaluation/1 results");
 
-  ASSERT_EQ(run_program("lab --quiet '" + base + "/lab.yaml' -o '" + base + "/lab'").status, 0);
+  ASSERT_EQ(run_in_shell("lab --quiet '" + base + "/lab.yaml' -o '" + base + "/lab'").status, 0);
   EXPECT_EQ(json_of("lab")["made_by"], "lab");
 
   fs::remove(folder.path() / "fit" / "curves.csv");
-  const ProgramRun broken = run_program("info '" + base + "/fit' 2>&1");
+  const ShellRun broken = run_in_shell("info '" + base + "/fit' 2>&1");
   EXPECT_EQ(broken.status, 2);
   EXPECT_THAT(broken.output, HasSubstr("curves.csv: is missing"));
 }

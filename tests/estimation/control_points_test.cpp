@@ -27,7 +27,7 @@ struct OneExperiment {
     return compare(*experiment, fit.law, fit.nuisance).rms_percent;
   }
 
-  std::unique_ptr<Experiment> experiment;
+  std::unique_ptr<ComponentExperiment> experiment;
   ComponentProblem problem;
 };
 

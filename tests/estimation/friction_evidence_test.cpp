@@ -86,14 +86,11 @@ VirtualLab one_small_loop() {
   return lab_of(published_fabric("polyester"), experiment);
 }
 
-TEST(AsManyRowsAsParameters, FitExactlyAndDetermineNothing) {
+TEST(AsManyRowsAsParameters, FitExactlyAndSayThatTheNoiseWasAssumed) {
   const StudyResult result = VirtualStudy(one_small_loop()).fit();
   EXPECT_EQ(result.experiments.front().points, 5);
-  EXPECT_EQ(result.undetermined.size(), 5u);
-  for (const ParameterEstimate& p : result.parameters) {
-    EXPECT_FALSE(p.identified) << p.name;
-    EXPECT_FALSE(p.std_error.has_value()) << p.name;
-  }
+  EXPECT_THAT(result.warnings, Contains(HasSubstr("cannot tell its noise")));
+  EXPECT_THAT(result.experiments.front().noise_source, HasSubstr("assumed: 1 %"));
 }
 
 TEST(AsManyRowsAsParameters, AreJudgedByAStatedNoise) {

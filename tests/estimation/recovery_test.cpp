@@ -110,7 +110,7 @@ void expect_own_shape_recovered(const VirtualStudy& study, const ComponentLaw& l
   const Eigen::VectorXd expected = law.parameters();
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(fit.law.parameters()(i), expected(i), kRecovered * expected(i))
-        << fit.limits.names[static_cast<size_t>(i)];
+        << fit.unknowns[static_cast<size_t>(i)].name;
   }
   EXPECT_GT(fit.starts_reached, 1);
 }

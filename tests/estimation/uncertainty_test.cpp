@@ -24,27 +24,6 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(StudentQuantile, AgreesWithTheTable) {
-  // Two-sided 95 %, e.g. Abramowitz and Stegun, table 26.10.
-  const std::vector<std::pair<double, double>> table{
-      {4, 2.776},  {5, 2.571},  {6, 2.447},  {8, 2.306},  {10, 2.228},
-      {15, 2.131}, {20, 2.086}, {30, 2.042}, {60, 2.000}, {120, 1.980}};
-  for (const auto& [n, quantile] : table) {
-    EXPECT_NEAR(student_quantile_95(n), quantile, 1e-3 * quantile)
-        << n;  // what the header promises
-  }
-  EXPECT_NEAR(student_quantile_95(2), 4.303, 0.01 * 4.303);
-  EXPECT_NEAR(student_quantile_95(1e9), 1.959964, 1e-6);
-}
-
-TEST(StudentQuantile, FallsWithTheDegreesOfFreedom) {
-  double before = student_quantile_95(1);
-  for (double n = 2; n < 200; n *= 1.5) {
-    EXPECT_LT(student_quantile_95(n), before);
-    before = student_quantile_95(n);
-  }
-}
-
 LabExperiment noisy_strip(double force_noise, double length_noise) {
   LabExperiment experiment = strip_cycles({0.05, 0.1, 0.2});
   experiment.instrument.force_noise = force_noise;

@@ -56,7 +56,7 @@ class ImportFolder : public TemporaryFolder {
 };
 
 // Least squares over the constant stiffness alone.
-double fitted_stiffness(const Experiment& experiment, double start) {
+double fitted_stiffness(const ComponentExperiment& experiment, double start) {
   ComponentLaw law;
   law.stiffness = ScalarCurve::constant(start);
   for (int i = 0; i < 20; ++i) {

@@ -165,8 +165,8 @@ TEST(Cloth, GivesEachVertexAThirdOfItsTriangles) {
 }
 
 TEST(Cloth, NamesItsParametersInTheOrderOfTheSystem) {
-  Material material = test::cotton();
-  material.components["shear"] = test::component(ScalarCurve::constant(20));
+  Material material = test::frictional_cotton();
+  material.components["shear"] = test::component_of(ScalarCurve::constant(20));
   material.components["bend.warp"].friction->negative = DahlParameters{1e-5, 0, 10};
   const auto cloth = test::cloth_system(regular_grid(kSize, kSize, 4, 4), material);
   const ParameterList& parameters = cloth.system->parameters();
@@ -204,7 +204,7 @@ TEST(Cloth, HasNoFrictionWhereNoneIsAskedFor) {
 
 TEST(Cloth, DampsWithAFractionOfItsStiffnessAtUnitStrain) {
   Material material = test::uneven_cotton();
-  material.components["stretch.weft"] = test::component(ScalarCurve::affine(135.6, 64.03));
+  material.components["stretch.weft"] = test::component_of(ScalarCurve::affine(135.6, 64.03));
   const auto cloth = test::cloth_system(regular_grid(kSize, kSize, 3, 3), material,
                                         {.friction = false, .damping_fraction = 0.05});
   cloth.system->finish();
@@ -219,7 +219,7 @@ TEST(Cloth, DampsWithAFractionOfItsStiffnessAtUnitStrain) {
 
 TEST(Cloth, RefusesAComponentWithoutStiffness) {
   for (const char* name : {"stretch.warp", "shear", "bend.diagonal"}) {
-    Material unmeasured = test::cotton(), absent = test::cotton();
+    Material unmeasured = test::frictional_cotton(), absent = test::frictional_cotton();
     unmeasured.components[name].stiffness.reset();
     unmeasured.components[name].status = ComponentStatus::unmeasured;
     absent.components.erase(name);
@@ -233,7 +233,7 @@ TEST(Cloth, OfASingleTriangleDoesNotBend) {
   Eigen::Matrix2Xd vertices(2, 3);
   vertices << 0, 0.1, 0, 0, 0, 0.1;
   const auto cloth =
-      test::cloth_system(flat_mesh(vertices, Eigen::Vector3i(0, 1, 2)), test::cotton());
+      test::cloth_system(flat_mesh(vertices, Eigen::Vector3i(0, 1, 2)), test::frictional_cotton());
   cloth.system->finish();
   EXPECT_EQ(cloth.system->make_hessian().matrix.pattern().block_count(), 6);
 }
@@ -242,8 +242,8 @@ TEST(Cloth, OfASingleTriangleDoesNotBend) {
 // the second one's points may begin anywhere among the system's.
 TEST(Cloth, MayHaveSeveralMaterials) {
   const TriangleMesh mesh = regular_grid(kSize, kSize, 5, 5);
-  Material soft = test::cotton();
-  soft.components["stretch.weft"] = test::component(ScalarCurve::constant(10));
+  Material soft = test::frictional_cotton();
+  soft.components["stretch.weft"] = test::component_of(ScalarCurve::constant(10));
   std::vector<int> left, right;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const double middle = mesh.rest_triangle(t).row(0).mean();
@@ -254,7 +254,7 @@ TEST(Cloth, MayHaveSeveralMaterials) {
   positions.rightCols(mesh.vertex_count()) = mesh.positions;
   System system(positions, Eigen::VectorXd::Ones(positions.cols()));
   const DensityOptions smooth{.friction = false};
-  add_cloth(system, mesh, first, test::cotton(), left, smooth);
+  add_cloth(system, mesh, first, test::frictional_cotton(), left, smooth);
   const size_t of_first = system.parameters().names.size();
   add_cloth(system, mesh, first, soft, right, smooth);
   system.finish();
@@ -312,7 +312,7 @@ Material sprung() {
   material.membrane = MembraneMeasure::spring;
   material.bending = "spring";
   for (const char* name : {"bend.weft", "bend.warp", "bend.diagonal"}) {
-    material.components[name] = test::component(ScalarCurve::constant(0.05));  // N
+    material.components[name] = test::component_of(ScalarCurve::constant(0.05));  // N
   }
   return material;
 }
@@ -375,7 +375,7 @@ TEST(ClothOfSprings, HasTheEnergyOfEachDirection) {
 
 TEST(ClothOfSprings, NeedsAGrid) {
   EXPECT_TRUE(needs_grid(sprung()));
-  EXPECT_FALSE(needs_grid(test::cotton()));
+  EXPECT_FALSE(needs_grid(test::frictional_cotton()));
   EXPECT_THROW(test::cloth_system(test::jittered_grid(kSize, kSize, 5, 5, 1), sprung()),
                AssertionError);
 }

@@ -229,7 +229,7 @@ TEST(Coordinates, HessianIsThatOfDifferencesWithTheTurningOfClips) {
 TEST(Coordinates, FollowASystemAsAWhole) {
   // All points in one clip: a rigid cloth, whose only forces are those from outside.
   test::ClothSystem cloth =
-      test::cloth_system(test::jittered_grid(kSize, kSize, 3, 3, 5), test::cotton());
+      test::cloth_system(test::jittered_grid(kSize, kSize, 3, 3, 5), test::frictional_cotton());
   System& system = *cloth.system;
   system.coordinates().add_clip({0, 1, 2, 3, 4, 5, 6, 7, 8}, false);
   const Eigen::Vector3d end(0.3, 0.2, 0.4);

@@ -63,8 +63,8 @@ double continuum_energy(const Material& material) {
 }
 
 TEST(ImposedShape, MembraneEnergyConvergesWithSecondOrder) {
-  Material material = test::cotton();
-  material.components["shear"] = test::component(ScalarCurve::affine(12, 30));
+  Material material = test::frictional_cotton();
+  material.components["shear"] = test::component_of(ScalarCurve::affine(12, 30));
   const double exact = continuum_energy(material);
   const auto error = [&](const TriangleMesh& mesh) {
     return std::abs(imposed_energy(mesh, material, waved) / exact - 1);
@@ -97,7 +97,7 @@ Material of_hinges(Material material) {
   material.bending_of = "hinges";
   // Membranes without stiffness to speak of: chords are shorter than arcs.
   for (const char* name : {"stretch.weft", "stretch.warp", "shear"}) {
-    material.components[name] = test::component(ScalarCurve::constant(1e-300));
+    material.components[name] = test::component_of(ScalarCurve::constant(1e-300));
   }
   return material;
 }
@@ -142,8 +142,8 @@ TEST(ImposedShape, OfACylinderRubsInItsFolds) {
 // energy of the folds inside is the midpoint rule of (3 k / 2) curvature^2.
 TEST(ImposedShape, BendingEnergyConvergesWithSecondOrder) {
   const double k = 1e-5, turn = 3;  // angle of the tangent at the end: turn (u / size)^2
-  Material material = test::cotton();
-  material.components["bend.weft"] = test::component(ScalarCurve::constant(k));
+  Material material = test::frictional_cotton();
+  material.components["bend.weft"] = test::component_of(ScalarCurve::constant(k));
   material = of_hinges(material);
   // curvature(u) = 2 turn u / size^2 vanishes at the first end; the half cell without a fold at the
   // other end is left out of the reference.

@@ -101,7 +101,8 @@ TEST(System, ServesManyThreadsWithDifferentParametersToTheBitsOfOne) {
 }
 
 TEST(System, KnowsWhereThePartsOfItsHistoryAre) {
-  auto cloth = test::cloth_system(test::jittered_grid(0.1, 0.1, 4, 4, 1), test::cotton());
+  auto cloth =
+      test::cloth_system(test::jittered_grid(0.1, 0.1, 4, 4, 1), test::frictional_cotton());
   cloth.system->finish();
   const State state = cloth.system->initial_state();
   const double* next = state.history.data();
@@ -115,7 +116,8 @@ TEST(System, KnowsWhereThePartsOfItsHistoryAre) {
 }
 
 TEST(System, MayHoldAllOfItsPoints) {
-  auto cloth = test::cloth_system(test::jittered_grid(0.1, 0.1, 3, 3, 1), test::cotton());
+  auto cloth =
+      test::cloth_system(test::jittered_grid(0.1, 0.1, 3, 3, 1), test::frictional_cotton());
   for (int i = 0; i < 9; ++i) cloth.system->coordinates().prescribe(i);
   cloth.system->finish();
   const State state = cloth.system->initial_state();

@@ -16,7 +16,7 @@ using testing::UnorderedElementsAre;
 TEST(VertexFields, AreTheStrainAndFrictionOfAUniformStretch) {
   TriangleMesh mesh = regular_grid(0.1, 0.1, 4, 4);
   mesh.positions.row(0) *= 1.1;  // along weft
-  test::ClothSystem sheet = test::cloth_system(mesh, test::cotton());
+  test::ClothSystem sheet = test::cloth_system(mesh, test::frictional_cotton());
   sheet.system->finish();
   const auto fields = vertex_fields(*sheet.system, sheet.system->initial_state(), sheet.cloth.shown,
                                     0, mesh.vertex_count());
@@ -42,8 +42,8 @@ TEST(VertexFields, OfASecondClothStandAtItsOwnVertices) {
   positions << mesh.positions, stretched.positions;
   System system(positions, Eigen::VectorXd::Ones(18));
   std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
-  add_cloth(system, mesh, 0, test::cotton(), all, {});
-  const Cloth second = add_cloth(system, mesh, 9, test::cotton(), all, {});
+  add_cloth(system, mesh, 0, test::frictional_cotton(), all, {});
+  const Cloth second = add_cloth(system, mesh, 9, test::frictional_cotton(), all, {});
   system.finish();
   const auto fields = vertex_fields(system, system.initial_state(), second.shown, 9, 9);
   EXPECT_TRUE(fields.at("strain.stretch.warp").isApproxToConstant((1.44 - 1) / 2, 1e-12));

@@ -17,7 +17,8 @@ constexpr double kGravity = 9.81;
 
 // A horizontal sheet in air, free to fall.
 struct FallingSheet {
-  test::ClothSystem cloth = test::cloth_system(regular_grid(0.2, 0.2, 5, 5), test::cotton());
+  test::ClothSystem cloth =
+      test::cloth_system(regular_grid(0.2, 0.2, 5, 5), test::frictional_cotton());
   System& system = *cloth.system;
   State state;
 
@@ -42,7 +43,7 @@ TEST(AirDrag, LetsASheetFallAtItsTerminalVelocity) {
   TimeStepper stepper = sheet.stepper(air);
   for (int i = 0; i < 200; ++i) stepper.advance(sheet.state);
   const double terminal =
-      std::sqrt(2 * test::cotton().density * kGravity / (air.drag * air.density));
+      std::sqrt(2 * test::frictional_cotton().density * kGravity / (air.drag * air.density));
   // The sheet bends a little: its rim is lighter than its faces' share of the air.
   const double mean =
       sheet.state.velocities.row(2).dot(sheet.system.masses()) / sheet.system.masses().sum();

@@ -13,11 +13,11 @@
 namespace pliant {
 namespace {
 
-using test::kWeights;
+using test::kWeightsEntry;
 using test::Refusal;
+using test::study_with_more;
 using test::TemporaryFolder;
 using test::with_experiment;
-using test::with_more;
 
 class StudyRefusal : public ::testing::TestWithParam<Refusal> {};
 
@@ -41,25 +41,25 @@ const Refusal kRefusals[] = {
     {"NoExperiments", "pliant: study/1\nname: x\n", 1, "experiments", "is missing"},
     {"EmptyExperiments", "pliant: study/1\nname: x\nexperiments: []\n", 3, "experiments",
      "has no experiment"},
-    {"UnknownKey", with_more("densty: 1 kg/m^2\n"), 5, "densty", "did you mean \"density\"?"},
-    {"RepeatedKey", with_more("name: y\n"), 5, "name", "name"},
+    {"UnknownKey", study_with_more("densty: 1 kg/m^2\n"), 5, "densty", "did you mean \"density\"?"},
+    {"RepeatedKey", study_with_more("name: y\n"), 5, "name", "name"},
     {"UnknownKeyOfAnExperiment", with_field("length: 1 m, width: 1 m, clip_mas: 2 g"), 5,
      "experiments[0].clip_mas", "did you mean \"clip_mass\"?"},
-    {"UnknownKeyOfTheModel", with_more("model: {frictoin: dahl}\n"), 5, "model.frictoin",
+    {"UnknownKeyOfTheModel", study_with_more("model: {frictoin: dahl}\n"), 5, "model.frictoin",
      "did you mean \"friction\"?"},
-    {"UnknownKeyOfTheFit", with_more("fit: {estimater: path}\n"), 5, "fit.estimater",
+    {"UnknownKeyOfTheFit", study_with_more("fit: {estimater: path}\n"), 5, "fit.estimater",
      "did you mean \"estimator\"?"},
-    {"UnknownKeyOfTheDefaults", with_more("defaults: {lenght: 1 m}\n"), 5, "defaults.lenght",
+    {"UnknownKeyOfTheDefaults", study_with_more("defaults: {lenght: 1 m}\n"), 5, "defaults.lenght",
      "did you mean \"length\"?"},
     {"UnknownExperimentType",
      with_experiment("{name: w, type: hanging-weight, direction: warp, data: w.csv}"), 4,
      "experiments[0].type", "did you mean \"hanging-weights\"?"},
-    {"UnknownEstimator", with_more("fit: {estimator: anchors}\n"), 5, "fit.estimator",
+    {"UnknownEstimator", study_with_more("fit: {estimator: anchors}\n"), 5, "fit.estimator",
      "did you mean \"anchor\"?"},
-    {"UnknownMeasure", with_more("model: {membrane: stvkk}\n"), 5, "model.membrane",
+    {"UnknownMeasure", study_with_more("model: {membrane: stvkk}\n"), 5, "model.membrane",
      "did you mean \"stvk\"?"},
-    {"UnknownComponent", with_more("model: {components: {stretch.wrap: {friction: none}}}\n"), 5,
-     "model.components.stretch.wrap", "did you mean \"stretch.warp\"?"},
+    {"UnknownComponent", study_with_more("model: {components: {stretch.wrap: {friction: none}}}\n"),
+     5, "model.components.stretch.wrap", "did you mean \"stretch.warp\"?"},
     {"UnknownDirection",
      with_experiment("{name: w, type: hanging-weights, direction: wrap, data: w.csv}"), 4,
      "experiments[0].direction", "expected \"warp\", \"weft\" or \"bias\""},
@@ -79,7 +79,7 @@ const Refusal kRefusals[] = {
     {"NoData", with_experiment("{name: w, type: shear-cycles}"), 4, "experiments[0].data",
      "is missing"},
     {"NoLength", with_field("width: 1 m"), 4, "experiments[0].length", "is missing"},
-    {"DensityWithoutUnit", with_more("density: 0.157\n"), 5, "density", "kg/m^2"},
+    {"DensityWithoutUnit", study_with_more("density: 0.157\n"), 5, "density", "kg/m^2"},
     {"LengthWithoutUnit", with_field("length: 100, width: 1 m"), 5, "experiments[0].length", "mm"},
     {"ClipMassInNewtons", with_field("length: 1 m, width: 1 m, clip_mass: 1 N"), 5,
      "experiments[0].clip_mass", "kg"},
@@ -87,7 +87,7 @@ const Refusal kRefusals[] = {
      "furlongs"},
     {"NegativeLength", with_field("length: -1 m, width: 1 m"), 5, "experiments[0].length",
      "is not positive"},
-    {"ZeroDensity", with_more("density: 0 kg/m^2\n"), 5, "density", "is not positive"},
+    {"ZeroDensity", study_with_more("density: 0 kg/m^2\n"), 5, "density", "is not positive"},
     {"NegativeClipMass", with_field("length: 1 m, width: 1 m, clip_mass: -2 g"), 5,
      "experiments[0].clip_mass", "is negative"},
     {"NegativePreconditioning",
@@ -105,17 +105,17 @@ const Refusal kRefusals[] = {
      "experiments[0].exclude[0].rows", "no range of rows"},
     {"ExclusionWithoutReason", with_field("length: 1 m, width: 1 m, exclude: [{rows: 3-5}]"), 5,
      "experiments[0].exclude[0].reason", "is missing"},
-    {"TheSameNameTwice", with_experiment(std::string(kWeights) + "\n  - " + kWeights), 5,
+    {"TheSameNameTwice", with_experiment(std::string(kWeightsEntry) + "\n  - " + kWeightsEntry), 5,
      "experiments[1].name", "called \"w\""},
     {"ANameThatIsNoFileName", with_experiment("{name: ../w, type: shear-cycles, data: w.csv}"), 4,
      "experiments[0].name", "no name for an experiment"},
-    {"ValidationOfNothing", with_more("validate:\n  - \"w*\"\n  - \"*-2cm\"\n"), 7, "validate[1]",
-     "\"*-2cm\" matches no experiment"},
+    {"ValidationOfNothing", study_with_more("validate:\n  - \"w*\"\n  - \"*-2cm\"\n"), 7,
+     "validate[1]", "\"*-2cm\" matches no experiment"},
     {"APatternWithoutFiles", with_experiment("{name: w, type: shear-cycles, data: \"none-*.csv\"}"),
      4, "experiments[0].data", "matches no file"},
-    {"BoundsBackwards", with_more("fit: {bounds: {\"*.k1\": [2, 1]}}\n"), 5, "fit.bounds.*.k1",
-     "is no interval"},
-    {"PriorWithoutSpread", with_more("fit: {priors: {\"*.k1\": {mean: 1, sd: 0}}}\n"), 5,
+    {"BoundsBackwards", study_with_more("fit: {bounds: {\"*.k1\": [2, 1]}}\n"), 5,
+     "fit.bounds.*.k1", "is no interval"},
+    {"PriorWithoutSpread", study_with_more("fit: {priors: {\"*.k1\": {mean: 1, sd: 0}}}\n"), 5,
      "fit.priors.*.k1.sd", "is not positive"},
     {"TextForAFlag", with_field("length: 1 m, width: 1 m, rested: maybe"), 5,
      "experiments[0].rested", "true or false"},

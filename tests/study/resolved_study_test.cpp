@@ -15,8 +15,8 @@
 namespace pliant {
 namespace {
 
+using test::study_with_more;
 using test::TemporaryFolder;
-using test::with_more;
 using ::testing::HasSubstr;
 
 /// Every field of a study that has text behind it.
@@ -158,7 +158,7 @@ TEST(ResolvedStudy, OfNoFolderIsThatOfTheWorkingDirectory) {
 
 TEST(ResolvedStudy, SpellsOutTheDefaults) {
   const TemporaryFolder folder;
-  const Study study = read_study(folder.write("study.yaml", with_more("")));
+  const Study study = read_study(folder.write("study.yaml", study_with_more("")));
   const std::string text = resolved_study_text(study, folder.path());
   for (const char* line : {"rested: false", "rested: false", "estimator: path", "control_points: 5",
                            "friction: auto", "membrane: stvk", "data: w.csv"}) {

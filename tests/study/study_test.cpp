@@ -12,9 +12,9 @@
 namespace pliant {
 namespace {
 
+using test::study_with_more;
 using test::TemporaryFolder;
 using test::with_experiment;
-using test::with_more;
 using ::testing::ElementsAre;
 using ::testing::Pair;
 using ::testing::UnorderedElementsAre;
@@ -78,7 +78,7 @@ TEST(Study, ReadsTheDocumentedExample) {
 }
 
 TEST(Study, DefaultsAreThoseOfTheFormat) {
-  const Study study = read_text(with_more(""));
+  const Study study = read_text(study_with_more(""));
   EXPECT_EQ(study.density, 0);
   EXPECT_EQ(study.model.membrane, MembraneMeasure::stvk);
   EXPECT_EQ(study.model.friction, FrictionChoice::automatic);
@@ -117,11 +117,11 @@ TEST(Study, ReadsEveryFieldOfTensileCycles) {
 }
 
 TEST(Study, ReadsTheOptionsOfTheFit) {
-  const Study study = read_text(
-      with_more("model:\n  components: {shear: {stiffness: constant, friction: none}}\n"
-                "fit:\n  estimator: anchor\n  control_points: 3\n"
-                "  bounds: {\"*.friction.tau\": [0.001, 0.1]}\n  fix: {stretch.warp.k1: 4.5}\n"
-                "  priors: {stretch.warp.k2: {mean: 30, sd: 2}}\n"));
+  const Study study = read_text(study_with_more(
+      "model:\n  components: {shear: {stiffness: constant, friction: none}}\n"
+      "fit:\n  estimator: anchor\n  control_points: 3\n"
+      "  bounds: {\"*.friction.tau\": [0.001, 0.1]}\n  fix: {stretch.warp.k1: 4.5}\n"
+      "  priors: {stretch.warp.k2: {mean: 30, sd: 2}}\n"));
   EXPECT_EQ(study.fit.estimator, EstimatorKind::anchor);
   EXPECT_EQ(study.fit.control_points, 3);
   EXPECT_EQ(study.fit.bounds.at("*.friction.tau"), std::make_pair(0.001, 0.1));
@@ -155,19 +155,6 @@ TEST(Study, ReadsWhichWayAStripBuckles) {
     EXPECT_DOUBLE_EQ(spec.noise.length.value(), 5e-6);
     EXPECT_EQ(component_of_test(spec.type, spec.direction), "bend.weft");
   }
-}
-
-TEST(Study, PatternsMatchAnyTextAtTheirStars) {
-  EXPECT_TRUE(matches("*-2cm", "warp-stretch-2cm"));
-  EXPECT_TRUE(matches("warp*", "warp"));
-  EXPECT_TRUE(matches("*", ""));
-  EXPECT_TRUE(matches("*a*b*", "xaybz"));
-  EXPECT_TRUE(matches("*ab", "aab"));  // the first "a" is not the right one
-  EXPECT_TRUE(matches("exact", "exact"));
-  EXPECT_FALSE(matches("exact", "exactly"));
-  EXPECT_FALSE(matches("*-2cm", "warp-8cm"));
-  EXPECT_FALSE(matches("", "x"));
-  EXPECT_FALSE(matches("w?rp", "warp"));  // no other wildcards
 }
 
 }  // namespace

@@ -9,9 +9,11 @@ inline std::string with_experiment(const std::string& experiment, const std::str
   return "pliant: study/1\nname: jersey\nexperiments:\n  - " + experiment + "\n" + more;
 }
 
-inline constexpr const char* kWeights =
+inline constexpr const char* kWeightsEntry =
     "{name: w, type: hanging-weights, direction: warp, data: w.csv, length: 1 m, width: 1 m}";
 
-inline std::string with_more(const std::string& more) { return with_experiment(kWeights, more); }
+inline std::string study_with_more(const std::string& more) {
+  return with_experiment(kWeightsEntry, more);
+}
 
 }  // namespace pliant::test

@@ -92,16 +92,16 @@ class MeasuredStudy {
     }
   }
   const Study& study() const { return study_; }
-  const Experiment& operator[](size_t i) const { return *experiments_.at(i); }
+  const ComponentExperiment& operator[](size_t i) const { return *experiments_.at(i); }
 
  private:
   LabFolder folder_;
   Study study_;
-  std::vector<std::unique_ptr<Experiment>> experiments_;
+  std::vector<std::unique_ptr<ComponentExperiment>> experiments_;
 };
 
 // Measured less predicted by the law that made the measurements.
-Eigen::VectorXd residuals(const Experiment& experiment, const Material& material) {
+Eigen::VectorXd residuals(const ComponentExperiment& experiment, const Material& material) {
   const auto law = law_of(material, experiment.info().component);
   const auto nuisance =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(experiment.nuisance().size()));

@@ -11,43 +11,44 @@
 
 namespace pliant::test {
 
-inline MaterialComponent component(ScalarCurve stiffness) {
+inline MaterialComponent component_of(ScalarCurve stiffness) {
   MaterialComponent result;
   result.stiffness = std::move(stiffness);
   return result;
 }
 
-inline MaterialComponent component(ScalarCurve stiffness, const DahlParameters& dahl) {
-  MaterialComponent result = component(std::move(stiffness));
+inline MaterialComponent component_of(ScalarCurve stiffness, const DahlParameters& dahl) {
+  MaterialComponent result = component_of(std::move(stiffness));
   result.friction = ComponentFriction{dahl, {}};
   return result;
 }
 
 /// Cotton: stretch from [T] Table 5.1, shear and bending of the same kind of fabric, with friction
 /// on every component.
-inline Material cotton() {
+inline Material frictional_cotton() {
   Material material;
   material.name = "cotton";
   material.density = 0.143;
   const MaterialComponent stretch =
-      component(ScalarCurve::affine(135.6, 64.03), {2.22, 3.16, 0.006});
+      component_of(ScalarCurve::affine(135.6, 64.03), {2.22, 3.16, 0.006});
   material.components["stretch.weft"] = material.components["stretch.warp"] = stretch;
-  material.components["shear"] = component(ScalarCurve::constant(20), {0.5, 0, 0.01});
+  material.components["shear"] = component_of(ScalarCurve::constant(20), {0.5, 0, 0.01});
   for (const char* name : {"bend.weft", "bend.warp", "bend.diagonal"}) {
-    material.components[name] = component(ScalarCurve::constant(1e-5), {2e-5, 0, 20});
+    material.components[name] = component_of(ScalarCurve::constant(1e-5), {2e-5, 0, 20});
   }
   return material;
 }
 
 /// Differs in every direction, and has curves of every kind: what cotton alone would not show.
 inline Material uneven_cotton() {
-  Material material = cotton();
-  material.components["stretch.warp"] = component(
+  Material material = frictional_cotton();
+  material.components["stretch.warp"] = component_of(
       ScalarCurve::hermite({-0.3, -0.05, 0.05, 0.4}, {40, 90, 120, 300}), {1.4, 0.8, 0.02});
   material.components["shear"] =
-      component(ScalarCurve::hermite({0, 0.1, 0.3}, {12, 15, 40}, true), {0.5, 0.2, 0.03});
-  material.components["bend.warp"] = component(ScalarCurve::affine(3e-5, 2e-7), {1e-5, 1e-8, 15});
-  material.components["bend.diagonal"] = component(ScalarCurve::constant(2e-5), {3e-5, 0, 30});
+      component_of(ScalarCurve::hermite({0, 0.1, 0.3}, {12, 15, 40}, true), {0.5, 0.2, 0.03});
+  material.components["bend.warp"] =
+      component_of(ScalarCurve::affine(3e-5, 2e-7), {1e-5, 1e-8, 15});
+  material.components["bend.diagonal"] = component_of(ScalarCurve::constant(2e-5), {3e-5, 0, 30});
   return material;
 }
 

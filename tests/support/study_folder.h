@@ -27,7 +27,7 @@ class StudyFolder {
                                               more + "experiments:\n  - " + entry + "\n"));
   }
 
-  std::unique_ptr<Experiment> experiment(const std::string& entry,
+  std::unique_ptr<ComponentExperiment> experiment(const std::string& entry,
                                          const std::string& more = "") const {
     const Study read = study(entry, more);
     return read_experiment(read.experiments.front(), read);

@@ -3,75 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/estimation/anchor_predictor.h"
 #include "pliant/estimation/linear_start.h"
-#include "pliant/material/density/dahl_published.h"
 
 namespace pliant {
 namespace {
 
 constexpr double kVerySmallTau = 1e-3;  // share of the largest strain
 
-// Force errors of all used rows ([T] Eq. 5.5), and their derivatives w.r.t. the law.
-struct ForceErrors {
-  const ComponentProblem& problem;
-  ComponentLaw shape;
-
-  bool operator()(const Eigen::VectorXd& p, Eigen::VectorXd& residual,
-                  Eigen::MatrixXd* jacobian) const {
-    const ComponentLaw law = shape.with_parameters(p);
-    if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
-    Eigen::Index row = 0;
-    for (size_t e = 0; e < problem.experiments().size(); ++e) {
-      const Experiment& experiment = *problem.experiments()[e];
-      const Eigen::VectorXd nuisance = experiment.unfitted_nuisance(law);
-      const double offset = nuisance.size() > 0 ? nuisance(0) : 0;
-      const MeasuredPath& path = experiment.path();
-      for (size_t i = 0; i < path.strain.size(); ++i) {
-        if (!problem.used(e)[i]) continue;
-        add_row(law, path, i, offset, residual, jacobian, row++);
-      }
-    }
-    return true;
+// The problem of the published estimator, in newtons. Unknowns outside [first, last) are held.
+Problem force_problem(const ComponentProblem& problem, const ComponentLaw& shape,
+                      std::vector<Unknown> unknowns, const Eigen::VectorXd& values, int first,
+                      int last) {
+  std::vector<ProblemPart> parts;
+  for (size_t e = 0; e < problem.experiments().size(); ++e) {
+    const std::vector<char>& used = problem.used(e);
+    const Eigen::VectorXd weight = Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(
+                                       used.data(), static_cast<Eigen::Index>(used.size()))
+                                       .cast<double>();
+    const ComponentExperiment& experiment = *problem.experiments()[e];
+    parts.push_back({&experiment, anchor_predictor(experiment, shape), weight,
+                     /*takes_stated_noise=*/false});
   }
-
- private:
-  void add_row(const ComponentLaw& law, const MeasuredPath& path, size_t i, double offset,
-               Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian, Eigen::Index row) const {
-    const double strain = path.strain[i];
-    const double anchor = path.strain[static_cast<size_t>(path.anchor[i])];
-    const int stiffness = law.stiffness.size();
-    FrictionStress friction;
-    if (law.friction_law == FrictionLaw::dahl) {
-      friction = anchored_friction_stress({law.friction[0], law.friction[1], law.friction[2]},
-                                          strain, anchor, path.direction[i]);
-    }
-    residual(row) =
-        path.factor[i] * (law.elastic_stress(strain) + friction.stress) + offset - path.force[i];
-    if (jacobian == nullptr) return;
-    jacobian->row(row).head(stiffness) =
-        path.factor[i] * strain * law.stiffness.weights(strain).transpose();
-    for (int k = 0; k < law.friction_count(); ++k) {
-      (*jacobian)(row, stiffness + k) =
-          path.factor[i] * friction.parameters[static_cast<size_t>(k)];
-    }
+  for (int i = 0; i < static_cast<int>(unknowns.size()); ++i) {
+    if (i < first || i >= last) unknowns[static_cast<size_t>(i)].hold(values(i));
   }
-};
-
-// Parameters outside [first, last) are held at their present value for a stage.
-LeastSquaresProblem stage_problem(const LeastSquaresProblem& all, const Eigen::VectorXd& values,
-                                  int first, int last) {
-  LeastSquaresProblem stage = all;
-  for (int i = 0; i < values.size(); ++i) {
-    if (i >= first && i < last) continue;
-    stage.lower(i) = stage.upper(i) = values(i);
-  }
-  return stage;
-}
-
-LeastSquaresProblem force_errors(const ComponentProblem& problem, const ComponentLaw& shape,
-                                 const ParameterLimits& limits) {
-  return {ForceErrors{problem, shape}, problem.used_rows(), limits.lower, limits.upper,
-          limits.scale};
+  return {std::move(parts), std::move(unknowns), {}};
 }
 
 // The rows that give the stiffness and those that give friction: all of them give both, unless
@@ -84,9 +41,10 @@ struct PublishedRows {
 PublishedRows published_rows(const ComponentProblem& problem) {
   const auto& experiments = problem.experiments();
   const auto has = [&](bool overhang) {
-    return std::any_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
-      return overhangs(experiment->info().type) == overhang;
-    });
+    return std::any_of(experiments.begin(), experiments.end(),
+                       [&](const ComponentExperiment* experiment) {
+                         return overhangs(experiment->info().type) == overhang;
+                       });
   };
   const bool apart = has(true) && has(false);
   const auto rows_of = [&](bool overhang) {
@@ -100,11 +58,10 @@ PublishedRows published_rows(const ComponentProblem& problem) {
 }
 
 // Linearised with the parameters outside [first, last) held at their values.
-Uncertainty stage_uncertainty(const ComponentProblem& problem, LawFit fit, int first, int last) {
-  for (int i = 0; i < fit.solution.parameters.size(); ++i) {
-    if (i < first || i >= last) fit.limits.fixed[static_cast<size_t>(i)] = 1;
-  }
-  return linearised_uncertainty(force_errors(problem, fit.law, fit.limits), problem, fit, false);
+Uncertainty stage_uncertainty(const ComponentProblem& problem, const LawFit& fit, int first,
+                              int last) {
+  const Eigen::VectorXd& values = fit.solution.parameters;
+  return uncertainty_of(force_problem(problem, fit.law, fit.unknowns, values, first, last), values);
 }
 
 // That of the first parameters by one stage, and of the others by another.
@@ -115,8 +72,8 @@ Uncertainty joined(Uncertainty result, const Uncertainty& others, int first) {
   result.half_width.tail(count) = others.half_width.tail(count);
   std::copy(others.at_bound.begin() + first, others.at_bound.end(),
             result.at_bound.begin() + first);
-  std::copy(others.identified.begin() + first, others.identified.end(),
-            result.identified.begin() + first);
+  std::copy(others.determination.begin() + first, others.determination.end(),
+            result.determination.begin() + first);
   Eigen::VectorXd singular_values(result.singular_values.size() + others.singular_values.size());
   singular_values << result.singular_values, others.singular_values;
   result.singular_values = singular_values;
@@ -128,10 +85,11 @@ Uncertainty joined(Uncertainty result, const Uncertainty& others, int first) {
 AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
                      const FitOptions& options, const StopToken& stop) {
   const PublishedRows rows = published_rows(problem);
-  const DataScale scale{problem.peak_stress(), problem.largest_strain()};
   AnchorFit result;
   LawFit& fit = result.fit;
-  fit.limits = parameter_limits(shape, component_of(problem), {}, scale, options);
+  fit.unknowns = unknowns_of(shape, {component_of(problem)},
+                             {problem.peak_stress(), problem.largest_strain()});
+  apply_options(options, fit.unknowns);
 
   const int stiffness = shape.stiffness.size();
   const int count = shape.parameter_count();
@@ -144,9 +102,9 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
   }
 
   const auto run = [&](const ComponentProblem& part, const std::string& name, int first, int last) {
-    const LeastSquaresProblem all = force_errors(part, shape, fit.limits);
+    const Problem stage = force_problem(part, shape, fit.unknowns, values, first, last);
     const LeastSquaresSummary solution =
-        solve_least_squares(stage_problem(all, values, first, last), values, {}, stop);
+        solve_least_squares(stage.least_squares(), values, {}, stop);
     values = solution.parameters;
     fit.solution = solution;
     result.stages.push_back({name, std::sqrt(2 * solution.cost / part.used_rows())});

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pliant/estimation/law_fit.h"
-#include "pliant/estimation/uncertainty.h"
+#include "pliant/estimation/law_uncertainty.h"
 
 namespace pliant {
 

@@ -1,44 +1,60 @@
 #include "pliant/estimation/component_curve.h"
 
-#include <cmath>
 #include <limits>
 
 #include "pliant/experiment/friction_path.h"
+#include "pliant/math/quantiles.h"
 
 namespace pliant {
 namespace {
 
 constexpr int kPoints = 100;
-constexpr double kNormalQuantile = 1.959963984540054;
+<<<<<<< HEAD
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+=======
+>>>>>>> w-stat
 
 }  // namespace
 
 ComponentCurve component_curve(const std::string& component, const ComponentLaw& law,
-                               double largest_strain, const Eigen::MatrixXd& covariance) {
+                               double largest_strain, const BandOfLaw& band) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(law.parameter_count());
   FrictionPath loading(law, {0, 0, zero, zero});
   FrictionPath unloading = loading;
   unloading.turn_at(largest_strain, zero);
 
+  const double normal_quantile = student_quantile_95(std::numeric_limits<double>::infinity());
   ComponentCurve curve;
   curve.component = component;
   for (int i = 0; i <= kPoints; ++i) {
     const double strain = largest_strain * i / kPoints;
     const PathStress load = loading.at(strain);
+<<<<<<< HEAD
+    const double half = band ? band(load.gradient).value_or(kNone) : kNone;
+=======
     const double band =
         covariance.size() > 0
-            ? kNormalQuantile *
+            ? normal_quantile *
                   std::sqrt(std::max(load.gradient.dot(covariance * load.gradient), 0.0))
             : std::numeric_limits<double>::quiet_NaN();
+>>>>>>> w-stat
     curve.strain.push_back(strain);
     curve.load.push_back(load.stress);
     curve.unload.push_back(unloading.at(strain).stress);
-    curve.low.push_back(load.stress - band);
-    curve.high.push_back(load.stress + band);
+    curve.low.push_back(load.stress - half);
+    curve.high.push_back(load.stress + half);
     curve.elastic.push_back(law.elastic_stress(strain));
     curve.max_friction.push_back(law.max_friction(strain));
   }
   return curve;
+}
+
+BandOfLaw band_of(const Uncertainty& uncertainty, Eigen::Index first) {
+  return [&uncertainty, first](const Eigen::VectorXd& by_law) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(uncertainty.std_error.size());
+    gradient.segment(first, by_law.size()) = by_law;
+    return uncertainty.band(gradient);
+  };
 }
 
 }  // namespace pliant

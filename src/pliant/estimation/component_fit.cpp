@@ -6,6 +6,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
 #include "pliant/estimation/control_points.h"
+#include "pliant/estimation/profile_likelihood.h"
 #include "pliant/experiment/loop_metrics.h"
 
 namespace pliant {
@@ -15,19 +16,19 @@ constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
 template <class Belongs>
-bool all_types(const std::vector<const Experiment*>& experiments, const Belongs& belongs) {
-  return std::all_of(experiments.begin(), experiments.end(), [&](const Experiment* experiment) {
-    return belongs(experiment->info().type);
-  });
+bool all_types(const std::vector<const ComponentExperiment*>& experiments, const Belongs& belongs) {
+  return std::all_of(
+      experiments.begin(), experiments.end(),
+      [&](const ComponentExperiment* experiment) { return belongs(experiment->info().type); });
 }
 
-bool only_of(const char* type, const std::vector<const Experiment*>& experiments) {
+bool only_of(const char* type, const std::vector<const ComponentExperiment*>& experiments) {
   return all_types(experiments, [&](const std::string& other) { return other == type; });
 }
 
 // The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
 // Not strips alone that only load: friction that is not told from stiffness makes that fall.
-bool only_published_tests(const std::vector<const Experiment*>& experiments) {
+bool only_published_tests(const std::vector<const ComponentExperiment*>& experiments) {
   return all_types(experiments,
                    [](const std::string& type) {
                      return type == "hanging-weights" || bends_by_weight(type);
@@ -37,7 +38,7 @@ bool only_published_tests(const std::vector<const Experiment*>& experiments) {
 
 // The force at which a strip buckles is the same at all distances, so that an offset of the force
 // hides most of a curve; a bending length is one number.
-CurveKind default_stiffness(const std::vector<const Experiment*>& experiments) {
+CurveKind default_stiffness(const std::vector<const ComponentExperiment*>& experiments) {
   if (only_of("buckling-bend", experiments) || only_of("bending-length", experiments)) {
     return CurveKind::constant;
   }
@@ -62,20 +63,22 @@ ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem
 }
 
 bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
-  const bool length_noise = std::any_of(
-      problem.experiments().begin(), problem.experiments().end(), [](const Experiment* experiment) {
-        return experiment->info().length_noise && experiment->info().quantity.kind != "length";
-      });
+  const bool length_noise = std::any_of(problem.experiments().begin(), problem.experiments().end(),
+                                        [](const ComponentExperiment* experiment) {
+                                          return experiment->info().length_noise &&
+                                                 experiment->info().quantity.kind != "length";
+                                        });
   // A prior is weighed against the noise of the data.
-  const bool prior = std::any_of(fit.limits.priors.begin(), fit.limits.priors.end(),
-                                 [](const auto& p) { return p.has_value(); });
+  const bool prior = std::any_of(fit.unknowns.begin(), fit.unknowns.end(),
+                                 [](const Unknown& unknown) { return unknown.prior.has_value(); });
   return length_noise || prior || problem.experiments().size() > 1;
 }
 
 // Weights and solution depend on each other where several experiments or both channels carry noise.
 void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop) {
   for (int round = 0; round < kNoiseRounds; ++round) {
-    const double change = problem.update_noise(fit.law, fit.nuisance);
+    const double change =
+        problem.take_noise(measure_noise(problem_of(problem, fit), fit.solution.parameters));
     if (!needs_noise_rounds(problem, fit)) {
       fit = reweighed(problem, fit);
       return;
@@ -87,74 +90,75 @@ void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop)
 
 size_t specimen_count(const ComponentProblem& problem) {
   size_t count = 0;
-  for (const Experiment* experiment : problem.experiments()) {
+  for (const ComponentExperiment* experiment : problem.experiments()) {
     count += experiment->info().specimens.size();
   }
   return count;
 }
 
-std::vector<std::optional<double>> spread_between_specimens(const ComponentProblem& problem,
-                                                            const LawFit& fit,
-                                                            const StopToken& stop) {
-  std::vector<std::optional<double>> spread(static_cast<size_t>(fit.law.parameter_count()));
-  if (specimen_count(problem) < 2) return spread;
-  std::vector<Eigen::VectorXd> fits;
+// Fits to single specimens: how much the material varies, and so how well its mean is known.
+void add_specimens(const ComponentProblem& problem, const StopToken& stop, ComponentFit& result) {
+  const LawFit& fit = result.fit;
+  const auto parameters = static_cast<size_t>(fit.law.parameter_count());
+  result.between_specimen_sd.assign(parameters, std::nullopt);
+  if (specimen_count(problem) < 2) return;
+  std::vector<SpecimenFits> fits(parameters);
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
     const auto specimens = problem.experiments()[e]->info().specimens.size();
     for (size_t s = 0; s < specimens; ++s) {
       const ComponentProblem one = problem.restricted_to(e, static_cast<int>(s));
       if (one.used_rows() <= fit.law.parameter_count()) continue;
-      fits.push_back(refit(one, fit, stop).law.parameters());
+      const LawFit own = refit(one, fit, stop);
+      const Uncertainty known = estimate_uncertainty(one, own);
+      for (size_t i = 0; i < parameters; ++i) {
+        const auto index = static_cast<Eigen::Index>(i);
+        fits[i].value.push_back(own.solution.parameters(index));
+        fits[i].variance.push_back(known.covariance(index, index));
+      }
     }
   }
-  if (fits.size() < 2) return spread;
-  const auto count = static_cast<double>(fits.size());
-  for (size_t i = 0; i < spread.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    double mean = 0, squares = 0;
-    for (const Eigen::VectorXd& p : fits) mean += p(index) / count;
-    for (const Eigen::VectorXd& p : fits) squares += (p(index) - mean) * (p(index) - mean);
-    spread[i] = std::sqrt(squares / (count - 1));
+  for (size_t i = 0; i < parameters; ++i) {
+    const auto spread = specimen_spread(fits[i]);
+    if (!spread) continue;
+    result.between_specimen_sd[i] = spread->between_sd;
+    raise_error(result.uncertainty, static_cast<Eigen::Index>(i), *spread, fit);
   }
-  return spread;
 }
 
 // Residuals are weighed by stated noise, or by 1 % of the measured range until the noise is known.
 std::string stage_unit(const ComponentProblem& problem) {
-  const bool stated = std::any_of(problem.noise().begin(), problem.noise().end(),
-                                  [](const RowNoise& noise) { return noise.stated; });
+  const auto& experiments = problem.experiments();
+  const bool stated = std::any_of(experiments.begin(), experiments.end(), [](const auto* e) {
+    return e->info().force_noise || e->info().length_noise;
+  });
   return stated ? "times the noise" : "% of range";
 }
 
-LawFit fit_by_path(const ComponentProblem& problem, const ComponentPlan& plan,
-                   const StopToken& stop, std::vector<FitStage>& stages) {
-  const std::string& component = component_of(problem);
-  if (plan.stiffness != CurveKind::hermite) {
-    LawFit fit = fit_law(problem, shape_of(plan, problem), plan.fit, stop);
-    stages.push_back({component, std::string(name_of(plan.stiffness)) + " stiffness",
-                      stage_unit(problem), fit.rms, true});
-    return fit;
+// One-sided limits of the unknowns of the law that the data pushes to their bounds.
+std::vector<std::optional<double>> limits_at_bounds(const ComponentProblem& problem,
+                                                    const ComponentFit& component,
+                                                    const StopToken& stop) {
+  const LawFit& fit = component.fit;
+  std::vector<std::optional<double>> limits(fit.unknowns.size());
+  for (Eigen::Index u = 0; u < fit.law.parameter_count(); ++u) {
+    const auto index = static_cast<size_t>(u);
+    if (!component.uncertainty.at_bound[index]) continue;
+    limits[index] = limit_at_bound(problem, fit, component.uncertainty, u, stop);
   }
-  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit, stop);
-  for (const GrowthStage& stage : grown.stages) {
-    stages.push_back({component,
-                      std::to_string(stage.control_points) + " control point" +
-                          (stage.control_points == 1 ? "" : "s"),
-                      stage_unit(problem), stage.rms, stage.accepted});
-  }
-  return grown.fit;
+  return limits;
 }
 
 // The moments of a buckled strip come from a force whose zero is not known without a fit; what is
 // left of rolled strips' samples must tell friction's three parameters.
-void refuse_anchors(const Study& study, const std::vector<const Experiment*>& experiments) {
+void refuse_anchors(const Study& study,
+                    const std::vector<const ComponentExperiment*>& experiments) {
   constexpr int kFewest = 3;
   if (study.fit.estimator != EstimatorKind::anchor) return;
   const Location where{study.file, 0, "fit.estimator"};
   if (study.fit.monotone_stress) {
     throw InputError(where, "the published estimator knows no monotone_stress", "path");
   }
-  for (const Experiment* experiment : experiments) {
+  for (const ComponentExperiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;
     if (experiment->info().type == "buckling-bend") {
@@ -175,7 +179,8 @@ void refuse_anchors(const Study& study, const std::vector<const Experiment*>& ex
 
 }  // namespace
 
-ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+ComponentPlan plan_component(const Study& study,
+                             const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes) {
   const std::string& component = experiments.front()->info().component;
   ComponentModel model;
@@ -192,9 +197,9 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
                     " at other curvatures: a bending length determines one number");
   }
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
-  const bool data_unloads =
-      std::any_of(experiments.begin(), experiments.end(),
-                  [](const Experiment* experiment) { return unloads(experiment->path()); });
+  const bool data_unloads = std::any_of(
+      experiments.begin(), experiments.end(),
+      [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
   if (choice == FrictionChoice::none) plan.friction = FrictionLaw::none;
   if (!data_unloads && choice != FrictionChoice::none) {
     notes.push_back("friction of " + component +
@@ -202,6 +207,27 @@ ComponentPlan plan_component(const Study& study, const std::vector<const Experim
     if (choice == FrictionChoice::automatic) plan.friction = FrictionLaw::none;
   }
   return plan;
+}
+
+FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan,
+                 const StopToken& stop) {
+  const std::string& component = component_of(problem);
+  FormFit result;
+  if (plan.stiffness != CurveKind::hermite) {
+    result.fit = fit_law(problem, shape_of(plan, problem), plan.fit, stop);
+    result.stages.push_back({component, std::string(name_of(plan.stiffness)) + " stiffness",
+                             stage_unit(problem), result.fit.rms, true});
+    return result;
+  }
+  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit, stop);
+  for (const GrowthStage& stage : grown.stages) {
+    result.stages.push_back({component,
+                             std::to_string(stage.control_points) + " control point" +
+                                 (stage.control_points == 1 ? "" : "s"),
+                             stage_unit(problem), stage.rms, stage.accepted});
+  }
+  result.fit = std::move(grown.fit);
+  return result;
 }
 
 ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
@@ -216,12 +242,16 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
     result.fit = std::move(anchor.fit);
     result.uncertainty = estimate_anchor_uncertainty(problem, result.fit);
   } else {
-    result.fit = fit_by_path(problem, plan, stop, result.stages);
+    FormFit form = fit_form(problem, plan, stop);
+    result.fit = std::move(form.fit);
+    result.stages = std::move(form.stages);
     settle_noise(problem, result.fit, stop);
     result.uncertainty = estimate_uncertainty(problem, result.fit);
-    result.between_specimen_sd = spread_between_specimens(problem, result.fit, stop);
+    add_specimens(problem, stop, result);
+    result.limits = limits_at_bounds(problem, result, stop);
   }
   result.between_specimen_sd.resize(static_cast<size_t>(result.fit.law.parameter_count()));
+  result.limits.resize(result.fit.unknowns.size());
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;
     elastic.friction_law = FrictionLaw::none;

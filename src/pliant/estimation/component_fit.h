@@ -8,7 +8,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
 #include "pliant/estimation/law_fit.h"
-#include "pliant/estimation/uncertainty.h"
+#include "pliant/estimation/law_uncertainty.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -28,6 +28,8 @@ struct ComponentFit {
   std::optional<LawFit> elastic;  ///< best purely elastic law with the same control points
   std::vector<FitStage> stages;
   std::vector<std::optional<double>> between_specimen_sd;  ///< of the law's parameters
+  /// One-sided 95 % limits of unknowns at their bounds, away from them.
+  std::vector<std::optional<double>> limits;
 };
 
 /// The plan that a study and its data imply: affine stiffness where only weights were hung or
@@ -36,8 +38,18 @@ struct ComponentFit {
 /// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
 /// @throws InputError where the study asks for the published estimator of a buckled strip, or of
 ///         strips that all roll with their weight
-ComponentPlan plan_component(const Study& study, const std::vector<const Experiment*>& experiments,
+ComponentPlan plan_component(const Study& study,
+                             const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes);
+
+/// A law whose form the data has chosen, as far as the plan leaves it open.
+struct FormFit {
+  LawFit fit;
+  std::vector<FitStage> stages;
+};
+
+/// Fits the law of a plan by `path`, control points grown as far as they are worth it.
+FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan, const StopToken& stop);
 
 /// Fits one component; `problem` keeps the noise that its residuals show.
 ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,

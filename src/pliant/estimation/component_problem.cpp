@@ -10,46 +10,21 @@ namespace {
 
 // First guess of a residual's size, as a share of the measured range.
 constexpr double kFirstNoiseShare = 0.01;
-constexpr double kSmallestNoiseShare = 1e-9;  // noise-free data still has a weight
 
-bool measures_length(const Experiment& experiment) {
-  const std::string& kind = experiment.info().quantity.kind;
-  return kind == "length" || kind == "distance";
-}
-
-std::optional<double> stated_noise(const Experiment& experiment) {
+double first_noise(const ComponentExperiment& experiment) {
   const ExperimentInfo& info = experiment.info();
-  return measures_length(experiment) ? info.length_noise : info.force_noise;
-}
-
-// Mean square of the used rows.
-double mean_square(const Eigen::VectorXd& values, const std::vector<char>& used) {
-  double sum = 0;
-  int count = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (!used[static_cast<size_t>(i)]) continue;
-    sum += values(i) * values(i);
-    ++count;
-  }
-  return count == 0 ? 0 : sum / count;
-}
-
-RowNoise make_noise(const Experiment& experiment, const std::vector<char>& used, double sd,
-                    const Eigen::VectorXd& from_length) {
-  RowNoise noise;
-  noise.stated = stated_noise(experiment).has_value();
-  noise.sd = (from_length.array().square() + sd * sd).sqrt();
-  noise.typical = std::sqrt(mean_square(noise.sd, used));
-  return noise;
+  const bool length = info.quantity.kind == "length" || info.quantity.kind == "distance";
+  const std::optional<double>& stated = length ? info.length_noise : info.force_noise;
+  return stated.value_or(kFirstNoiseShare * experiment.reference());
 }
 
 }  // namespace
 
-ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
+ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments)
     : experiments_(std::move(experiments)) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   smallest_strain_ = 1e300;
-  for (const Experiment* experiment : experiments_) {
+  for (const ComponentExperiment* experiment : experiments_) {
     first_nuisance_.push_back(nuisance_count_);
     nuisance_count_ += static_cast<int>(experiment->nuisance().size());
     used_.push_back(experiment->info().used);
@@ -63,9 +38,7 @@ ComponentProblem::ComponentProblem(std::vector<const Experiment*> experiments)
       const bool from_zero = !path.starts_flat.empty() && path.starts_flat[i];
       smallest_strain_ = std::min(smallest_strain_, from_zero ? 0.0 : std::abs(path.strain[i]));
     }
-    const double sd =
-        stated_noise(*experiment).value_or(kFirstNoiseShare * experiment->reference());
-    noise_.push_back(make_noise(*experiment, used, sd, Eigen::VectorXd::Zero(experiment->rows())));
+    weight_.push_back(Eigen::VectorXd::Constant(experiment->rows(), 1 / first_noise(*experiment)));
   }
 }
 
@@ -87,87 +60,44 @@ ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen
   });
 }
 
-std::vector<NuisanceParameter> ComponentProblem::nuisance() const {
-  std::vector<NuisanceParameter> all;
-  for (const Experiment* experiment : experiments_) {
-    all.insert(all.end(), experiment->nuisance().begin(), experiment->nuisance().end());
+std::vector<Unknown> ComponentProblem::unknowns(const ComponentLaw& shape,
+                                                const FitOptions& options) const {
+  const std::string& component = experiments_.front()->info().component;
+  std::vector<Unknown> all = unknowns_of(shape, {component}, {peak_stress_, largest_strain_});
+  for (const ComponentExperiment* experiment : experiments_) {
+    const std::vector<Unknown> own = unknowns_of(*experiment);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  apply_options(options, all);
+  // Without friction the state of friction means nothing.
+  for (Unknown& unknown : all) {
+    const bool of_state = unknown.of_friction && !unknown.of_material;
+    if (of_state && shape.friction_law == FrictionLaw::none) unknown.hold(0);
   }
   return all;
 }
 
-double ComponentProblem::update_noise(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
+double ComponentProblem::take_noise(const MeasuredNoise& noise) {
   double change = 0;
   for (size_t e = 0; e < experiments_.size(); ++e) {
-    const Experiment& experiment = *experiments_[e];
-    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
-    const auto prediction =
-        experiment.predict(law, nuisance.segment(first_nuisance_[e], count), false);
-    if (!prediction) continue;
-    Eigen::VectorXd from_length = Eigen::VectorXd::Zero(experiment.rows());
-    if (!measures_length(experiment) && prediction->length_gain.size() > 0) {
-      from_length = experiment.info().length_noise.value_or(0) * prediction->length_gain;
-    }
-    const std::vector<char>& used = used_[e];
-    const double smallest = kSmallestNoiseShare * experiment.reference();
-    const double unexplained = mean_square(prediction->value - experiment.measured(), used) -
-                               mean_square(from_length, used);
-    const double sd =
-        stated_noise(experiment).value_or(std::sqrt(std::max(unexplained, smallest * smallest)));
-    const double before = noise_[e].typical;
-    noise_[e] = make_noise(experiment, used, sd, from_length);
-    change = std::max(change, std::abs(noise_[e].typical - before) / before);
+    if (noise.weight[e].maxCoeff() <= 0) continue;  // no row of it takes part
+    change = std::max(change, std::abs(noise.weight[e].norm() / weight_[e].norm() - 1));
+    weight_[e] = noise.weight[e];
   }
   return change;
 }
 
-LeastSquaresProblem ComponentProblem::least_squares(const ComponentLaw& shape,
-                                                    const ParameterLimits& limits) const {
-  std::vector<Eigen::Index> with_prior;
-  for (size_t i = 0; i < limits.priors.size(); ++i) {
-    if (limits.priors[i] && !limits.fixed[i]) with_prior.push_back(static_cast<Eigen::Index>(i));
+Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown> unknowns) const {
+  std::vector<ProblemPart> parts;
+  for (size_t e = 0; e < experiments_.size(); ++e) {
+    const std::vector<char>& used = used_[e];
+    Eigen::VectorXd weight = weight_[e];
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      if (!used[static_cast<size_t>(i)]) weight(i) = 0;
+    }
+    parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }
-  LeastSquaresProblem problem;
-  problem.residuals = used_rows_ + static_cast<int>(with_prior.size());
-  problem.lower = limits.lower;
-  problem.upper = limits.upper;
-  problem.scale = limits.scale;
-  problem.not_negative = limits.not_negative;
-  const auto priors = limits.priors;
-  problem.evaluate = [this, shape, with_prior, priors](const Eigen::VectorXd& p,
-                                                       Eigen::VectorXd& residual,
-                                                       Eigen::MatrixXd* jacobian) {
-    const int law_count = shape.parameter_count();
-    const ComponentLaw law = shape.with_parameters(p);
-    if (jacobian != nullptr) jacobian->setZero(residual.size(), p.size());
-    Eigen::Index row = 0;
-    for (size_t e = 0; e < experiments_.size(); ++e) {
-      const Experiment& experiment = *experiments_[e];
-      const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
-      const Eigen::Index first = law_count + first_nuisance_[e];
-      const auto prediction = experiment.predict(law, p.segment(first, count), jacobian != nullptr);
-      if (!prediction) return false;
-      const std::vector<char>& used = used_[e];
-      for (Eigen::Index i = 0; i < experiment.rows(); ++i) {
-        if (!used[static_cast<size_t>(i)]) continue;
-        const double weight = 1 / noise_[e].sd(i);
-        residual(row) = weight * (prediction->value(i) - experiment.measured()(i));
-        if (jacobian != nullptr) {
-          jacobian->row(row).head(law_count) = weight * prediction->jacobian.row(i).head(law_count);
-          jacobian->row(row).segment(first, count) =
-              weight * prediction->jacobian.row(i).tail(count);
-        }
-        ++row;
-      }
-    }
-    for (const Eigen::Index i : with_prior) {
-      const GaussianPrior& prior = *priors[static_cast<size_t>(i)];
-      residual(row) = (p(i) - prior.mean) / prior.sd;
-      if (jacobian != nullptr) (*jacobian)(row, i) = 1 / prior.sd;
-      ++row;
-    }
-    return true;
-  };
-  return problem;
+  return {std::move(parts), std::move(unknowns), {}};
 }
 
 }  // namespace pliant

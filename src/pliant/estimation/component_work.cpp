@@ -6,6 +6,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/estimate.h"
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/snapping_strains.h"
@@ -13,55 +14,19 @@
 namespace pliant {
 namespace {
 
-std::optional<double> if_finite(double value) {
-  return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
-}
-
-ParameterEstimate estimate_of(const ComponentFit& fit, Eigen::Index i) {
-  const auto index = static_cast<size_t>(i);
-  ParameterEstimate estimate;
-  estimate.name = fit.fit.limits.names[index];
-  estimate.owner = fit.component;
-  estimate.unit = fit.fit.limits.units[index];
-  estimate.value = fit.fit.solution.parameters(i);
-  estimate.fixed = fit.fit.limits.fixed[index];
-  estimate.at_bound = fit.uncertainty.at_bound[index];
-  estimate.identified = fit.uncertainty.identified[index];
-  estimate.std_error = if_finite(fit.uncertainty.std_error(i));
-  if (estimate.std_error) {
-    estimate.lower = estimate.value - fit.uncertainty.half_width(i);
-    estimate.upper = estimate.value + fit.uncertainty.half_width(i);
-  }
-  return estimate;
-}
-
-const Experiment& owner_of_nuisance(const ComponentProblem& problem, int nuisance) {
-  size_t owner = 0;
-  for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    if (problem.first_nuisance(e) <= nuisance && !problem.experiments()[e]->nuisance().empty()) {
-      owner = e;
-    }
-  }
-  return *problem.experiments()[owner];
-}
-
-std::string control_point_note(const ScalarCurve& stiffness, size_t index) {
-  if (stiffness.kind() != CurveKind::hermite || index >= stiffness.knots().size()) return "";
-  return fmt::format("at strain {:.3g}", stiffness.knots()[index]);
-}
-
 void add_parameters(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   const int law_count = fit.fit.law.parameter_count();
   for (Eigen::Index i = 0; i < fit.fit.solution.parameters.size(); ++i) {
-    ParameterEstimate estimate = estimate_of(fit, i);
+    ParameterEstimate estimate =
+        estimate_of(fit.fit.unknowns, fit.fit.solution.parameters, fit.uncertainty, i);
+    estimate.limit = fit.limits[static_cast<size_t>(i)];
     if (i < law_count) {
       estimate.between_specimen_sd = fit.between_specimen_sd[static_cast<size_t>(i)];
-      estimate.note = control_point_note(fit.fit.law.stiffness, static_cast<size_t>(i));
+      const std::optional<double> strain = fit.fit.unknowns[static_cast<size_t>(i)].strain;
+      if (strain) estimate.note = fmt::format("at strain {:.3g}", *strain);
       result.parameters.push_back(estimate);
     } else {
-      estimate.owner =
-          owner_of_nuisance(*work.problem, static_cast<int>(i) - law_count).info().name;
       result.nuisance.push_back(estimate);
     }
   }
@@ -79,35 +44,20 @@ std::string unfitted_note(const ExperimentInfo& info) {
          "is slack";
 }
 
-// More than chance makes of as many rows. The standard errors count it as noise.
-void warn_of_noise(const ExperimentResult& row, StudyResult& result) {
-  constexpr double kNoticeable = 0.2, kDeviations = 3;
-  const double chance = kDeviations / std::sqrt(2.0 * std::max(row.points, 1));
-  const double times = row.rms / row.noise;
-  if (times < 1 + std::max(kNoticeable, chance)) return;
-  result.warnings.push_back(fmt::format(
-      "the residuals of {} are {:.2g} times its stated noise: the law or the noise is not what it "
-      "was taken for, and the standard errors are as much larger than the noise would have them",
-      row.name, times));
-}
-
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
-    const Experiment& experiment = *work.fitted[e];
+    const ComponentExperiment& experiment = *work.fitted[e];
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const int first = work.problem->first_nuisance(e);
     ExperimentResult row = compare(experiment, fit.fit.law, fit.fit.nuisance.segment(first, count));
-    const RowNoise& noise = work.problem->noise()[e];
-    row.noise = noise.typical;
-    row.noise_source = noise.stated ? "stated in the study" : "estimated from the residuals";
-    if (noise.stated) warn_of_noise(row, result);
+    take_noise(fit.uncertainty, e, row, result.warnings);
     if (fit.elastic) {
       add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
     }
     result.experiments.push_back(std::move(row));
   }
-  for (const Experiment* experiment : work.validated) {
+  for (const ComponentExperiment* experiment : work.validated) {
     const Eigen::VectorXd nuisance = experiment->unfitted_nuisance(fit.fit.law);
     try {
       ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
@@ -129,27 +79,37 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
   }
   for (Eigen::Index i = 0; i < fit.fit.law.parameter_count(); ++i) {
     const auto index = static_cast<size_t>(i);
-    const std::string& name = fit.fit.limits.names[index];
+    const std::string& name = fit.fit.unknowns[index].name;
     if (fit.uncertainty.at_bound[index]) {
       result.warnings.push_back(name + " is at its bound");
       result.undetermined.push_back(name + " (the data pushes it to its bound)");
-    } else if (!fit.uncertainty.identified[index] && !fit.fit.limits.fixed[index]) {
+    } else if (fit.uncertainty.determination[index] == Determination::none &&
+               !fit.fit.unknowns[index].fixed) {
       const bool interval = std::isfinite(fit.uncertainty.std_error(i));
       result.undetermined.push_back(
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
     }
   }
-  if (fit.uncertainty.correlation_length > 1.5) {
+  for (Eigen::Index i = fit.fit.law.parameter_count(); i < fit.fit.solution.parameters.size();
+       ++i) {
+    const auto index = static_cast<size_t>(i);
+    if (fit.uncertainty.at_bound[index] && !fit.fit.unknowns[index].fixed) {
+      result.warnings.push_back(fit.fit.unknowns[index].name + " is at its bound");
+    }
+  }
+  const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
+  if (rows.rows > 1.5 * rows.effective) {
     result.assumptions.push_back(fmt::format(
-        "{}: neighbouring residuals go together; {:.0f} rows count as one in its standard errors",
-        work.component, fit.uncertainty.correlation_length));
+        "{}: neighbouring residuals go together; its {:.0f} rows count as {:.0f} in its fit and "
+        "standard errors",
+        work.component, rows.rows, rows.effective));
   }
 }
 
 // Settings of the rolled strips whose cylinders bent them no further than a law snaps.
 int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
   int count = 0;
-  for (const Experiment* experiment : work.fitted) {
+  for (const ComponentExperiment* experiment : work.fitted) {
     if (experiment->info().type != "rolled-strip") continue;
     const MeasuredPath& path = experiment->path();
     for (size_t i = 0; i < path.strain.size(); ++i) {
@@ -197,10 +157,9 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_experiments(work, result);
   add_warnings(work, result);
   warn_of_snapping(work, result);
-  const Eigen::Index law_count = work.fit.fit.law.parameter_count();
-  result.curves.push_back(
-      component_curve(work.component, work.fit.fit.law, work.problem->largest_strain(),
-                      work.fit.uncertainty.covariance.topLeftCorner(law_count, law_count)));
+  result.curves.push_back(component_curve(work.component, work.fit.fit.law,
+                                          work.problem->largest_strain(),
+                                          band_of(work.fit.uncertainty, 0)));
   result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
   result.starts.push_back({work.component, work.fit.fit.starts_tried, work.fit.fit.starts_reached});
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;

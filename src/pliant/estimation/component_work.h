@@ -7,15 +7,15 @@
 #include "pliant/estimation/component_fit.h"
 #include "pliant/estimation/component_problem.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 
 namespace pliant {
 
 /// One component of a study: its experiments, and what was made of them.
 struct ComponentWork {
   std::string component;
-  std::vector<const Experiment*> fitted;
-  std::vector<const Experiment*> validated;
+  std::vector<const ComponentExperiment*> fitted;
+  std::vector<const ComponentExperiment*> validated;
   ComponentPlan plan;
   std::optional<ComponentProblem> problem;  ///< none where nothing is fitted
   ComponentFit fit;

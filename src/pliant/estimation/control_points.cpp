@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/linear_start.h"
+#include "pliant/estimation/measured_noise.h"
+#include "pliant/estimation/statistics/model_growth.h"
+#include "pliant/experiment/loop_metrics.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
-constexpr double kOutlierShare = 0.001;   // of the strains, before the range is taken
-constexpr double kFromZero = 0.05;        // of the range: data that begins below it begins at zero
+constexpr double kExact = 1e-6;          // of the noise first assumed: as good as none
+constexpr double kOutlierShare = 0.001;  // of the strains, before the range is taken
+constexpr double kFromZero = 0.05;       // of the range: data that begins below it begins at zero
 constexpr double kSmallestInterval = 0.02;  // of the range
 
 struct DataStrains {
@@ -97,30 +101,63 @@ ComponentLaw on_knots(const LawFit& fit, const ComponentLaw& shape) {
   return law;
 }
 
+// Of the weighted residuals of the rows that count, priors left out.
+double root_mean_square(const ComponentProblem& problem, const LawFit& fit) {
+  return std::sqrt(2 * fit.solution.cost / problem.used_rows());
+}
+
+// Rows whose residuals go together count as one: told by the richest curve at hand, as a poor one
+// misses them all in one way: with friction where there are loops, whatever is fitted. A linear fit
+// will do.
+double effective_rows_of(const ComponentProblem& problem, const DataStrains& strains,
+                         const FitOptions& options, bool even) {
+  const bool loops = std::ranges::any_of(
+      problem.experiments(), [](const auto* experiment) { return unloads(experiment->path()); });
+  const FrictionLaw friction = loops ? FrictionLaw::dahl : FrictionLaw::none;
+  std::vector<double> knots;
+  for (int i = 0; i < options.control_points; ++i) {
+    const double share = i / std::max(options.control_points - 1.0, 1.0);
+    knots.push_back(strains.low + share * (strains.high - strains.low));
+  }
+  const ComponentLaw rich = linear_starts(problem, shape_of(knots, friction, even), 1).front().law;
+  const std::vector<Unknown> unknowns = problem.unknowns(rich, options);
+  try {
+    const Problem rows = problem.problem(rich, unknowns);
+    return effective_rows(measure_noise(rows, starts_of(unknowns)).of).effective;
+  } catch (const SolverError&) {
+    return problem.used_rows();  // it cannot carry the loads
+  }
+}
+
 }  // namespace
 
 GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
                         const FitOptions& options, const StopToken& stop) {
   const bool even = is_even(component_of(problem));
   const DataStrains strains = data_strains(problem, even);
-  const std::vector<double> first{even ? 0.0 : strains.high};
+  const double rows = effective_rows_of(problem, strains, options, even);
+  std::vector<LawFit> fits;  // of one point, of two, ...
+  const auto fit_of = [&](int points) -> std::optional<ModelFit> {
+    if (points == 1) {
+      const std::vector<double> first{even ? 0.0 : strains.high};
+      fits.push_back(fit_law(problem, shape_of(first, friction, even), options, stop));
+    } else {
+      const std::vector<double> knots = split(problem, fits.back(), strains, even);
+      if (static_cast<int>(knots.size()) != points) return std::nullopt;
+      const ComponentLaw shape = shape_of(knots, friction, even);
+      fits.push_back(fit_law(problem, shape, options, stop, {on_knots(fits.back(), shape)}));
+    }
+    const LawFit& fit = fits.back();
+    return ModelFit{root_mean_square(problem, fit), free_count(fit.unknowns),
+                    std::max(points - 2, 0), rows};
+  };
+  const Growth growth = grow_model(1, options.control_points, fit_of, kExact);
   GrownFit grown;
-  grown.fit = fit_law(problem, shape_of(first, friction, even), options, stop);
-  grown.stages.push_back({1, grown.fit.rms, true});
-  // One point more may do nothing where two do: a curve that falls and rises again. So growth goes
-  // on from a useless point once, and ends at the second in a row.
-  LawFit latest = grown.fit;
-  int useless = 0;
-  for (int points = 2; points <= options.control_points && useless < 2; ++points) {
-    const std::vector<double> knots = split(problem, latest, strains, even);
-    if (static_cast<int>(knots.size()) != points) break;
-    const ComponentLaw shape = shape_of(knots, friction, even);
-    latest = fit_law(problem, shape, options, stop, {on_knots(latest, shape)});
-    const bool worthwhile = latest.rms < (1 - kWorthwhileFall) * grown.fit.rms;
-    grown.stages.push_back({points, latest.rms, worthwhile});
-    useless = worthwhile ? 0 : useless + 1;
-    if (worthwhile) grown.fit = latest;
+  for (const GrowthStep& step : growth.steps) {
+    const LawFit& fit = fits[static_cast<std::size_t>(step.points) - 1];
+    grown.stages.push_back({step.points, fit.rms, step.accepted});
   }
+  grown.fit = fits[static_cast<std::size_t>(growth.points) - 1];
   return grown;
 }
 

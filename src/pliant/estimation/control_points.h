@@ -19,8 +19,8 @@ struct GrownFit {
   std::vector<GrowthStage> stages;
 };
 
-/// Fits a Hermite stiffness whose number of control points grows from one until the residual falls
-/// by less than 1 % or `options.control_points` are reached ([T] 3.4.2).
+/// Fits a Hermite stiffness whose number of control points grows from one to at most
+/// `options.control_points`, while one or two more are worth it (`is_worth`, [T] 3.4.2).
 ///
 /// The thesis places them at equal distances. Here each new one splits the interval whose splitting
 /// explains most of the data, in its middle, at the median of the data's strains or where half of

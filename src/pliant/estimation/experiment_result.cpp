@@ -55,7 +55,7 @@ std::optional<double> noise_floor_of(const Eigen::VectorXd& residual, const Meas
   return 1.4826 * *middle / std::sqrt(6.0);
 }
 
-std::optional<LoopMetrics> metrics_of(const Experiment& experiment,
+std::optional<LoopMetrics> metrics_of(const ComponentExperiment& experiment,
                                       const Eigen::VectorXd& quantity) {
   const auto loop = experiment.loop(quantity);
   return loop ? loop_metrics(*loop, experiment.path()) : std::nullopt;
@@ -87,7 +87,7 @@ void tell_other_equilibria(ExperimentResult& result) {
 
 }  // namespace
 
-ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
+ExperimentResult compare(const ComponentExperiment& experiment, const ComponentLaw& law,
                          const Eigen::VectorXd& nuisance) {
   const auto prediction = experiment.predict(law, nuisance, false);
   if (!prediction) {
@@ -114,6 +114,8 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   result.specimens = info.specimens;
   result.noise = result.rms;
   result.noise_source = "not used: predicted, not fitted";
+  const bool length = info.quantity.kind == "length" || info.quantity.kind == "distance";
+  result.stated_noise = length ? info.length_noise : info.force_noise;
   if (path.starts_flat.empty()) {
     result.noise_floor = noise_floor_of(result.predicted - result.measured, path, info.used);
   }
@@ -133,7 +135,7 @@ ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
   return result;
 }
 
-void add_elastic(ExperimentResult& result, const Experiment& experiment,
+void add_elastic(ExperimentResult& result, const ComponentExperiment& experiment,
                  const ComponentLaw& elastic, const Eigen::VectorXd& nuisance) {
   const auto prediction = experiment.predict(elastic, nuisance, false);
   if (!prediction) return;

@@ -7,12 +7,12 @@ namespace pliant {
 /// Compares an experiment's measurement with a law's prediction.
 /// @param nuisance  fitted values, or `unfitted_nuisance` for a prediction without a fit
 /// @throws SolverError when the law cannot carry the experiment's loads
-ExperimentResult compare(const Experiment& experiment, const ComponentLaw& law,
+ExperimentResult compare(const ComponentExperiment& experiment, const ComponentLaw& law,
                          const Eigen::VectorXd& nuisance);
 
 /// Adds the prediction of a purely elastic law for comparison; without effect when it cannot carry
 /// the loads.
-void add_elastic(ExperimentResult& result, const Experiment& experiment,
+void add_elastic(ExperimentResult& result, const ComponentExperiment& experiment,
                  const ComponentLaw& elastic, const Eigen::VectorXd& nuisance);
 
 }  // namespace pliant

@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/estimation/statistics/determination.h"
+#include "pliant/estimation/statistics/outliers.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/equilibrium_work.h"
 #include "pliant/material/material.h"
@@ -25,7 +27,9 @@ struct ParameterEstimate {
   double value = 0;
   std::optional<double> std_error;
   std::optional<double> lower, upper;  ///< 95 % interval
-  bool identified = false;
+  bool identified = false;             ///< determined at least weakly
+  Determination determination = Determination::none;
+  std::optional<double> limit;  ///< one-sided 95 % limit where it is at a bound
   bool at_bound = false;
   bool fixed = false;
   std::optional<double> between_specimen_sd;
@@ -59,8 +63,11 @@ struct ExperimentResult {
   std::vector<std::string> specimens;
   double noise = 0;  ///< standard deviation used as weight, SI
   std::string noise_source;
-  std::optional<double> noise_floor;  ///< what neighbouring rows scatter by, whatever the law, SI;
-                                      ///< absent for too few rows in a run, and for profiles
+  std::optional<double> stated_noise;  ///< of the measured quantity, SI
+  double effective_rows = 0;           ///< rows whose residuals go together count as one
+  std::vector<Outlier> outliers;       ///< rows that the fit leaves by far
+  std::optional<double> noise_floor;   ///< what neighbouring rows scatter by, whatever the law, SI;
+                                       ///< absent for too few rows in a run, and for profiles
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
   std::optional<StripShapes> shapes;     ///< of strips whose profiles are measured

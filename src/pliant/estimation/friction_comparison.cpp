@@ -1,9 +1,10 @@
 #include "pliant/estimation/friction_comparison.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/estimation/statistics/model_ranking.h"
 
 namespace pliant {
 namespace {
@@ -32,14 +33,10 @@ bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
   return law != FrictionLaw::constant_slope || !shaped;
 }
 
-int free_parameters(const ParameterLimits& limits) {
-  return static_cast<int>(((limits.upper - limits.lower).array() > 0).count());
-}
-
 double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
   double worst = 0;
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    const Experiment& experiment = *problem.experiments()[e];
+    const ComponentExperiment& experiment = *problem.experiments()[e];
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const ExperimentResult result =
         compare(experiment, fit.law, fit.nuisance.segment(problem.first_nuisance(e), count));
@@ -51,30 +48,32 @@ double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
 }  // namespace
 
 std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const ComponentFit& fit,
-                                        const FitOptions& options, const StopToken& stop) {
-  const double independent =
-      std::max(problem.used_rows() / fit.uncertainty.correlation_length, 1.0);
+                                        const ComponentPlan& plan, const StopToken& stop) {
   std::vector<ModelRank> ranks;
+  std::vector<RankedModel> models;
   for (const Candidate& candidate : candidates()) {
     if (!can_predict(problem, candidate.law)) continue;
-    ComponentLaw shape = fit.fit.law;
-    shape.friction_law = candidate.law;
-    FitOptions fixed = options;
-    if (candidate.constant_maximum) fixed.fix[fit.component + ".friction.b"] = 0;
-    const LawFit model = fit_law(problem, shape, fixed, stop);
-    const double mean_square = 2 * model.solution.cost / problem.used_rows();
+    ComponentPlan own = plan;
+    own.friction = candidate.law;
+    if (candidate.constant_maximum) own.fit.fix[fit.component + ".friction.b"] = 0;
+    const LawFit model = fit_form(problem, own, stop).fit;
     ModelRank rank;
     rank.component = fit.component;
     rank.name = candidate.name;
-    rank.parameters = free_parameters(model.limits);
+    rank.parameters = free_count(model.unknowns);
     rank.rms_percent = worst_percent(problem, model);
-    rank.aic = independent * std::log(mean_square) + 2 * rank.parameters;
-    rank.bic = independent * std::log(mean_square) + std::log(independent) * rank.parameters;
     ranks.push_back(rank);
+    models.push_back({2 * model.solution.cost / problem.used_rows(), rank.parameters});
+  }
+  const std::vector<ModelScore> scores =
+      rank_models(models, effective_rows(fit.uncertainty.noise.of).effective);
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    ranks[i].aic = scores[i].aic;
+    ranks[i].bic = scores[i].bic;
+    ranks[i].delta_bic = scores[i].delta_bic;
   }
   std::sort(ranks.begin(), ranks.end(),
             [](const ModelRank& x, const ModelRank& y) { return x.bic < y.bic; });
-  for (ModelRank& rank : ranks) rank.delta_bic = rank.bic - ranks.front().bic;
   return ranks;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pliant/estimation/linear_start.h"
+#include "pliant/estimation/monotone_stress.h"
 
 namespace pliant {
 namespace {
@@ -54,25 +55,15 @@ std::vector<ComponentLaw> starting_laws(const ComponentProblem& problem, const C
   return laws;
 }
 
-ParameterLimits limits_of(const ComponentProblem& problem, const ComponentLaw& shape,
-                          const FitOptions& options) {
-  const DataScale scale{problem.peak_stress(), problem.largest_strain()};
-  return parameter_limits(shape, component_of(problem), problem.nuisance(), scale, options);
-}
-
-Eigen::VectorXd start_vector(const ComponentLaw& law, const Eigen::VectorXd& nuisance) {
-  Eigen::VectorXd all(law.parameter_count() + nuisance.size());
-  all << law.parameters(), nuisance;
+Eigen::VectorXd start_vector(const ComponentLaw& law, const LawFit& fit) {
+  Eigen::VectorXd all = starts_of(fit.unknowns);
+  all.head(law.parameter_count()) = law.parameters();
   return all;
 }
 
-Eigen::VectorXd nuisance_start(const ComponentProblem& problem) {
-  const std::vector<NuisanceParameter> parameters = problem.nuisance();
-  Eigen::VectorXd start(static_cast<Eigen::Index>(parameters.size()));
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    start(static_cast<Eigen::Index>(i)) = parameters[i].start;
-  }
-  return start;
+// Of what counts, and of priors.
+int residual_count(const Problem& problem) {
+  return problem.rows() + static_cast<int>(problem.priors().size());
 }
 
 void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSummary& solution,
@@ -80,29 +71,29 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
   fit.solution = solution;
   fit.law = shape.with_parameters(solution.parameters);
   fit.nuisance = solution.parameters.tail(solution.parameters.size() - shape.parameter_count());
-  const auto free = ((fit.limits.upper - fit.limits.lower).array() > 0).count();
-  fit.rms =
-      std::sqrt(2 * solution.cost / std::max<double>(residuals - static_cast<double>(free), 1));
+  fit.rms = std::sqrt(2 * solution.cost / std::max(residuals - free_count(fit.unknowns), 1));
 }
 
 LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
                   const FitOptions& options, const StopToken& stop,
                   const std::vector<ComponentLaw>& extra, const Effort& effort) {
   LawFit fit;
-  fit.limits = limits_of(problem, shape, options);
-  const LeastSquaresProblem least_squares = problem.least_squares(shape, fit.limits);
-  const double exact = least_squares.residuals * kExactRms * kExactRms / 2;
+  fit.law = shape;
+  fit.unknowns = problem.unknowns(shape, options);
+  fit.monotone_stress = options.monotone_stress;
+  const Problem rows = problem_of(problem, fit);
+  const LeastSquaresProblem least_squares = rows.least_squares();
+  const double exact = residual_count(rows) * kExactRms * kExactRms / 2;
   std::vector<double> costs;
   LeastSquaresSummary best;
   best.cost = std::numeric_limits<double>::infinity();
   for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
-    const LeastSquaresSummary solution =
-        solve_least_squares(least_squares, start_vector(law, nuisance_start(problem)),
-                            trial(std::max(best.cost, exact), effort), stop);
+    const LeastSquaresSummary solution = solve_least_squares(
+        least_squares, start_vector(law, fit), trial(std::max(best.cost, exact), effort), stop);
     costs.push_back(solution.cost);
     if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
   }
-  take_solution(fit, shape, best, least_squares.residuals);
+  take_solution(fit, shape, best, residual_count(rows));
   fit.starts_tried = static_cast<int>(costs.size());
   for (const double cost : costs) {
     if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
@@ -111,6 +102,17 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
 }
 
 }  // namespace
+
+Problem problem_of(const ComponentProblem& problem, const LawFit& fit) {
+  Problem rows = problem.problem(fit.law, fit.unknowns);
+  if (!fit.monotone_stress) return rows;
+  const Eigen::MatrixXd tangents = elastic_tangents(fit.law.stiffness, problem.largest_strain());
+  Eigen::MatrixXd not_negative =
+      Eigen::MatrixXd::Zero(tangents.rows(), static_cast<Eigen::Index>(fit.unknowns.size()));
+  not_negative.leftCols(tangents.cols()) = tangents;
+  rows.set_not_negative(std::move(not_negative));
+  return rows;
+}
 
 const std::string& component_of(const ComponentProblem& problem) {
   return problem.experiments().front()->info().component;
@@ -130,21 +132,22 @@ LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shap
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {
   LawFit again = fit;
-  const LeastSquaresProblem least_squares = problem.least_squares(fit.law, fit.limits);
+  const Problem rows = problem_of(problem, fit);
   take_solution(again, fit.law,
-                solve_least_squares(least_squares, fit.solution.parameters, finish(), stop),
-                least_squares.residuals);
+                solve_least_squares(rows.least_squares(), fit.solution.parameters, finish(), stop),
+                residual_count(rows));
   return again;
 }
 
 LawFit reweighed(const ComponentProblem& problem, const LawFit& fit) {
   LawFit again = fit;
-  const LeastSquaresProblem least_squares = problem.least_squares(fit.law, fit.limits);
+  const Problem rows = problem_of(problem, fit);
+  const LeastSquaresProblem least_squares = rows.least_squares();
   Eigen::VectorXd residual(least_squares.residuals);
   if (!least_squares.evaluate(fit.solution.parameters, residual, nullptr)) return again;
   LeastSquaresSummary solution = fit.solution;
   solution.cost = residual.squaredNorm() / 2;
-  take_solution(again, fit.law, solution, least_squares.residuals);
+  take_solution(again, fit.law, solution, residual_count(rows));
   return again;
 }
 

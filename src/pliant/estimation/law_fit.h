@@ -2,7 +2,6 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/component_problem.h"
-#include "pliant/estimation/parameter_limits.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -11,7 +10,8 @@ namespace pliant {
 struct LawFit {
   ComponentLaw law;
   Eigen::VectorXd nuisance;
-  ParameterLimits limits;
+  std::vector<Unknown> unknowns;
+  bool monotone_stress = false;  ///< the elastic stress may not fall where strain rises
   LeastSquaresSummary solution;
   double rms = 0;  ///< of the weighted residuals, per degree of freedom: a useless parameter does
                    ///< not lower it
@@ -42,6 +42,9 @@ LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken
 /// The same fit, its cost in units of the problem's new noise: for a noise that has changed by one
 /// factor, which moves no minimum.
 LawFit reweighed(const ComponentProblem& problem, const LawFit& fit);
+
+/// The least-squares problem of a fit.
+Problem problem_of(const ComponentProblem& problem, const LawFit& fit);
 
 /// Component name that the problem's experiments share.
 const std::string& component_of(const ComponentProblem& problem);

@@ -67,7 +67,7 @@ LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape
   system.right.resize(problem.used_rows());
   Eigen::Index row = 0;
   for (size_t e = 0; e < experiments; ++e) {
-    const Experiment& experiment = *problem.experiments()[e];
+    const ComponentExperiment& experiment = *problem.experiments()[e];
     const MeasuredPath& path = experiment.path();
     const bool tension_only = experiment.info().component.starts_with("stretch");
     const double peak =

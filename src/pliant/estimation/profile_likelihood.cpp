@@ -3,57 +3,68 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/estimation/statistics/profile_limits.h"
+<<<<<<< HEAD
+=======
+#include "pliant/math/quantiles.h"
+>>>>>>> w-stat
+
 namespace pliant {
 namespace {
 
+<<<<<<< HEAD
 constexpr double kThreshold = 3.841458820694124;  // 95 % of chi squared with one degree of freedom
 constexpr int kSteps = 8;                         // values on each side of the estimate
 constexpr double kReach = 4;                      // standard errors on each side
 
-std::optional<double> crossing(const Profile& profile, size_t from, int step) {
-  for (auto i = static_cast<std::ptrdiff_t>(from);; i += step) {
-    const auto next = i + step;
-    if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.value.size())) return std::nullopt;
-    const auto a = static_cast<size_t>(i), b = static_cast<size_t>(next);
-    if (profile.delta_chi2[b] < kThreshold) continue;
-    // Delta chi2 is close to a parabola: its root is close to a straight line.
-    const double low = std::sqrt(std::max(profile.delta_chi2[a], 0.0));
-    const double high = std::sqrt(profile.delta_chi2[b]);
-    const double share = (std::sqrt(kThreshold) - low) / (high - low);
-    return profile.value[a] + share * (profile.value[b] - profile.value[a]);
-  }
+// By how much the variance of an unknown exceeds the formula's, where groups of rows disagree by
+// more than the noise of rows: chi squared counts in units of it.
+double squared_excess(const Uncertainty& uncertainty, Eigen::Index index) {
+  const double ratio = uncertainty.covariance(index, index) /
+                       (uncertainty.formula_sd(index) * uncertainty.formula_sd(index));
+  return ratio > 1 ? ratio : 1;
 }
+
+// The fit with an unknown held at a value, from a fit nearby.
+LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index, double value,
+               const StopToken& stop) {
+  Unknown& unknown = near.unknowns[static_cast<size_t>(index)];
+  unknown.lower = unknown.upper = value;
+  near.solution.parameters(index) = value;
+  return refit(problem, near, stop);
+}
+=======
+constexpr int kSteps = 8;     // values on each side of the estimate
+constexpr double kReach = 4;  // standard errors on each side
+>>>>>>> w-stat
 
 }  // namespace
 
 Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& fit,
                            Eigen::Index index, const StopToken& stop) {
   const LawFit& best = fit.fit;
+  const Unknown& own = best.unknowns[static_cast<size_t>(index)];
   const double estimate = best.solution.parameters(index);
   const double std_error = fit.uncertainty.std_error(index);
   const bool known =
-      std::isfinite(std_error) && fit.uncertainty.identified[static_cast<size_t>(index)];
-  const double step = kReach / kSteps * (known ? std_error : best.limits.scale(index) / 4);
+      std::isfinite(std_error) &&
+      fit.uncertainty.determination[static_cast<size_t>(index)] != Determination::none;
+  const double step = kReach / kSteps * (known ? std_error : own.scale / 4);
 
   Profile profile;
-  profile.parameter = best.limits.names[static_cast<size_t>(index)];
-  profile.unit = best.limits.units[static_cast<size_t>(index)];
+  profile.parameter = own.name;
+  profile.unit = own.unit;
   if (std::isfinite(std_error)) profile.std_error = std_error;
-  const double unit = fit.uncertainty.variance * fit.uncertainty.correlation_length;
 
+  const double unit = squared_excess(fit.uncertainty, index);
   std::vector<std::pair<double, double>> points{{estimate, 0.0}};
   for (const int side : {-1, 1}) {
     LawFit neighbour = best;
     for (int i = 1; i <= kSteps; ++i) {
-      const double value = std::clamp(estimate + side * i * step, best.limits.lower(index),
-                                      best.limits.upper(index));
+      const double value = std::clamp(estimate + side * i * step, own.lower, own.upper);
       if (value == points.back().first) break;  // at the bound
-      LawFit held = neighbour;
-      held.limits.lower(index) = held.limits.upper(index) = value;
-      held.solution.parameters(index) = value;
-      held = refit(problem, held, stop);
-      points.push_back({value, 2 * (held.solution.cost - best.solution.cost) / unit});
-      neighbour = held;
+      neighbour = held_at(problem, neighbour, index, value, stop);
+      points.push_back({value, 2 * (neighbour.solution.cost - best.solution.cost) / unit});
     }
   }
   std::sort(points.begin(), points.end());
@@ -63,9 +74,39 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
     profile.value.push_back(value);
     profile.delta_chi2.push_back(rise);
   }
-  profile.lower = crossing(profile, middle, -1);
-  profile.upper = crossing(profile, middle, 1);
+  const ProfileCrossings crossings =
+<<<<<<< HEAD
+      profile_crossings(profile.value, profile.delta_chi2, middle, kThreshold);
+=======
+      profile_crossings(profile.value, profile.delta_chi2, middle, chi_square_quantile(0.95, 1));
+>>>>>>> w-stat
+  profile.lower = crossings.lower;
+  profile.upper = crossings.upper;
   return profile;
+}
+
+std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawFit& fit,
+                                     const Uncertainty& uncertainty, Eigen::Index index,
+                                     const StopToken& stop) {
+  constexpr double kFarthest = 1e3;  // steps
+  const Unknown& own = fit.unknowns[static_cast<size_t>(index)];
+  LimitSearch search;
+  search.estimate = fit.solution.parameters(index);
+  const double unit = squared_excess(uncertainty, index);
+  search.cost = fit.solution.cost / unit;
+  const bool below = search.estimate - own.lower < own.upper - search.estimate;
+  const double sd = std::sqrt(uncertainty.covariance(index, index));
+  search.step = (below ? 1 : -1) * (sd > 0 ? sd : own.scale / 10);
+  search.farthest = below ? std::min(own.upper, search.estimate + kFarthest * search.step)
+                          : std::max(own.lower, search.estimate + kFarthest * search.step);
+  search.degrees = uncertainty.degrees(index);
+  LawFit neighbour = fit;
+  const HeldCost cost = [&](double value) -> std::optional<double> {
+    neighbour = held_at(problem, neighbour, index, value, stop);
+    const double least = neighbour.solution.cost;
+    return std::isfinite(least) ? std::optional(least / unit) : std::nullopt;
+  };
+  return one_sided_limit(cost, search);
 }
 
 }  // namespace pliant

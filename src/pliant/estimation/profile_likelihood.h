@@ -6,11 +6,17 @@
 namespace pliant {
 
 /// Profile likelihood of one unknown of a component fit: it is held at a row of values around its
-/// estimate, all others are fitted again, and the rise of chi squared is told in units of the
-/// residual variance (correlation of the residuals counted in). Where it passes 3.84 lies the 95 %
-/// interval, which need not be symmetric.
+/// estimate, all others are fitted again, and the rise of chi squared is told, rows of a
+/// correlation length counting as one. Where it passes 3.84 lies the 95 % interval, which need not
+/// be symmetric.
 /// @param index  of the unknown, law first
 Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& fit,
                            Eigen::Index index, const StopToken& stop);
+
+/// One-sided 95 % limit of an unknown whose estimate is at its bound, by its profile; nothing where
+/// none is found.
+std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawFit& fit,
+                                     const Uncertainty& uncertainty, Eigen::Index index,
+                                     const StopToken& stop);
 
 }  // namespace pliant

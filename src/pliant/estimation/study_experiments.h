@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "pliant/estimation/fit_result.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
 
-using Experiments = std::vector<std::unique_ptr<Experiment>>;
+using Experiments = std::vector<std::unique_ptr<ComponentExperiment>>;
 
 /// The beginning of a study's result: what the study says of itself.
 StudyResult describe(const Study& study);

@@ -39,15 +39,15 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToke
   work.problem.emplace(work.fitted);
   work.fit = fit_component(*work.problem, work.plan, stop);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
-    work.models = compare_friction(*work.problem, work.fit, work.plan.fit, stop);
+    work.models = compare_friction(*work.problem, work.fit, work.plan, stop);
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
-  const std::vector<std::string>& names = work.fit.fit.limits.names;
-  for (size_t i = 0; i < names.size(); ++i) {
+  const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
+  for (size_t i = 0; i < unknowns.size(); ++i) {
     const bool wanted =
         std::any_of(options.profiles.begin(), options.profiles.end(),
-                    [&](const std::string& pattern) { return matches(pattern, names[i]); });
-    if (!wanted || work.fit.fit.limits.fixed[i]) continue;
+                    [&](const std::string& pattern) { return matches(pattern, unknowns[i].name); });
+    if (!wanted || unknowns[i].fixed) continue;
     work.profiles.push_back(
         profile_likelihood(*work.problem, work.fit, static_cast<Eigen::Index>(i), stop));
   }

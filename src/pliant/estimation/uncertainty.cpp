@@ -3,158 +3,152 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <Eigen/SVD>
+#include <fmt/format.h>
 
-#include "pliant/estimation/autocorrelation.h"
+#include "pliant/estimation/estimating_equations.h"
+#include "pliant/estimation/statistics/covariance.h"
+#include "pliant/estimation/statistics/curve_band.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kBoundShare = 1e-6;   // of the scale: nearer than this counts as at the bound
-constexpr double kRankShare = 1e-12;   // singular values below this share of the largest are zero
-constexpr double kUnseenShare = 1e-6;  // of a unit vector
-constexpr double kIdentifiedShare = 0.05;  // of the scale
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBoundShare = 1e-6;  // of the scale: nearer than this counts as at the bound
 
-bool is_at_bound(const LawFit& fit, Eigen::Index i) {
-  const double gap = kBoundShare * fit.limits.scale(i);
-  const double value = fit.solution.parameters(i);
-  return value - fit.limits.lower(i) <= gap || fit.limits.upper(i) - value <= gap;
+using Indices = std::vector<Eigen::Index>;
+
+bool is_at_bound(const Unknown& unknown, double value) {
+  const double gap = kBoundShare * unknown.scale;
+  return value - unknown.lower <= gap || unknown.upper - value <= gap;
 }
 
-// Mean over the specimens, by number of rows.
-double correlation_length(const ComponentProblem& problem, const Eigen::VectorXd& residual) {
-  double weighted = 0;
-  Eigen::Index row = 0;
-  for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    const MeasuredPath& path = problem.experiments()[e]->path();
-    std::vector<double> series;
-    for (size_t i = 0; i < path.specimen.size(); ++i) {
-      if (problem.used(e)[i]) series.push_back(residual(row++));
-      const bool last = i + 1 == path.specimen.size() || path.specimen[i + 1] != path.specimen[i];
-      if (!last) continue;
-      weighted += integrated_autocorrelation(series) * static_cast<double>(series.size());
-      series.clear();
-    }
+/// Takes the wider interval of each unknown.
+void take_wider(const ParameterErrors& other, ParameterErrors& errors) {
+  for (Eigen::Index u = 0; u < errors.sd.size(); ++u) {
+    if (!(other.half_width(u) > errors.half_width(u))) continue;
+    errors.sd(u) = other.sd(u);
+    errors.degrees(u) = other.degrees(u);
+    errors.half_width(u) = other.half_width(u);
+    errors.jackknife_sd(u) = other.jackknife_sd(u);
   }
-  return weighted / static_cast<double>(row);
 }
 
-bool all_noise_is_stated(const ComponentProblem& problem) {
-  return std::all_of(problem.noise().begin(), problem.noise().end(),
-                     [](const RowNoise& noise) { return noise.stated; });
-}
-
-using Svd = Eigen::BDCSVD<Eigen::MatrixXd>;
-
-Uncertainty nothing_known(Eigen::Index count) {
-  Uncertainty result;
-  result.covariance = Eigen::MatrixXd::Zero(count, count);
-  result.std_error = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
-  result.half_width = result.std_error;
-  result.at_bound.assign(static_cast<size_t>(count), 0);
-  result.identified.assign(static_cast<size_t>(count), 0);
-  return result;
-}
-
-// Unknowns that are not fixed; those at a bound are marked. What the noise has pushed there might
-// be elsewhere, and the others with it.
-std::vector<Eigen::Index> free_unknowns(const LawFit& fit, Uncertainty& result) {
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < fit.solution.parameters.size(); ++i) {
-    const auto index = static_cast<size_t>(i);
-    if (fit.limits.fixed[index]) continue;
-    result.at_bound[index] = is_at_bound(fit, i) ? 1 : 0;
-    free.push_back(i);
+ParameterErrors errors_of(const Problem& problem, EstimatingSums sums, const Eigen::VectorXd& unit,
+                          const std::vector<ExperimentNoise>& noise) {
+  std::vector<double> degrees;
+  for (const ExperimentNoise& own : noise) degrees.push_back(own.degrees);
+  ParameterErrors errors = parameter_errors(sums, unit, degrees);
+  const std::vector<GroupSum> frames = sums.groups;
+  const GroupLabels labels = labels_of(problem);
+  for (const std::vector<int>* clusters : {&labels.cycle, &labels.specimen}) {
+    sums.groups = clustered(frames, *clusters);
+    if (sums.groups.size() == frames.size()) continue;
+    take_wider(parameter_errors(sums, unit, degrees), errors);
   }
-  return free;
+  errors.covariance = raised_to(errors.covariance, errors.sd);
+  return errors;
 }
 
-// 1 / s^2 of the singular values that are not zero for rounding, else 0.
-Eigen::VectorXd inverse_squares(const Eigen::VectorXd& singular_values) {
-  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(singular_values.size());
-  for (Eigen::Index i = 0; i < inverse.size(); ++i) {
-    const double s = singular_values(i);
-    if (s > kRankShare * singular_values(0)) inverse(i) = 1 / (s * s);
+/// The parts of a problem by their share of the information on an unknown.
+std::string shares_of(const Problem& problem, const MeasuredNoise& noise, const ToldUnknowns& told,
+                      Eigen::Index unknown) {
+  double all = 0;
+  std::vector<std::pair<double, std::string>> shares;
+  for (std::size_t p = 0; p < noise.rows.size(); ++p) {
+    if (!told.empty() && !told[p][static_cast<std::size_t>(unknown)]) continue;
+    const double own = noise.weight[p].cwiseProduct(noise.rows[p].by.col(unknown)).squaredNorm();
+    shares.emplace_back(own, problem.parts()[p].experiment->info().name);
+    all += own;
   }
-  return inverse;
-}
-
-// Whether the unknown takes part in a direction that the data does not see.
-bool is_unseen(const Svd& svd, const Eigen::VectorXd& inverse, Eigen::Index unknown) {
-  for (Eigen::Index k = 0; k < inverse.size(); ++k) {
-    if (inverse(k) == 0 && std::abs(svd.matrixV()(unknown, k)) > kUnseenShare) return true;
+  std::ranges::sort(shares, std::greater());
+  std::string text;
+  for (const auto& [share, name] : shares) {
+    if (all <= 0 || share < 0.01 * all) continue;
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name, 100 * share / all);
   }
-  return false;
+  return text;
 }
 
-// How far the residuals scatter, and how many of them are independent. False where they cannot
-// tell: with as many unknowns as rows they vanish whatever the noise.
-bool measure_scatter(const ComponentProblem& problem, const Eigen::VectorXd& residual,
-                     size_t unknowns, bool noise_is_stated, Uncertainty& result) {
-  const double spare = static_cast<double>(residual.size()) - static_cast<double>(unknowns);
-  if (spare < 0 || (spare == 0 && !noise_is_stated)) return false;
-  result.degrees_of_freedom = std::max(spare, 1.0);
-  result.variance = residual.squaredNorm() / result.degrees_of_freedom;
-  if (noise_is_stated) result.variance = std::max(result.variance, 1.0);
-  result.correlation_length = correlation_length(problem, residual);
-  return true;
+std::vector<Outlier> outliers_of(const Problem& problem, const MeasuredNoise& noise,
+                                 std::size_t p) {
+  const ExperimentNoise& own = noise.of[p];
+  const Eigen::VectorXd sd = noise.row_sd[p];
+  Eigen::VectorXd residual = noise.rows[p].value - problem.parts()[p].experiment->measured();
+  for (Eigen::Index i = 0; i < residual.size(); ++i) {
+    residual(i) = noise.weight[p](i) > 0 ? residual(i) / sd(i) : 0;
+  }
+  const bool measured = own.source == NoiseSource::residuals;
+  return outliers(
+      residual, noise.leverage[p],
+      measured ? own.spare_rows * own.correlation_length : std::numeric_limits<double>::infinity());
 }
 
-// Correlated rows leave fewer independent residuals to judge the noise by.
-double quantile_of(const Uncertainty& result) {
-  return student_quantile_95(std::max(result.degrees_of_freedom / result.correlation_length, 1.0));
+Determination grade(const Unknown& unknown, double value, double half_width, double sd) {
+  if (unknown.prior && !(sd < unknown.prior->sd / 2)) return Determination::none;
+  return determination_of(value, half_width, unknown.scale);
+}
+
+void take_errors(const Problem& problem, const Eigen::VectorXd& values, Uncertainty& result) {
+  const Indices& free = result.free;
+  const ParameterErrors& errors = result.errors;
+  result.covariance(free, free) = errors.covariance;
+  result.formula_sd(free) = errors.formula_sd;
+  result.jackknife_sd(free) = errors.jackknife_sd;
+  result.degrees(free) = errors.degrees;
+  result.unseen = Eigen::MatrixXd::Zero(values.size(), errors.unseen.cols());
+  result.unseen(free, Eigen::all) = errors.unseen;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const Eigen::Index u = free[i];
+    const auto index = static_cast<std::size_t>(u);
+    const auto at = static_cast<Eigen::Index>(i);
+    const Unknown& unknown = problem.unknowns()[index];
+    result.at_bound[index] = is_at_bound(unknown, values(u)) ? 1 : 0;
+    if (result.at_bound[index] || std::isnan(errors.sd(at))) continue;
+    result.std_error(u) = errors.sd(at);
+    result.half_width(u) = errors.half_width(at);
+    result.determination[index] = grade(unknown, values(u), errors.half_width(at), errors.sd(at));
+  }
 }
 
 }  // namespace
 
-double student_quantile_95(double degrees_of_freedom) {
-  const double z = 1.959963984540054;
-  const double n = std::max(degrees_of_freedom, 1.0);
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z, z9 = z7 * z * z;
-  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n) +
-         (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / (92160 * n * n * n * n);
+std::optional<double> Uncertainty::band(const Eigen::VectorXd& gradient) const {
+  if (errors.covariance.size() == 0) return std::nullopt;
+  return band_half_width(gradient(free), errors, unit);
 }
 
-Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit) {
-  return linearised_uncertainty(problem.least_squares(fit.law, fit.limits), problem, fit,
-                                all_noise_is_stated(problem));
-}
-
-Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
-                                   const ComponentProblem& problem, const LawFit& fit,
-                                   bool noise_is_stated) {
-  Uncertainty result = nothing_known(fit.solution.parameters.size());
-  const std::vector<Eigen::Index> free = free_unknowns(fit, result);
-  Eigen::VectorXd residual(least_squares.residuals);
-  Eigen::MatrixXd jacobian;
-  if (free.empty() || !least_squares.evaluate(fit.solution.parameters, residual, &jacobian)) {
-    return result;
+Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values,
+                           const ToldUnknowns& told) {
+  const Eigen::Index n = values.size();
+  Uncertainty result;
+  result.covariance = Eigen::MatrixXd::Zero(n, n);
+  result.std_error = Eigen::VectorXd::Constant(n, kNaN);
+  result.half_width = result.formula_sd = result.jackknife_sd = result.std_error;
+  result.degrees = Eigen::VectorXd::Ones(n);
+  result.at_bound.assign(static_cast<std::size_t>(n), 0);
+  result.determination.assign(static_cast<std::size_t>(n), Determination::none);
+  result.noise = measure_noise(problem, values, told);
+  result.free = free_unknowns(problem.unknowns());
+  result.unit = units_of(problem.unknowns(), result.free);
+  for (std::size_t p = 0; p < problem.parts().size(); ++p) {
+    result.outliers.push_back(outliers_of(problem, result.noise, p));
   }
-  const Eigen::VectorXd scale = fit.limits.scale(free);
-  const Svd svd(jacobian(Eigen::all, free) * scale.asDiagonal(),
-                Eigen::ComputeThinU | Eigen::ComputeThinV);
-  result.singular_values = svd.singularValues();
-  if (!measure_scatter(problem, residual, free.size(), noise_is_stated, result)) return result;
-
-  const Eigen::VectorXd inverse = inverse_squares(result.singular_values);
-  const Eigen::MatrixXd inverse_normal =
-      svd.matrixV() * inverse.asDiagonal() * svd.matrixV().transpose();
-  result.covariance(free, free) = result.variance * result.correlation_length *
-                                  (scale.asDiagonal() * inverse_normal * scale.asDiagonal());
-  const double quantile = quantile_of(result);
-  for (size_t i = 0; i < free.size(); ++i) {
-    const Eigen::Index unknown = free[i];
-    const auto row = static_cast<Eigen::Index>(i);
-    if (result.at_bound[static_cast<size_t>(unknown)] || is_unseen(svd, inverse, row)) continue;
-    result.std_error(unknown) = std::sqrt(result.covariance(unknown, unknown));
-    result.half_width(unknown) = quantile * result.std_error(unknown);
-    const double tolerated =
-        std::max(std::abs(fit.solution.parameters(unknown)), kIdentifiedShare * scale(row));
-    result.identified[static_cast<size_t>(unknown)] =
-        result.half_width(unknown) < tolerated ? 1 : 0;
+  for (Eigen::Index u = 0; u < n; ++u) {
+    const bool free = std::ranges::find(result.free, u) != result.free.end();
+    result.told_by.push_back(free ? shares_of(problem, result.noise, told, u) : "");
   }
+  if (result.free.empty()) return result;
+  const EstimatingSums sums =
+      estimating_sums(problem, result.noise.rows, result.noise.weight, result.free, told);
+  if (told.empty()) {
+    const auto unit = result.unit.asDiagonal();
+    result.singular_values = (unit * sums.slope() * unit).jacobiSvd().singularValues().cwiseSqrt();
+  }
+  result.errors = errors_of(problem, sums, result.unit, result.noise.of);
+  take_errors(problem, values, result);
   return result;
 }
 

@@ -1,49 +1,58 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "pliant/estimation/law_fit.h"
+#include "pliant/estimation/measured_noise.h"
+#include "pliant/estimation/statistics/covariance.h"
+#include "pliant/estimation/statistics/determination.h"
+#include "pliant/estimation/statistics/outliers.h"
 
 namespace pliant {
 
 /// What the data says about the unknowns of a fit.
 struct Uncertainty {
-  Eigen::MatrixXd covariance;  ///< zero rows and columns for fixed parameters
-  Eigen::VectorXd std_error;   ///< NaN for fixed parameters and those at a bound
-  Eigen::VectorXd half_width;  ///< of the 95 % interval; NaN likewise
+  Eigen::MatrixXd covariance;                ///< zero rows and columns for what is fixed or unseen
+  Eigen::VectorXd std_error;                 ///< NaN for what is fixed, unseen or at a bound
+  Eigen::VectorXd half_width;                ///< of the 95 % interval; NaN likewise
+  Eigen::VectorXd degrees;                   ///< of freedom
+  Eigen::VectorXd formula_sd, jackknife_sd;  ///< the larger of which is the standard error
   std::vector<char> at_bound;
-  std::vector<char> identified;
-  Eigen::VectorXd singular_values;  ///< of the weighted Jacobian in units of the parameters' scales
-  double variance = 0;              ///< residual variance in units of the stated or estimated noise
-  double correlation_length = 1;    ///< rows that count as one because their residuals go together
-  double degrees_of_freedom = 0;
+  std::vector<Determination> determination;
+  std::vector<std::string> told_by;  ///< the experiments, by their share of the information
+  MeasuredNoise noise;
+  std::vector<std::vector<Outlier>> outliers;  ///< of each part
+  Eigen::VectorXd singular_values;  ///< of the weighted Jacobian in units of the scales; empty for
+                                    ///< unknowns of several stages
+  Eigen::MatrixXd unseen;  ///< all unknowns x directions that nothing is known of, in units of the
+                           ///< scales
+
+  /// Half width of the 95 % band of something with these derivatives by all unknowns; nothing where
+  /// it depends on what the data does not see.
+  std::optional<double> band(const Eigen::VectorXd& gradient) const;
+
+  /// @name For `band`
+  /// @{
+  std::vector<Eigen::Index> free;
+  Eigen::VectorXd unit;
+  ParameterErrors errors;  ///< of the free unknowns
+  /// @}
 };
 
 /// Linearised uncertainty of a fit at its solution.
 ///
-/// The covariance is s^2 L (J^T J)^-1: s^2 the residual variance (never below 1 where all noise is
-/// stated), L the integrated autocorrelation of the residuals along the path, so that densely
-/// sampled model error does not count as independent noise. Intervals use Student's t. A parameter
-/// at a bound has no interval, but the others' are as wide as if it could leave it.
-///
-/// Without a stated noise, as many rows as unknowns determine nothing: all standard errors are NaN.
-///
-/// A parameter is identified when its 95 % interval excludes zero or is narrower than 5 % of its
-/// scale in the data, and it is neither fixed nor at a bound.
-Uncertainty estimate_uncertainty(const ComponentProblem& problem, const LawFit& fit);
-
-/// The same for any least-squares problem at the parameters `fit.solution`, whose residuals stand
-/// in the order of the component problem's used rows.
-/// @param noise_is_stated  residuals are in units of a stated noise: their variance counts as at
-/// least 1
-Uncertainty linearised_uncertainty(const LeastSquaresProblem& least_squares,
-                                   const ComponentProblem& problem, const LawFit& fit,
-                                   bool noise_is_stated);
-
-/// Two-sided 95 % quantile of Student's t (expansion in 1 / degrees of freedom; within
-/// 1e-3 from 4 on, 1 % at 2, 11 % too small at 1).
-double student_quantile_95(double degrees_of_freedom);
+/// Standard errors are the larger ones of the formula, in which the rows of a correlation length
+/// count as one, and of the jackknife by frames, by cycles and by specimens. An unknown at a bound
+/// has no interval, but the others' are as wide as if it could leave it. With a prior an unknown is
+/// determined where the data say more than the prior.
+/// @param told  of each part; unknowns that were fitted one after the other are told by some alone:
+///              each makes the residuals of its own parts stand upright on its own derivative, and
+///              carries the errors of earlier ones
+/// @throws SolverError where the values predict nothing
+Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values,
+                           const ToldUnknowns& told = {});
 
 }  // namespace pliant

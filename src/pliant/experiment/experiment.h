@@ -1,25 +1,25 @@
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "pliant/experiment/experiment_role.h"
-#include "pliant/experiment/profile/strip_shapes.h"
-#include "pliant/material/component_law.h"
-#include "pliant/measurement/data_source.h"
+#include "pliant/experiment/experiment_info.h"
+#include "pliant/experiment/predictor.h"
+#include "pliant/material/material.h"
 
 namespace pliant {
 
-/// What an experiment measures row by row, and how results print it.
-struct MeasuredQuantity {
-  std::string name;   ///< column suffix: measured_NAME, e.g. force_N
-  std::string kind;   ///< force, length, ...
-  std::string unit;   ///< unit of the column
-  double per_si = 1;  ///< column value = per_si * SI value
+/// As good as no bound.
+inline constexpr double kNoBound = 1e12;
+
+/// What is known of a number before anything is measured.
+struct GaussianPrior {
+  double mean = 0;
+  double sd = 0;
 };
 
 /// A number that belongs to the apparatus or the specimen, not to the material; it is estimated
@@ -32,61 +32,24 @@ struct NuisanceParameter {
   double upper = 0;
   double scale = 1;          ///< a change that matters
   bool of_friction = false;  ///< means nothing for a law without friction
+  std::optional<GaussianPrior> prior = {};
+  std::string together = {};  ///< numbers of one such name are nearly alike: the cords of a clip
 };
 
-/// Predicted values of the measured quantity, one per row.
-struct Prediction {
-  Eigen::VectorXd value;     ///< SI
-  Eigen::MatrixXd jacobian;  ///< d value / d (law, nuisance); empty unless asked for
-  Eigen::VectorXd strain;    ///< strain of the material at each row
-  Eigen::VectorXd
-      length_gain;  ///< |d value / d length|, for noise of the length (m); empty if none
+/// Rows that are measured together and tell together: a half cycle, a profile, a frame of a
+/// session.
+struct Frame {
+  int first = 0;  ///< row
+  int count = 0;
+  int specimen = 0;
 };
 
-/// The measured path, for estimators and figures that look at it row by row.
-struct MeasuredPath {
-  std::vector<double> strain;  ///< by the stated gauge length
-  std::vector<double> force;   ///< force (N) or force per width (N/m) that the material carries
-  std::vector<double> factor;  ///< force per stress at the row's strain (m, or 1)
-  std::vector<int> direction;  ///< 1 loading, -1 unloading
-  std::vector<int> anchor;     ///< row of the turning point before; the row itself at the start
-  std::vector<int> specimen;   ///< 0, 1, ...
-  /// Rows where the path begins anew: from zero strain, free of friction, it comes to the row's
-  /// strain and turns. Empty: there are none.
-  std::vector<char> starts_flat;
-  /// Rows that the published estimator samples. Empty: all of them.
-  std::vector<char> published_samples;
-};
+/// Names and first values of some nuisance parameters behind those of a material.
+void append_nuisance(const std::vector<NuisanceParameter>& own,
+                     std::vector<std::string>& parameters, Eigen::VectorXd& values);
 
-/// An abscissa and an ordinate a row: the loop as the field draws it (force over length).
-struct LoopSeries {
-  Eigen::VectorXd abscissa;
-  Eigen::VectorXd ordinate;
-  double width = 1;   ///< across the force (m), for moduli per width; 1 for forces per width
-  double length = 1;  ///< gauge length (m) that makes the abscissa an engineering strain; 1 where
-                      ///< it is a strain already
-};
-
-/// Facts of an experiment that hold whatever the law.
-struct ExperimentInfo {
-  std::string name;
-  std::string type;
-  std::string direction;
-  std::string component;  ///< strain component that it determines, e.g. stretch.warp
-  ExperimentRole role = ExperimentRole::fit;
-  MeasuredQuantity quantity;
-  std::vector<std::string> specimens;
-  std::vector<char> used;              ///< a row: does it take part in the fit
-  std::optional<double> force_noise;   ///< stated standard deviation of the force (N or N/m)
-  std::optional<double> length_noise;  ///< of the length (m)
-  std::vector<std::string> handled;    ///< what was found in the data and how it was dealt with
-  std::vector<std::string> warnings;
-  std::vector<OwnColumn> columns;
-  std::vector<double> time;  ///< s; empty unless measured
-};
-
-/// A measurement on one strain component: it predicts, is compared and is differentiated by the
-/// same object.
+/// A measurement in memory, with what predicts it: the same object predicts, is compared and is
+/// differentiated. A fit knows experiments by this alone.
 class Experiment {
  public:
   virtual ~Experiment() = default;
@@ -94,52 +57,27 @@ class Experiment {
   const ExperimentInfo& info() const { return info_; }
   const Eigen::VectorXd& measured() const { return measured_; }
   int rows() const { return static_cast<int>(measured_.size()); }
+  /// In the order of the rows, which they cover.
+  virtual std::vector<Frame> frames() const = 0;
   const std::vector<NuisanceParameter>& nuisance() const { return nuisance_; }
-  const MeasuredPath& path() const { return path_; }
 
-  /// How many threads a prediction may use; its results do not depend on it.
-  void set_threads(int threads) { threads_ = threads; }
+  /// Rows of one channel in the order in which it was measured, whose errors may go together.
+  virtual std::vector<std::vector<int>> series() const = 0;
+  /// What an error is compared with (SI), > 0: the largest force, or the largest change of length.
+  virtual double reference() const = 0;
 
-  /// Predicts the measured quantity of all rows.
-  /// @param nuisance  one value for each of `nuisance()`
-  /// @return nothing when the law cannot carry the loads (no equilibrium)
-  virtual std::optional<Prediction> predict(const ComponentLaw& law,
-                                            const Eigen::VectorXd& nuisance,
-                                            bool with_jacobian) const = 0;
+  /// What each row counts in a fit: 1, or 0 where it is left out.
+  virtual Eigen::ArrayXd weights() const = 0;
 
-  /// Nuisance values for a prediction without a fit: what the data itself shows, else the ideal
-  /// apparatus.
-  /// @param law  that will be predicted with: what no apparatus knows is read off beside it
-  virtual Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const = 0;
-
-  /// What an error is compared with (SI): the largest force, or the largest change of length.
-  virtual double reference() const;
-
-  /// Largest force that the material carries (N, or N/m for forces per width).
-  virtual double peak_force() const;
-
-  /// The loop of a series of the measured quantity (SI), measured or predicted; nothing where a
-  /// laboratory reads no figures off one.
-  virtual std::optional<LoopSeries> loop(const Eigen::VectorXd& quantity) const {
-    static_cast<void>(quantity);
-    return std::nullopt;
-  }
-
-  /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
-  /// measures none.
-  virtual std::optional<StripShapes> shapes(const ComponentLaw& law,
-                                            const Eigen::VectorXd& nuisance) const {
-    static_cast<void>(law);
-    static_cast<void>(nuisance);
-    return std::nullopt;
-  }
+  /// Predicts with materials of one form.
+  /// @param material  whose laws keep their form while their numbers change; it has all components
+  ///                  that the experiment asks for
+  virtual std::unique_ptr<Predictor> predictor(const Material& material) const = 0;
 
  protected:
   ExperimentInfo info_;
   Eigen::VectorXd measured_;
   std::vector<NuisanceParameter> nuisance_;
-  MeasuredPath path_;
-  int threads_ = 1;
 };
 
 }  // namespace pliant

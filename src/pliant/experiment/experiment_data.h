@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"

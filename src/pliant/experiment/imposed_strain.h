@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
@@ -25,7 +25,7 @@ struct StrainRecord {
 ///
 /// Of each specimen two numbers are estimated along: an offset of the measured quantity and, unless
 /// it is at rest, the friction at the first row as a share of the maximum.
-class ImposedStrain : public Experiment {
+class ImposedStrain : public ComponentExperiment {
  public:
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 
 namespace pliant {
 

@@ -12,8 +12,9 @@
 
 namespace pliant {
 
-std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, const DataRows& data,
-                                            double density, MembraneMeasure measure) {
+std::unique_ptr<ComponentExperiment> make_experiment(const ExperimentSpec& spec,
+                                                     const DataRows& data, double density,
+                                                     MembraneMeasure measure) {
   if (spec.type == "hanging-weights") {
     return std::make_unique<HangingWeights>(spec, data, density, measure);
   }

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/material/material.h"
 
@@ -12,7 +12,8 @@ namespace pliant {
 /// @param data     its rows
 /// @param density  kg/m^2; 0 = not stated
 /// @throws InputError for unusable data; AssertionError for a type that is not supported
-std::unique_ptr<Experiment> make_experiment(const ExperimentSpec& spec, const DataRows& data,
-                                            double density, MembraneMeasure measure);
+std::unique_ptr<ComponentExperiment> make_experiment(const ExperimentSpec& spec,
+                                                     const DataRows& data, double density,
+                                                     MembraneMeasure measure);
 
 }  // namespace pliant

@@ -5,8 +5,8 @@
 
 namespace pliant {
 
-/// The root of a continuous function inside a bracket, by bisection accelerated with the secant
-/// (Illinois).
+/// The root of a continuous function inside a bracket ([Alefeld1995], algorithm 748, of
+/// Boost.Math).
 /// @param f          f(low) and f(high) have opposite signs, or one of them is zero
 /// @return a point within a few rounding errors of the root
 double root_in_bracket(const std::function<double(double)>& f, double low, double high);

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "pliant/math/quantiles.h"
 #include "pliant/report/plot_style.h"
 
 namespace pliant::report {
 namespace {
 
 using nlohmann::json;
-
-/// The 95 % quantile of chi-squared with one degree of freedom.
-constexpr double kChi2At95Percent = 3.841458820694124;
 
 constexpr SeriesStyle kProfile = {"profile", "profile", "#00538a", "solid", nullptr, 2.0};
 constexpr SeriesStyle kParabola = {"parabola", "standard error", "#b34700",
@@ -50,18 +48,19 @@ std::vector<double> parabola(const ProfileLikelihood& profile, double std_error)
 }  // namespace
 
 Figure profile_figure(const ProfileLikelihood& profile) {
+  const double threshold = chi_square_quantile(0.95, 1);
   Figure figure;
   figure.layout = base_layout();
   figure.layout["xaxis"] = axis({"Value", shown_unit(profile.unit)});
   figure.layout["yaxis"] = axis({"Increase of chi²", ""});
-  json shapes = json::array({level_line(kChi2At95Percent)});
+  json shapes = json::array({level_line(threshold)});
   if (profile.lower) shapes.push_back(limit_line(*profile.lower));
   if (profile.upper) shapes.push_back(limit_line(*profile.upper));
   figure.layout["shapes"] = std::move(shapes);
   figure.traces.push_back(trace(kProfile, profile.value, profile.delta_chi2));
   if (!profile.value.empty()) {
     const double top = *std::max_element(profile.delta_chi2.begin(), profile.delta_chi2.end());
-    figure.layout["yaxis"]["range"] = {0.0, 1.05 * std::max(top, kChi2At95Percent)};
+    figure.layout["yaxis"]["range"] = {0.0, 1.05 * std::max(top, threshold)};
     if (profile.std_error && *profile.std_error > 0.0) {
       figure.traces.push_back(
           trace(kParabola, profile.value, parabola(profile, *profile.std_error)));

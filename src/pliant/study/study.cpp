@@ -452,7 +452,7 @@ void apply_validate(const Value& list, Study& study) {
 
 }  // namespace
 
-std::unique_ptr<Experiment> read_experiment(const ExperimentSpec& spec, const Study& study) {
+std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec, const Study& study) {
   return make_experiment(spec, DataRows(spec.data), study.density, study.model.membrane);
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/model_options.h"
 
@@ -18,11 +18,6 @@ namespace pliant {
 enum class EstimatorKind {
   path,    ///< stress carried along the path, exact solution of [T] Eq. 5.2
   anchor,  ///< the published estimator ([T] Eqs. 5.4-5.6)
-};
-
-struct GaussianPrior {
-  double mean = 0;
-  double sd = 0;
 };
 
 /// One stage of an incremental fit of sheets.
@@ -62,7 +57,7 @@ Study read_study(const std::filesystem::path& path);
 /// An experiment of a study, its data read.
 /// @throws InputError for files that cannot be read and for unusable data; AssertionError for a
 /// type that is not supported
-std::unique_ptr<Experiment> read_experiment(const ExperimentSpec& spec, const Study& study);
+std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec, const Study& study);
 
 /// The study with every default filled in, as a study/1 text that `read_study` reads back.
 /// @param directory  the folder that the text will be stored in; data files are named relative to

@@ -29,7 +29,7 @@ class WeftProblem {
   }
 
   const SheetProblem& problem() const { return *problem_; }
-  EquilibriumCounts counts() const { return problem_->work().counts; }
+  EquilibriumCounts counts() const { return problem_->rows().work().counts; }
 
  private:
   static Session session() {
@@ -108,8 +108,9 @@ TEST(EquilibriumWork, CountsNoUnknownThatIsFixed) {
   Eigen::VectorXd residual(squares.residuals);
   Eigen::MatrixXd jacobian(squares.residuals, kUnknowns);
   ASSERT_TRUE(squares.evaluate(problem.start(), residual, &jacobian));
-  EXPECT_EQ(problem.work().counts.differentiated, kFrames);
-  EXPECT_EQ(problem.work().counts.differences, 0);
+  EXPECT_EQ(problem.rows().work().counts.equilibria, kFrames);
+  EXPECT_EQ(problem.rows().work().counts.differentiated, 0);
+  EXPECT_EQ(problem.rows().work().counts.differences, 0);
 }
 
 TEST(EquilibriumWork, SharesOutTheSecondsOnTheClock) {
@@ -118,7 +119,7 @@ TEST(EquilibriumWork, SharesOutTheSecondsOnTheClock) {
   Eigen::VectorXd residual(squares.residuals);
   Eigen::MatrixXd jacobian(squares.residuals, kUnknowns);
   ASSERT_TRUE(squares.evaluate(weft.problem().start(), residual, &jacobian));
-  const EquilibriumSeconds seconds = weft.problem().work().seconds;
+  const EquilibriumSeconds seconds = weft.problem().rows().work().seconds;
   EXPECT_GT(seconds.search, 0);
   EXPECT_GT(seconds.derivatives, 0);
   const EquilibriumSeconds shared = EquilibriumSeconds{3, 1}.on_the_clock(2);

@@ -39,7 +39,7 @@ std::string entry(const std::string& more = "") {
          more + "}";
 }
 
-std::vector<double> forces_of(const Experiment& experiment) {
+std::vector<double> forces_of(const ComponentExperiment& experiment) {
   const LoopSeries loop = *experiment.loop(experiment.measured());
   return {loop.ordinate.begin(), loop.ordinate.end()};
 }

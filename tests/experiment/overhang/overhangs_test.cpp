@@ -33,7 +33,7 @@ ComponentLaw elastic(double k) {
   return law;
 }
 
-std::unique_ptr<Experiment> readings(const StudyFolder& folder, const std::string& csv,
+std::unique_ptr<ComponentExperiment> readings(const StudyFolder& folder, const std::string& csv,
                                      const std::string& more = "") {
   folder.write("data.csv", csv);
   return folder.experiment("{name: l, type: bending-length, direction: weft, data: data.csv" +

@@ -35,7 +35,7 @@ class Felt {
       experiments_.push_back(read_experiment(spec, study_));
     }
   }
-  const Experiment& operator[](size_t i) const { return *experiments_.at(i); }
+  const ComponentExperiment& operator[](size_t i) const { return *experiments_.at(i); }
   ComponentLaw law() const { return *law_of(material_, "bend.warp"); }
   Prediction prediction(size_t i) const { return *(*this)[i].predict(law(), {}, false); }
 
@@ -43,7 +43,7 @@ class Felt {
   Material material_;
   LabFolder folder_;
   Study study_;
-  std::vector<std::unique_ptr<Experiment>> experiments_;
+  std::vector<std::unique_ptr<ComponentExperiment>> experiments_;
 };
 
 LabExperiment rolled_right(std::vector<double> radii) {

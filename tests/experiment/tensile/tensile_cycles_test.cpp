@@ -44,13 +44,13 @@ const ComponentLaw kLaw = [] {
   return random_law(random, CurveKind::affine);
 }();
 
-std::vector<std::string> nuisance_names(const Experiment& experiment) {
+std::vector<std::string> nuisance_names(const ComponentExperiment& experiment) {
   std::vector<std::string> names;
   for (const NuisanceParameter& nuisance : experiment.nuisance()) names.push_back(nuisance.name);
   return names;
 }
 
-Eigen::VectorXd no_nuisance(const Experiment& experiment) {
+Eigen::VectorXd no_nuisance(const ComponentExperiment& experiment) {
   return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(experiment.nuisance().size()));
 }
 

@@ -9,16 +9,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/stage_search.h"
+#include "pliant/estimation/statistics/model_growth.h"
+#include "pliant/experiment/session/lost_frames.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kWorthwhileFall = 0.01;  // [T] 3.4.2
 constexpr double kUsualStrain = 0.01;
 constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make up for
 
@@ -130,14 +130,12 @@ class Fitter {
     if (!worthwhile) restore(elastic);
   }
 
-  /// Whether the residual falls by what more parameters are worth: by 1 %, and by the Bayesian
-  /// information criterion, without which noise alone would earn them. The noise of a pose is in
-  /// all forces of a frame: frames count, not rows.
+  /// Whether the residual falls by what more parameters are worth. The noise of a pose is in all
+  /// forces of a frame: frames count, not rows.
   static bool is_worth(const SheetStage& stage, int parameters, double without, double with) {
     double frames = 0;
     for (const SheetTest* test : stage.tests) frames += test->frame_count();
-    return with < (1 - kWorthwhileFall) * without &&
-           2 * frames * std::log(without / with) > parameters * std::log(frames);
+    return pliant::is_worth({without, 0, 0, frames}, {with, parameters, 0, frames});
   }
 
   /// Before the stage of friction an elastic curve goes through the middle of loops, whatever makes

@@ -7,8 +7,8 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
+#include "pliant/estimation/sheet/sheet_problem.h"
 
 namespace pliant {
 

@@ -5,27 +5,10 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/estimation/parameter_option.h"
-#include "pliant/estimation/sheet/cord_unknown.h"
 #include "pliant/material/fill.h"
 
 namespace pliant {
 namespace {
-
-/// What a study calls a parameter: COMPONENT.k of each control value.
-std::string name_in_studies(const std::string& parameter) {
-  return parameter.ends_with(']') ? parameter.substr(0, parameter.rfind('[')) : parameter;
-}
-
-/// Of the first name of an unknown that there is one for.
-template <class T>
-std::optional<T> option_for_unknown(const SheetUnknown& unknown,
-                                    const std::map<std::string, T>& options) {
-  if (unknown.parameters.empty()) return option_for(unknown.name, options);
-  for (const std::string& parameter : unknown.parameters) {
-    if (auto value = option_for(name_in_studies(parameter), options)) return value;
-  }
-  return std::nullopt;
-}
 
 std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& tests) {
   std::vector<std::string> names;
@@ -37,7 +20,7 @@ std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& t
     }
   }
   for (const SheetTest* test : tests) {
-    for (const SheetUnknown& cord : cord_unknowns(*test)) names.push_back(cord.name);
+    for (const NuisanceParameter& cord : test->nuisance()) names.push_back(cord.name);
   }
   return names;
 }
@@ -58,21 +41,6 @@ void require_known(const std::map<std::string, T>& options, const char* field,
 }
 
 }  // namespace
-
-void apply_options(const FitOptions& options, std::vector<SheetUnknown>& unknowns) {
-  for (SheetUnknown& unknown : unknowns) {
-    if (const auto bounds = option_for_unknown(unknown, options.bounds)) {
-      unknown.lower = bounds->first;
-      unknown.upper = bounds->second;
-    }
-    if (const auto prior = option_for_unknown(unknown, options.priors)) unknown.prior = prior;
-    if (const auto value = option_for_unknown(unknown, options.fix)) {
-      unknown.lower = unknown.upper = *value;
-      unknown.prior.reset();
-      unknown.fixed = true;
-    }
-  }
-}
 
 std::optional<double> fixed_stiffness(const FitOptions& options, const ComponentGroup& group) {
   for (const std::string& component : group) {

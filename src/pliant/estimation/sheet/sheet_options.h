@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/estimation/sheet/sheet_unknown.h"
+#include "pliant/estimation/unknown.h"
 #include "pliant/experiment/session/sheet_test.h"
 
 namespace pliant {
@@ -11,9 +11,6 @@ namespace pliant {
 // `bounds`, `fix` and `priors` of a study in fits of sheets. A curve gets its control points one
 // after the other, so that their numbers mean nothing beforehand: COMPONENT.k stands for all of
 // them.
-
-/// Gives unknowns the bounds, fixed values and priors that a study has for them.
-void apply_options(const FitOptions& options, std::vector<SheetUnknown>& unknowns);
 
 /// The stiffness that a study fixes for a group of components.
 std::optional<double> fixed_stiffness(const FitOptions& options, const ComponentGroup& group);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/estimation/sheet/sheet_unknown.h"
+#include "pliant/estimation/unknown.h"
 #include "pliant/experiment/session/sheet_test.h"
 #include "pliant/study/study.h"
 

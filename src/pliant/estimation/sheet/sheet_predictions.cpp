@@ -10,8 +10,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
-#include "pliant/estimation/sheet/lost_frames.h"
 #include "pliant/estimation/sheet/sheet_result.h"
+#include "pliant/experiment/session/lost_frames.h"
 #include "pliant/experiment/session/make_predictor.h"
 #include "pliant/material/positive_stiffness.h"
 
@@ -86,7 +86,7 @@ CordsTaken cords_of(const SheetTest& test, const CordFrictions& cords) {
     return taken;
   }
   const bool fitted = std::ranges::any_of(
-      cord_unknowns(test), [&](const SheetUnknown& cord) { return cords.contains(cord.name); });
+      test.nuisance(), [&](const NuisanceParameter& cord) { return cords.contains(cord.name); });
   if (fitted) {
     taken.how = "the friction of each cord is estimated along";
   } else if (const std::optional<double> mean = mean_width(cords)) {

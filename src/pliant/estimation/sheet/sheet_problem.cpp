@@ -2,16 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
+#include <utility>
 
 #include "pliant/base/assert.h"
-#include "pliant/base/parallel.h"
-#include "pliant/base/stopwatch.h"
 #include "pliant/estimation/monotone_stress.h"
-#include "pliant/estimation/sheet/lost_frames.h"
-#include "pliant/estimation/sheet/sheet_options.h"
-#include "pliant/experiment/session/make_predictor.h"
 
 namespace pliant {
 namespace {
@@ -42,202 +36,29 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
   return scales;
 }
 
-}  // namespace
-
-SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
-                           std::vector<ComponentGroup> groups, std::vector<double> strains,
-                           const RunContext& context, const CordFrictions& cords,
-                           const FitOptions& options, bool with_cords)
-    : tests_(std::move(tests)),
-      material_(material),
-      groups_(std::move(groups)),
-      unknowns_(unknowns_of(material, groups_, strains, shortest_edge(*tests_.front()))),
-      scales_(first_scales(tests_)),
-      start_(values_of(material, groups_)),
-      monotone_stress_(options.monotone_stress),
-      context_(context) {
-  PLIANT_ASSERT(!tests_.empty(), "a fit has data");
-  for (const SheetTest* test : tests_) {
-    predictors_.push_back(make_predictor(test->session(), material));
-    places_.push_back(places_in(*predictors_.back()));
+/// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
+/// stretch as well, by their stiffness over a cell, and must leave most of it to the first ring.
+void limit_bending_springs(const Material& material, double cell, std::vector<Unknown>& unknowns) {
+  constexpr double kShare = 0.1;
+  double stretch = INFINITY;
+  for (const char* component : {"stretch.weft", "stretch.warp"}) {
+    const std::vector<double>& values = material.components.at(component).stiffness->values();
+    stretch = std::min(stretch, *std::ranges::max_element(values));
   }
-  for (const SheetTest* test : tests_) {
-    const std::vector<SheetUnknown> own =
-        with_cords ? cord_unknowns(*test) : std::vector<SheetUnknown>();
-    std::vector<int>& places = cords_.emplace_back(own.size());
-    std::iota(places.begin(), places.end(), static_cast<int>(unknowns_.size()));
-    unknowns_.insert(unknowns_.end(), own.begin(), own.end());
-    if (own.empty()) continue;
-    start_.conservativeResize(static_cast<Eigen::Index>(unknowns_.size()));
-    start_(places) = cord_widths(*test, cords);
-  }
-  apply_options(options, unknowns_);
-  priors_ = priors_of(unknowns_);
-  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-    double& value = start_(static_cast<Eigen::Index>(u));
-    value = std::clamp(value, unknowns_[u].lower, unknowns_[u].upper);
+  for (Unknown& unknown : unknowns) {
+    if (!is_bending(unknown.owner) || unknown.of_friction) continue;
+    unknown.unit = std::string(1, 'N');
+    unknown.upper = std::max(kShare * stretch * cell, 1e-9);
   }
 }
 
-SheetProblem::Places SheetProblem::places_in(const SheetPredictor& predictor) const {
-  const std::vector<std::string>& names = predictor.parameter_names();
-  Places places;
-  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-    for (const std::string& parameter : unknowns_[u].parameters) {
-      const auto found = std::ranges::find(names, parameter);
-      if (found == names.end()) continue;  // friction, where frames are equilibria of their own
-      places.parameters.push_back(static_cast<int>(found - names.begin()));
-      places.unknowns.push_back(static_cast<int>(u));
-    }
-  }
-  return places;
-}
-
-void SheetProblem::begin_at(const SheetGuesses& guesses) {
-  for (std::size_t t = 0; t < tests_.size(); ++t) {
-    const auto found = guesses.find(tests_[t]->name());
-    if (found != guesses.end()) predictors_[t]->begin_at(found->second);
-  }
-}
-
-void SheetProblem::keep(SheetGuesses& guesses) const {
-  for (std::size_t t = 0; t < tests_.size(); ++t) {
-    std::vector<Eigen::Matrix3Xd> own = predictors_[t]->guesses();
-    if (!own.empty()) guesses[tests_[t]->name()] = std::move(own);
-  }
-}
-
-Eigen::VectorXd SheetProblem::widths(std::size_t test, const Eigen::VectorXd& values) const {
-  if (cords_[test].empty()) return cord_widths(*tests_[test], {});
-  return values(cords_[test]);
-}
-
-void SheetProblem::keep_cords(const Eigen::VectorXd& values, CordFrictions& cords) const {
-  for (const std::vector<int>& places : cords_) {
-    for (const int place : places) {
-      cords[unknowns_[static_cast<std::size_t>(place)].name] = values(place);
-    }
-  }
-}
-
-int SheetProblem::measured_rows() const {
-  int rows = 0;
-  for (const SheetTest* test : tests_) rows += test->rows();
-  return rows;
-}
-
-double SheetProblem::rms(const LeastSquaresSummary& solution) const {
-  double squares = 2 * solution.cost;
-  for (const SheetPrior& prior : priors_) {
-    squares -= std::pow(prior_weight() * prior.miss(solution.parameters), 2);
-  }
-  double weights = 0;
-  for (const SheetTest* test : tests_) {
-    for (int frame = 0; frame < test->frame_count(); ++frame) {
-      weights += test->weights(frame).sum();
-    }
-  }
-  return scales_.front() * std::sqrt(std::max(squares, 0.0) / weights);
-}
-
-Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
-  Material material = material_;
-  set_values(material, groups_, values);
-  return material;
-}
-
-std::optional<std::vector<SheetShape>> SheetProblem::predict(std::size_t test,
-                                                             const Eigen::VectorXd& values,
-                                                             bool derivatives, int threads) const {
-  const Stopwatch watch;
-  auto shapes = shapes_of(test, values, derivatives, threads);
-  seconds_ += watch.seconds();
-  return shapes;
-}
-
-Eigen::VectorXd SheetProblem::parameters_of(std::size_t test, const Eigen::VectorXd& values) const {
-  const Places& places = places_[test];
-  Eigen::VectorXd parameters = predictors_[test]->parameters();
-  parameters(places.parameters) = values(places.unknowns);
-  return parameters;
-}
-
-std::vector<int> SheetProblem::lost_frames(std::size_t test, int threads) const {
-  const Stopwatch watch;
-  const auto shapes =
-      predictors_[test]->predict_each(parameters_of(test, start_), {}, threads, context_.stop);
-  seconds_ += watch.seconds();
-  return pliant::lost_frames(shapes);
-}
-
-std::optional<std::vector<SheetShape>> SheetProblem::shapes_of(std::size_t test,
-                                                               const Eigen::VectorXd& values,
-                                                               bool derivatives,
-                                                               int threads) const {
-  auto shapes = predictors_[test]->predict(
-      parameters_of(test, values), derivatives ? places_[test].parameters : std::vector<int>{},
-      threads, context_.stop);
-  if (!shapes) return shapes;
-  const Eigen::VectorXd loops = widths(test, values);
-  const bool by_cords = derivatives && !cords_[test].empty();
-  for (int frame = 0; frame < tests_[test]->frame_count(); ++frame) {
-    add_cord_drags(tests_[test]->cords(), loops, by_cords, frame,
-                   (*shapes)[static_cast<std::size_t>(frame)]);
-  }
-  return shapes;
-}
-
-bool SheetProblem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
-                            Eigen::MatrixXd* jacobian) const {
-  const int count = static_cast<int>(tests_.size());
-  std::vector<std::optional<std::vector<SheetShape>>> shapes(tests_.size());
-  const Stopwatch watch;
-  parallel_for(count, context_.threads, [&](int t) {
-    const auto test = static_cast<std::size_t>(t);
-    shapes[test] =
-        shapes_of(test, values, jacobian != nullptr, std::max(context_.threads / count, 1));
-  });
-  seconds_ += watch.seconds();
-  Eigen::Index row = 0;
-  if (jacobian) jacobian->setZero(residual.size(), values.size());
-  for (std::size_t t = 0; t < tests_.size(); ++t) {
-    if (!shapes[t]) return false;
-    const SheetTest& test = *tests_[t];
-    for (int frame = 0; frame < test.frame_count(); ++frame) {
-      const SheetShape& shape = (*shapes[t])[static_cast<std::size_t>(frame)];
-      const int rows = test.rows(frame);
-      const Eigen::VectorXd weights = test.weights(frame) / scales_[t];
-      residual.segment(row, rows) =
-          weights.cwiseProduct(test.predicted(frame, shape) - test.measured(frame));
-      if (jacobian) {
-        const Eigen::MatrixXd by_parameter = weights.asDiagonal() * test.jacobian(frame, shape);
-        Eigen::Index column = 0;
-        for (const std::vector<int>* unknowns : {&places_[t].unknowns, &cords_[t]}) {
-          for (const int unknown : *unknowns) {
-            jacobian->block(row, unknown, rows, 1) += by_parameter.col(column++);
-          }
-        }
-      }
-      row += rows;
-    }
-  }
-  for (const SheetPrior& prior : priors_) {
-    residual(row) = prior_weight() * prior.miss(values);
-    if (jacobian) {
-      for (const auto& [unknown, factor] : prior.sum) {
-        (*jacobian)(row, unknown) = prior_weight() * factor / prior.sd;
-      }
-    }
-    ++row;
-  }
-  return true;
-}
-
-Eigen::MatrixXd SheetProblem::tangents() const {
-  Eigen::MatrixXd all(0, static_cast<Eigen::Index>(unknowns_.size()));
+/// The elastic tangents of all groups, by all unknowns.
+Eigen::MatrixXd tangents_of(const Material& material, const std::vector<ComponentGroup>& groups,
+                            Eigen::Index unknowns) {
+  Eigen::MatrixXd all(0, unknowns);
   Eigen::Index first = 0;
-  for (const ComponentGroup& group : groups_) {
-    const ComponentLaw law = law_of(material_, group);
+  for (const ComponentGroup& group : groups) {
+    const ComponentLaw law = law_of(material, group);
     const Eigen::MatrixXd own = elastic_tangents(law.stiffness, 0);
     const Eigen::Index above = all.rows();
     all.conservativeResize(above + own.rows(), Eigen::NoChange);
@@ -248,45 +69,139 @@ Eigen::MatrixXd SheetProblem::tangents() const {
   return all;
 }
 
-LeastSquaresProblem SheetProblem::least_squares() const {
-  LeastSquaresProblem problem;
-  problem.evaluate = [this](const Eigen::VectorXd& values, Eigen::VectorXd& residual,
-                            Eigen::MatrixXd* jacobian) {
-    return evaluate(values, residual, jacobian);
-  };
-  problem.residuals = measured_rows() + static_cast<int>(priors_.size());
-  if (monotone_stress_) problem.not_negative = tangents();
-  const auto count = static_cast<Eigen::Index>(unknowns_.size());
-  problem.lower.resize(count);
-  problem.upper.resize(count);
-  problem.scale.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const SheetUnknown& unknown = unknowns_[static_cast<std::size_t>(i)];
-    problem.lower(i) = unknown.lower;
-    problem.upper(i) = unknown.upper;
-    problem.scale(i) = unknown.scale;
+Problem problem_of(const std::vector<const SheetTest*>& tests, const Material& material,
+                   const std::vector<ComponentGroup>& groups, const std::vector<double>& strains,
+                   const RunContext& context, const CordFrictions& cords, const FitOptions& options,
+                   bool with_cords) {
+  PLIANT_ASSERT(!tests.empty(), "a fit has data");
+  std::vector<ProblemPart> parts;
+  std::vector<Unknown> unknowns =
+      unknowns_of(material, groups, strains, shortest_edge(*tests.front()));
+  for (const SheetTest* test : tests) {
+    parts.push_back({test, test->predictor(material), {}});
+    if (!with_cords) continue;
+    const std::vector<Unknown> own = cord_unknowns(*test, cords);
+    unknowns.insert(unknowns.end(), own.begin(), own.end());
+  }
+  apply_options(options, unknowns);
+  Problem problem(std::move(parts), std::move(unknowns), {context.threads, context.stop});
+  if (options.monotone_stress) {
+    problem.set_not_negative(
+        tangents_of(material, groups, static_cast<Eigen::Index>(problem.unknowns().size())));
   }
   return problem;
 }
 
-int SheetProblem::free_unknowns(std::size_t test) const {
-  std::set<int> free;
-  for (const int unknown : places_[test].unknowns) {
-    const SheetUnknown& own = unknowns_[static_cast<std::size_t>(unknown)];
-    if (own.lower < own.upper) free.insert(unknown);
-  }
-  return static_cast<int>(free.size());
+}  // namespace
+
+SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& material,
+                           std::vector<ComponentGroup> groups, const std::vector<double>& strains,
+                           const RunContext& context, const CordFrictions& cords,
+                           const FitOptions& options, bool with_cords)
+    : tests_(std::move(tests)),
+      material_(material),
+      groups_(std::move(groups)),
+      scales_(first_scales(tests_)),
+      noise_(scales_.front()),
+      problem_(
+          problem_of(tests_, material, groups_, strains, context, cords, options, with_cords)) {
+  set_noise(noise_);
 }
 
-EquilibriumWork SheetProblem::work() const {
-  EquilibriumWork sum;
-  for (std::size_t t = 0; t < predictors_.size(); ++t) {
-    EquilibriumWork own = predictors_[t]->work();
-    own.counts.differences = own.counts.differentiated * free_unknowns(t);
-    sum += own;
+void SheetProblem::set_noise(double noise) {
+  noise_ = noise;
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    const double sd = noise * scales_[t] / scales_.front();
+    problem_.set_weight(t, tests_[t]->weights() / sd);
   }
-  sum.seconds = sum.seconds.on_the_clock(seconds_);
-  return sum;
+}
+
+double SheetProblem::rms(const LeastSquaresSummary& solution) const {
+  double squares = 2 * solution.cost;
+  for (const SumPrior& prior : problem_.priors()) {
+    squares -= std::pow(prior.miss(solution.parameters), 2);
+  }
+  double rows = 0;
+  for (const SheetTest* test : tests_) rows += test->weights().sum();
+  return noise_ * std::sqrt(std::max(squares, 0.0) / rows);
+}
+
+Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
+  Material material = material_;
+  Eigen::Index next = 0;
+  for (const ComponentGroup& group : groups_) {
+    const ComponentLaw law = law_of(material, group);
+    set_law(material, group, law.with_parameters(values.segment(next, law.parameter_count())));
+    next += law.parameter_count();
+  }
+  return material;
+}
+
+void SheetProblem::keep_cords(const Eigen::VectorXd& values, CordFrictions& cords) const {
+  for (std::size_t u = 0; u < unknowns().size(); ++u) {
+    if (!unknowns()[u].of_material)
+      cords[unknowns()[u].name] = values(static_cast<Eigen::Index>(u));
+  }
+}
+
+void SheetProblem::begin_at(const SheetGuesses& guesses) {
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    const auto found = guesses.find(tests_[t]->name());
+    if (found != guesses.end()) problem_.begin_at(t, found->second);
+  }
+}
+
+void SheetProblem::keep(SheetGuesses& guesses) const {
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    std::vector<Eigen::Matrix3Xd> own = problem_.guesses(t);
+    if (!own.empty()) guesses[tests_[t]->name()] = std::move(own);
+  }
+}
+
+ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
+  const std::optional<ComponentLaw> law = law_of(material, group.front());
+  PLIANT_ASSERT(law.has_value(), "a fit begins with a complete material");
+  return *law;
+}
+
+void set_law(Material& material, const ComponentGroup& group, const ComponentLaw& law) {
+  for (const std::string& name : group) {
+    MaterialComponent& component = material.components[name];
+    component.stiffness = law.stiffness;
+    component.friction.reset();
+    if (law.friction_law == FrictionLaw::none) continue;
+    component.friction =
+        ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, std::nullopt};
+  }
+}
+
+std::vector<Unknown> unknowns_of(const Material& material,
+                                 const std::vector<ComponentGroup>& groups,
+                                 const std::vector<double>& strains, double cell) {
+  PLIANT_ASSERT(strains.size() == groups.size(), "a strain for each group");
+  std::vector<Unknown> unknowns;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const ComponentLaw law = law_of(material, groups[g]);
+    const double stiffness = std::max(*std::ranges::max_element(law.stiffness.values()), 1e-12);
+    const std::vector<Unknown> own =
+        unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
+    unknowns.insert(unknowns.end(), own.begin(), own.end());
+  }
+  if (material.bending == "spring") limit_bending_springs(material, cell, unknowns);
+  return unknowns;
+}
+
+std::vector<Unknown> cord_unknowns(const SheetTest& test, const CordFrictions& found) {
+  std::vector<Unknown> unknowns = unknowns_of(test);
+  for (Unknown& unknown : unknowns) {
+    const auto known = found.find(unknown.name);
+    if (known != found.end()) unknown.start = known->second;
+  }
+  return unknowns;
+}
+
+Eigen::VectorXd cord_widths(const SheetTest& test, const CordFrictions& found) {
+  return test.cord_widths(starts_of(cord_unknowns(test, found)));
 }
 
 }  // namespace pliant

@@ -124,13 +124,6 @@ std::vector<int> found_frames(const FrameShapes& shapes) {
   return frames;
 }
 
-MeasuredQuantity quantity_of(const SheetTest& test) {
-  if (test.objective() == SheetObjective::positions) {
-    return {"height_mm", "distance", "mm", 1e3};
-  }
-  return {"force_N", "force", "N", 1};
-}
-
 }  // namespace
 
 Session predicted_session(const Session& measured, const FrameShapes& shapes) {
@@ -160,7 +153,7 @@ ExperimentResult compare_sheet(const SheetTest& test, const FrameShapes& shapes)
   result.name = test.name();
   result.type = "session";
   result.direction = session.test;
-  result.quantity = quantity_of(test);
+  result.quantity = test.info().quantity;
   Rows rows;
   double squares = 0;
   for (int frame = 0; frame < test.frame_count(); ++frame) {

@@ -14,6 +14,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
+#include "pliant/estimation/estimate.h"
 #include "pliant/estimation/sheet/sheet_experiment.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
@@ -22,56 +23,37 @@
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
-#include "pliant/estimation/uncertainty.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
+#include "pliant/math/quantiles.h"
 #include "pliant/measurement/session/balance.h"
 
 namespace pliant {
 namespace {
 
 /// What is known of the cords of a clip together, which move alike or nearly so.
-std::string loops_together(const SheetUncertainty& uncertainty, std::size_t cord) {
+std::string loops_together(const SheetUncertainty& fit, std::size_t cord) {
   std::vector<Eigen::Index> all;
-  for (std::size_t i = 0; i < uncertainty.unknowns.size(); ++i) {
-    const SheetUnknown &one = uncertainty.unknowns[cord], &other = uncertainty.unknowns[i];
-    if (one.owner == other.owner && one.clip == other.clip) {
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    const Unknown &one = fit.unknowns[cord], &other = fit.unknowns[i];
+    if (one.together == other.together) {
       all.push_back(static_cast<Eigen::Index>(i));
     }
   }
   if (all.size() < 2) return {};
   return fmt::format("all {} cords of the clip: {:.3g} +- {:.2g} N", all.size(),
-                     uncertainty.values(all).sum(),
-                     std::sqrt(uncertainty.covariance(all, all).sum()));
+                     fit.values(all).sum(), std::sqrt(fit.uncertainty.covariance(all, all).sum()));
 }
 
-/// A number is known where its interval leaves out zero; with a prior, where the data say more than
-/// the prior.
-ParameterEstimate estimate_of(const SheetUncertainty& uncertainty, Eigen::Index i) {
+ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
-  const SheetUnknown& unknown = uncertainty.unknowns[index];
-  ParameterEstimate estimate;
-  estimate.name = unknown.name;
-  estimate.owner = unknown.owner;
-  estimate.unit = unknown.unit;
-  estimate.value = uncertainty.values(i);
-  const bool cord = !unknown.clip.empty();
-  if (!cord && !unknown.of_friction) {
-    estimate.note = fmt::format("at strain {:.3g}; ", unknown.strain);
-  }
-  estimate.note += cord ? loops_together(uncertainty, index) : uncertainty.told_by[index];
-  estimate.fixed = unknown.fixed;
-  if (unknown.fixed) return estimate;
-  estimate.at_bound = estimate.value <= unknown.lower || estimate.value >= unknown.upper;
-  if (!uncertainty.determined[index] || estimate.at_bound) return estimate;
-  estimate.std_error = std::sqrt(uncertainty.covariance(i, i));
-  const double half = *estimate.std_error * student_quantile_95(uncertainty.degrees(i));
-  estimate.lower = estimate.value - half;
-  estimate.upper = estimate.value + half;
-  estimate.identified =
-      unknown.prior ? *estimate.std_error < unknown.prior->sd / 2 : half < estimate.value;
+  const Unknown& unknown = fit.unknowns[index];
+  ParameterEstimate estimate = estimate_of(fit.unknowns, fit.values, fit.uncertainty, i);
+  if (unknown.strain) estimate.note = fmt::format("at strain {:.3g}; ", *unknown.strain);
+  estimate.note +=
+      unknown.of_material ? fit.uncertainty.told_by[index] : loops_together(fit, index);
   return estimate;
 }
 
@@ -96,9 +78,9 @@ void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyR
     const ComponentLaw law = law_of(fit.material, group);
     const Eigen::Index count = law.parameter_count();
     const double largest = largest_strain(fit, group);
-    const Eigen::MatrixXd own = uncertainty.covariance.block(first, first, count, count);
     for (const std::string& component : group) {
-      result.curves.push_back(component_curve(component, law, largest, own));
+      result.curves.push_back(
+          component_curve(component, law, largest, band_of(uncertainty.uncertainty, first)));
     }
     first += count;
   }
@@ -268,10 +250,10 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   result.converged = fit.converged;
   result.stages = fit.stages;
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
-  result.covariance = uncertainty.covariance;
+  result.covariance = uncertainty.uncertainty.covariance;
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
     ParameterEstimate estimate = estimate_of(uncertainty, i);
-    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].clip.empty();
+    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;
     (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
   result.material = fit.material;

@@ -5,7 +5,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/cord_unknown.h"
+#include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/study/study.h"
 
 namespace pliant {

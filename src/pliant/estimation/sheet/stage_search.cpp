@@ -10,8 +10,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
-#include "pliant/experiment/session/sheet_system.h"
-#include "pliant/measurement/session/frame_measures.h"
+#include "pliant/experiment/session/loop_evidence.h"
 
 namespace pliant {
 namespace {
@@ -22,30 +21,13 @@ constexpr double kNoiseSettled = 0.1;
 constexpr LeastSquaresOptions kStageSearch{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-6};
 
-/// A test of weft says nothing about the strains that warp has.
-bool usually_strains(const SheetTest& test, const std::string& component) {
-  const std::vector<std::string> usual = usual_components(test.session().test);
-  const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
-  if (usual.empty() || !directed) return true;
-  const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
-  return usual.front() == component || family(usual.front()) != family(component);
-}
-
-double strain_in(const SheetStage& stage, const SheetProblem& problem, const ComponentGroup& group,
-                 int threads) {
-  const Material material = problem.material_at(problem.start());
+double strain_in(const SheetProblem& problem, const ComponentGroup& group, const Workers& workers) {
   std::vector<double> strains;
-  for (std::size_t t = 0; t < stage.tests.size(); ++t) {
-    const SheetTest& test = *stage.tests[t];
-    const auto shapes = problem.predict(t, problem.start(), false, threads);
-    if (!shapes) continue;
-    const SheetSystem sheet(test.session(), material, {.friction = false}, {});
-    for (const SheetShape& shape : *shapes) {
-      for (const std::string& component : group) {
-        if (!usually_strains(test, component)) continue;
-        const std::vector<double> own = sheet.strains(component, shape.positions);
-        strains.insert(strains.end(), own.begin(), own.end());
-      }
+  for (const ProblemPart& part : problem.rows().parts()) {
+    for (const std::string& component : group) {
+      const std::vector<double> own =
+          part.predictor->strains(component, part.predictor->values(), workers);
+      strains.insert(strains.end(), own.begin(), own.end());
     }
   }
   if (is_even(group.front())) {
@@ -57,26 +39,14 @@ double strain_in(const SheetStage& stage, const SheetProblem& problem, const Com
   return std::max(*at, 1e-9);
 }
 
-bool has_loop(const SheetStage& stage, const SheetProblem& problem, int threads) {
-  constexpr double kChance = 4, kSmallest = 0.005;  // standard errors; of the forces
-  double loop = 0, squares = 0, forces = 0;
-  int rows = 0;
+bool has_loop(const SheetStage& stage, const SheetProblem& problem) {
+  LoopEvidence evidence;
   for (std::size_t t = 0; t < stage.tests.size(); ++t) {
-    const SheetTest& test = *stage.tests[t];
-    const auto shapes = problem.predict(t, problem.start(), false, threads);
-    if (!shapes) return true;
-    for (int frame = 1; frame < test.frame_count(); ++frame) {
-      const double step = travel(test.session(), frame) - travel(test.session(), frame - 1);
-      const Eigen::ArrayXd force = test.measured(frame).array();
-      const Eigen::ArrayXd above =
-          force - test.predicted(frame, (*shapes)[static_cast<std::size_t>(frame)]).array();
-      loop += (step > 0 ? 1 : -1) * (above * force.sign()).sum();
-      squares += above.square().sum();
-      forces += force.square().sum();
-      rows += static_cast<int>(force.size());
-    }
+    const auto rows = problem.rows().predict(t, problem.start(), /*derivatives=*/false);
+    if (!rows) return true;
+    evidence += loop_evidence(*stage.tests[t], rows->value);
   }
-  return loop > kChance * std::sqrt(squares) && loop > kSmallest * std::sqrt(forces * rows);
+  return evidence.shows_loop();
 }
 
 }  // namespace
@@ -112,7 +82,7 @@ StageSearch::Numbers StageSearch::search(const SheetStage& stage, SheetProblem& 
   }
   double noise = accuracy_of(stage), rms = 0;
   // Priors are weighed against the noise, which the residuals tell.
-  for (int round = 0; round < (problem.has_priors() ? kNoiseRounds : 1); ++round) {
+  for (int round = 0; round < (!problem.rows().priors().empty() ? kNoiseRounds : 1); ++round) {
     problem.set_noise(noise);
     summary = solve_least_squares(with_journal(problem.least_squares(), context_.journal),
                                   summary.parameters, kStageSearch, context_.stop);
@@ -145,12 +115,14 @@ double StageSearch::cost_at_start(const SheetStage& stage, SheetProblem& problem
 
 double StageSearch::largest_strain(const SheetStage& stage, SheetProblem& problem,
                                    const ComponentGroup& group) {
-  const auto strain = [&] { return Numbers{strain_in(stage, problem, group, context_.threads)}; };
+  const auto strain = [&] {
+    return Numbers{strain_in(problem, group, {context_.threads, context_.stop})};
+  };
   return ask("strain", stage, problem, strain).front();
 }
 
 bool StageSearch::shows_loop(const SheetStage& stage, SheetProblem& problem) {
-  const auto loop = [&] { return Numbers{has_loop(stage, problem, context_.threads) ? 1.0 : 0.0}; };
+  const auto loop = [&] { return Numbers{has_loop(stage, problem) ? 1.0 : 0.0}; };
   return ask("loop", stage, problem, loop).front() > 0;
 }
 
@@ -159,8 +131,9 @@ std::vector<std::vector<int>> StageSearch::lost_frames(const SheetStage& stage,
   // For each test their number, then the frames.
   const auto find = [&] {
     Numbers numbers;
-    for (std::size_t t = 0; t < stage.tests.size(); ++t) {
-      const std::vector<int> lost = problem.lost_frames(t, context_.threads);
+    for (const ProblemPart& part : problem.rows().parts()) {
+      const std::vector<int> lost =
+          part.predictor->lost_frames(part.predictor->values(), {context_.threads, context_.stop});
       numbers.push_back(static_cast<double>(lost.size()));
       numbers.insert(numbers.end(), lost.begin(), lost.end());
     }
@@ -192,7 +165,7 @@ StageSearch::Numbers StageSearch::ask(const char* what, const SheetStage& stage,
   Numbers answer = context_.journal.answer(question, [&] {
     problem.begin_at(shapes_);
     Numbers found = work();
-    const EquilibriumWork cost = problem.work();
+    const EquilibriumWork cost = problem.rows().work();
     work_.seconds += cost.seconds;
     append_counts(cost.counts, found);
     return found;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
@@ -12,7 +12,7 @@ namespace pliant {
 ///
 /// Forces are a few millinewtons: their offset and an even drift of it are estimated along, and the
 /// strip's length where the study does not know it.
-class BucklingBend : public Experiment {
+class BucklingBend : public ComponentExperiment {
  public:
   /// @param density  kg/m^2
   /// @throws InputError where there is no density, or the data are not those of a buckled strip

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/measurement/data_source.h"
@@ -12,7 +12,7 @@ namespace pliant {
 /// The weights are known exactly and drive the path; the lengths carry the noise. So the prediction
 /// of a row is the length at which the law balances the weight (Eq. 5.5), reached monotonically
 /// from the row before: the first equilibrium met on the way, as a dead weight finds it.
-class HangingWeights : public Experiment {
+class HangingWeights : public ComponentExperiment {
  public:
   /// @param density  of the cloth (kg/m^2); half of its weight hangs from the middle
   HangingWeights(const ExperimentSpec& spec, const DataRows& data, double density,

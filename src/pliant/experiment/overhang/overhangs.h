@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/overhang/overhang_rows.h"
 
@@ -11,7 +11,7 @@ namespace pliant {
 ///
 /// With the face up a strip bends to the right of its way out (negative curvature), turned over to
 /// the left; a law that is the same on both sides predicts one overhang.
-class Overhangs : public Experiment {
+class Overhangs : public ComponentExperiment {
  public:
   /// @param density  kg/m^2, > 0
   /// @throws InputError without a density, and for unusable data

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/measurement/profile_rows.h"
 #include "pliant/solver/elastica/elastica.h"
@@ -12,7 +12,7 @@ namespace pliant {
 ///
 /// The measured value of every row is zero, the predicted one the distance (m), positive where the
 /// predicted profile passes on the left of the measured point.
-class StripProfiles : public Experiment {
+class StripProfiles : public ComponentExperiment {
  public:
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;

@@ -143,8 +143,8 @@ void append_derivatives(const std::vector<CordDrag>& cords, Eigen::Index frame, 
   const auto more = static_cast<Eigen::Index>(cords.size());
   Eigen::MatrixXd& forces = shape.clip_forces_by_parameter;
   Eigen::MatrixXd& positions = shape.positions_by_parameter;
-  forces.conservativeResize(Eigen::NoChange, forces.cols() + more);
-  positions.conservativeResize(Eigen::NoChange, positions.cols() + more);
+  forces.conservativeResize(shape.clip_forces.size(), forces.cols() + more);
+  positions.conservativeResize(shape.positions.size(), positions.cols() + more);
   forces.rightCols(more).setZero();
   positions.rightCols(more).setZero();
   for (Eigen::Index i = 0; i < more; ++i) {

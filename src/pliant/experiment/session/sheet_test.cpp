@@ -1,6 +1,7 @@
 #include "pliant/experiment/session/sheet_test.h"
 
 #include <algorithm>
+#include <map>
 #include <ranges>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/session/lost_frames.h"
+#include "pliant/experiment/session/make_predictor.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
 
@@ -34,6 +37,90 @@ Eigen::Vector3d away_from_others(const Session& session, int frame, int clip) {
   others /= std::max(static_cast<double>(session.clips.size()) - 1, 1.0);
   return (clip_middle(session, frame, clip) - others).normalized();
 }
+
+class SessionPredictor : public Predictor {
+ public:
+  SessionPredictor(const SheetTest& test, const Material& material)
+      : test_(test), material_(material), sheets_(make_predictor(test.session(), material)) {
+    parameters_ = sheets_->parameter_names();
+    values_ = sheets_->parameters();
+    append_nuisance(test.nuisance(), parameters_, values_);
+  }
+
+  bool predict(const Eigen::VectorXd& values, const std::vector<int>& by, const Workers& workers,
+               FrameSink& rows) override {
+    const int material_count = of_material(values);
+    // Derivatives by the numbers of the material come first, then those by all cords.
+    std::vector<int> by_material, columns;
+    for (const int parameter : by) {
+      if (parameter < material_count) by_material.push_back(parameter);
+    }
+    bool by_cords = false;
+    int next = 0;
+    for (const int parameter : by) {
+      const bool cord = parameter >= material_count;
+      by_cords = by_cords || cord;
+      columns.push_back(cord ? static_cast<int>(by_material.size()) + parameter - material_count
+                             : next++);
+    }
+    auto shapes =
+        sheets_->predict(values.head(material_count), by_material, workers.threads, workers.stop);
+    if (!shapes) return false;
+    const Eigen::VectorXd widths = test_.cord_widths(values.tail(values.size() - material_count));
+    for (int frame = 0; frame < test_.frame_count(); ++frame) {
+      SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
+      add_cord_drags(test_.cords(), widths, by_cords, frame, shape);
+      FrameRows found{test_.predicted(frame, shape), {}, {}};
+      if (!by.empty()) found.by = test_.jacobian(frame, shape)(Eigen::all, columns);
+      rows.take(frame, found);
+    }
+    return true;
+  }
+
+  std::vector<double> strains(const std::string& component, const Eigen::VectorXd& values,
+                              const Workers& workers) override {
+    if (!usually_strains(component)) return {};
+    const auto shapes =
+        sheets_->predict(values.head(of_material(values)), {}, workers.threads, workers.stop);
+    if (!shapes) return {};
+    const SheetSystem sheet(test_.session(), material_, {.friction = false}, {});
+    std::vector<double> strains;
+    for (const SheetShape& shape : *shapes) {
+      const std::vector<double> own = sheet.strains(component, shape.positions);
+      strains.insert(strains.end(), own.begin(), own.end());
+    }
+    return strains;
+  }
+
+  std::vector<int> lost_frames(const Eigen::VectorXd& values, const Workers& workers) override {
+    return pliant::lost_frames(
+        sheets_->predict_each(values.head(of_material(values)), {}, workers.threads, workers.stop));
+  }
+
+  std::vector<Eigen::Matrix3Xd> guesses() const override { return sheets_->guesses(); }
+  void begin_at(std::vector<Eigen::Matrix3Xd> guesses) override {
+    sheets_->begin_at(std::move(guesses));
+  }
+  EquilibriumWork work() const override { return sheets_->work(); }
+
+ private:
+  int of_material(const Eigen::VectorXd& values) const {
+    return static_cast<int>(values.size()) - static_cast<int>(test_.nuisance().size());
+  }
+
+  /// A test of weft says nothing about the strains that warp has.
+  bool usually_strains(const std::string& component) const {
+    const std::vector<std::string> usual = usual_components(test_.session().test);
+    const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
+    if (usual.empty() || !directed) return true;
+    const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
+    return usual.front() == component || family(usual.front()) != family(component);
+  }
+
+  const SheetTest& test_;
+  Material material_;
+  std::unique_ptr<SheetPredictor> sheets_;
+};
 
 /// @throws InputError where a sheet is not held, or forces are compared along directions that its
 ///         clips do not have
@@ -85,26 +172,33 @@ std::vector<std::string> usual_components(std::string_view test) {
 
 SheetTest::SheetTest(std::string name, Session session, SheetObjective objective,
                      CordFriction friction)
-    : name_(std::move(name)),
-      session_(std::move(session)),
-      objective_(objective),
-      friction_(friction) {
-  require_directions(session_, objective_, name_);
+    : session_(std::move(session)), objective_(objective), friction_(friction) {
+  info_.name = std::move(name);
+  info_.type = "session";
+  info_.direction = session_.test;
+  info_.quantity = objective == SheetObjective::positions
+                       ? MeasuredQuantity{"height_mm", "distance", "mm", 1e3}
+                       : MeasuredQuantity{"force_N", "force", "N", 1};
+  require_directions(session_, objective_, info_.name);
   if (friction_.unknown || friction_.width > 0) cords_ = cord_drags(session_);
+  if (friction_.unknown) add_cords();
   for (int frame = 0; frame < frame_count(); ++frame) {
-    frames_.push_back(compared_in(frame));
-    rows_ += rows(frame);
+    compared_.push_back(compared_in(frame));
+    const Eigen::VectorXd own = measured(frame);
+    measured_.conservativeResize(measured_.size() + own.size());
+    measured_.tail(own.size()) = own;
   }
-  if (rows_ == 0) {
+  if (rows() == 0) {
     throw InputError(
         {},
-        fmt::format("the session of {} has no {} to compare", name_,
+        fmt::format("the session of {} has no {} to compare", info_.name,
                     objective_ == SheetObjective::positions ? "free vertices" : "forces of cords"),
         objective_ == SheetObjective::positions ? "vertices that neither clip nor table holds"
                                                 : "rows in cords.csv");
   }
   if (objective_ != SheetObjective::positions && is_without_force(*this)) {
-    throw InputError({}, fmt::format("all forces of cords in the session of {} are zero", name_),
+    throw InputError({},
+                     fmt::format("all forces of cords in the session of {} are zero", info_.name),
                      "forces in newtons, or `objective: positions`");
   }
 }
@@ -114,12 +208,27 @@ SheetTest SheetTest::without(const std::vector<int>& frames) const {
   for (const int frame : frames | std::views::reverse) {
     session.frames.erase(session.frames.begin() + frame);
   }
-  return {name_, std::move(session), objective_, friction_};
+  return {info_.name, std::move(session), objective_, friction_};
 }
 
-SheetTest::Frame SheetTest::compared_in(int frame) const {
+void SheetTest::add_cords() {
+  constexpr double kFriction = 0.1;  // N, [T] 3.2.3
+  for (const CordDrag& cord : cords_) {
+    const std::string& clip = session_.clips[static_cast<std::size_t>(cord.clip)].name;
+    NuisanceParameter width;
+    width.name = fmt::format("{}.{}.{}.cord_friction", info_.name, clip, cord.cord);
+    width.unit = std::string(1, 'N');
+    width.upper = kNoBound;
+    width.scale = kFriction;
+    width.prior = GaussianPrior{0, kFriction};
+    width.together = info_.name + "." + clip;
+    nuisance_.push_back(std::move(width));
+  }
+}
+
+SheetTest::Compared SheetTest::compared_in(int frame) const {
   const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];
-  Frame compared;
+  Compared compared;
   if (objective_ == SheetObjective::positions) {
     std::vector<char> left_out(static_cast<std::size_t>(session_.rest.vertex_count()), 0);
     for (const int node : held_nodes(session_, now.table_edge)) {
@@ -149,7 +258,7 @@ SheetTest::Frame SheetTest::compared_in(int frame) const {
 }
 
 int SheetTest::rows(int frame) const {
-  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   return static_cast<int>(compared.forces.size() + 3 * compared.nodes.size());
 }
 
@@ -159,7 +268,7 @@ bool SheetTest::compares_one_axis() const {
 }
 
 Eigen::VectorXd SheetTest::measured(int frame) const {
-  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];
   if (!compared.nodes.empty()) return now.positions(Eigen::all, compared.nodes).reshaped();
   Eigen::VectorXd values(rows(frame));
@@ -171,7 +280,7 @@ Eigen::VectorXd SheetTest::measured(int frame) const {
 }
 
 Eigen::VectorXd SheetTest::predicted(int frame, const SheetShape& shape) const {
-  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   if (!compared.nodes.empty()) return shape.positions(Eigen::all, compared.nodes).reshaped();
   Eigen::VectorXd values(rows(frame));
   for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -182,7 +291,7 @@ Eigen::VectorXd SheetTest::predicted(int frame, const SheetShape& shape) const {
 }
 
 Eigen::ArrayXd SheetTest::weights(int frame) const {
-  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(rows(frame));
   if (!friction_.unknown) return weights;
   for (std::size_t i = 0; i < compared.forces.size(); ++i) {
@@ -195,7 +304,7 @@ Eigen::ArrayXd SheetTest::weights(int frame) const {
 }
 
 Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
-  const Frame& compared = frames_[static_cast<std::size_t>(frame)];
+  const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   Eigen::MatrixXd values(rows(frame), shape.positions_by_parameter.cols());
   for (std::size_t i = 0; i < compared.nodes.size(); ++i) {
     values.middleRows<3>(static_cast<Eigen::Index>(3 * i)) =
@@ -207,6 +316,59 @@ Eigen::MatrixXd SheetTest::jacobian(int frame, const SheetShape& shape) const {
         row.direction.transpose() * shape.clip_forces_by_parameter.middleRows<3>(3 * row.clip);
   }
   return values;
+}
+
+std::vector<Frame> SheetTest::frames() const {
+  std::vector<Frame> frames;
+  int first = 0;
+  for (int frame = 0; frame < frame_count(); ++frame) {
+    frames.push_back({first, rows(frame), 0});
+    first += rows(frame);
+  }
+  return frames;
+}
+
+std::vector<std::vector<int>> SheetTest::series() const {
+  std::map<std::pair<int, Eigen::Index>, std::vector<int>> channels;  // by clip or node, and place
+  int row = 0;
+  for (const Compared& compared : compared_) {
+    std::map<int, Eigen::Index> place;
+    for (const ForceRow& force : compared.forces) {
+      channels[{force.clip, place[force.clip]++}].push_back(row++);
+    }
+    for (const int node : compared.nodes) {
+      for (Eigen::Index axis = 0; axis < 3; ++axis) channels[{node, axis}].push_back(row++);
+    }
+  }
+  std::vector<std::vector<int>> series;
+  for (auto& [channel, rows] : channels) series.push_back(std::move(rows));
+  return series;
+}
+
+double SheetTest::reference() const {
+  if (objective_ == SheetObjective::positions) {
+    return std::max(session_.sample.width, session_.sample.height);
+  }
+  return measured_.cwiseAbs().maxCoeff();
+}
+
+Eigen::ArrayXd SheetTest::weights() const {
+  Eigen::ArrayXd all(rows());
+  Eigen::Index first = 0;
+  for (int frame = 0; frame < frame_count(); ++frame) {
+    all.segment(first, rows(frame)) = weights(frame);
+    first += rows(frame);
+  }
+  return all;
+}
+
+Eigen::VectorXd SheetTest::cord_widths(const Eigen::VectorXd& nuisance) const {
+  if (friction_.unknown) return nuisance;
+  return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(cords_.size()), friction_.width);
+}
+
+std::unique_ptr<Predictor> SheetTest::predictor(const Material& material) const {
+  return std::make_unique<SessionPredictor>(*this, material);
 }
 
 SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/experiment/experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/session/cord_drag.h"
 #include "pliant/experiment/session/cord_friction.h"
@@ -25,7 +26,12 @@ SheetObjective usual_objective(const Session& session);
 std::vector<std::string> usual_components(std::string_view test);
 
 /// A session with what a fit compares of it, row by row. Forces (N) or coordinates (m).
-class SheetTest {
+///
+/// Where the friction of its cords is unknown, the width of the loop of each is a number of its
+/// own, EXPERIMENT.CLIP.CORD.cord_friction. It is not negative; without a word of the study its
+/// prior is 0
+/// +- 0.1 N ([T] 3.2.3), and the cords of a clip are alike.
+class SheetTest : public Experiment {
  public:
   /// @param session  on the mesh that is simulated
   /// @throws InputError where the session has nothing of the objective
@@ -36,7 +42,7 @@ class SheetTest {
   /// @param frames  in ascending order
   SheetTest without(const std::vector<int>& frames) const;
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return info_.name; }
   const Session& session() const { return session_; }
   SheetObjective objective() const { return objective_; }
   const CordFriction& cord_friction() const { return friction_; }
@@ -44,7 +50,8 @@ class SheetTest {
   const std::vector<CordDrag>& cords() const { return cords_; }
 
   int frame_count() const { return session_.frame_count(); }
-  int rows() const { return rows_; }
+  using Experiment::measured;
+  using Experiment::rows;
   int rows(int frame) const;
   /// Whether one coordinate of each force is compared, instead of vectors.
   bool compares_one_axis() const;
@@ -59,24 +66,34 @@ class SheetTest {
   /// rows x parameters
   Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
 
+  std::vector<Frame> frames() const override;
+  /// One of each coordinate of a clip's force or of a node, along the frames.
+  std::vector<std::vector<int>> series() const override;
+  double reference() const override;
+  Eigen::ArrayXd weights() const override;
+  /// @param material  complete
+  std::unique_ptr<Predictor> predictor(const Material& material) const override;
+
+  /// The widths of the loops of its cords (N): those given where they are unknown, else as stated.
+  Eigen::VectorXd cord_widths(const Eigen::VectorXd& nuisance) const;
+
  private:
   struct ForceRow {
     int clip;
     Eigen::Vector3d direction;
   };
-  struct Frame {
+  struct Compared {
     std::vector<ForceRow> forces;
     std::vector<int> nodes;  // three rows each
   };
-  Frame compared_in(int frame) const;
+  Compared compared_in(int frame) const;
+  void add_cords();
 
-  std::string name_;
   Session session_;
   SheetObjective objective_;
   CordFriction friction_;
   std::vector<CordDrag> cords_;
-  std::vector<Frame> frames_;
-  int rows_ = 0;
+  std::vector<Compared> compared_;  // of each frame
 };
 
 /// A session as a study compares it.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 #include "pliant/experiment/uniaxial_geometry.h"
@@ -14,7 +14,7 @@ namespace pliant {
 /// The clamp distance drives the path; forces follow from pull_strip. The force offset of each
 /// specimen is a nuisance parameter; so are, where they are unknown, its friction state at the
 /// first row and its rest length.
-class TensileCycles : public Experiment {
+class TensileCycles : public ComponentExperiment {
  public:
   TensileCycles(const ExperimentSpec& spec, const DataRows& data, MembraneMeasure measure);
 

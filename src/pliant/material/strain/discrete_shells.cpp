@@ -47,11 +47,11 @@ struct Wing {
   }
 };
 
-struct Hinge {
+struct FoldedHinge {
   Wing first, second;
 };
 
-Hinge hinge_of(const DiscreteShells::Positions& x) {
+FoldedHinge hinge_of(const DiscreteShells::Positions& x) {
   const Vector edge = x.col(1) - x.col(0);
   return {Wing{edge, x.col(2) - x.col(0), 1}, Wing{edge, x.col(3) - x.col(0), -1}};
 }
@@ -67,7 +67,7 @@ Eigen::Matrix<double, Rows, 12> by_nodes(const Eigen::Matrix<double, Rows, 9>& d
 }  // namespace
 
 double dihedral_angle(const DiscreteShells::Positions& positions) {
-  const Hinge hinge = hinge_of(positions);
+  const FoldedHinge hinge = hinge_of(positions);
   const Vector& n1 = hinge.first.normal;
   const Vector& n2 = hinge.second.normal;
   const double sine = n1.cross(n2).dot(hinge.first.edge) / hinge.first.edge.norm();
@@ -93,7 +93,7 @@ DiscreteShells::Strain DiscreteShells::strain(const Rest& rest, const Positions&
 // Rigid motions leave theta unchanged: the edge's nodes balance the force and the moment of the two
 // vertices, each by the vertex' share along the edge.
 DiscreteShells::Gradient DiscreteShells::gradient(const Rest& rest, const Positions& positions) {
-  const Hinge hinge = hinge_of(positions);
+  const FoldedHinge hinge = hinge_of(positions);
   const Vector g1 = hinge.first.vertex_gradient(), g2 = hinge.second.vertex_gradient();
   const double t1 = hinge.first.share(), t2 = hinge.second.share();
   Gradient result;
@@ -105,7 +105,7 @@ DiscreteShells::Gradient DiscreteShells::gradient(const Rest& rest, const Positi
 DiscreteShells::Hessian DiscreteShells::weighted_hessian(const Rest& rest,
                                                          const Positions& positions,
                                                          const Strain& y) {
-  const Hinge hinge = hinge_of(positions);
+  const FoldedHinge hinge = hinge_of(positions);
   const Vector g1 = hinge.first.vertex_gradient(), g2 = hinge.second.vertex_gradient();
   const double t1 = hinge.first.share(), t2 = hinge.second.share();
   ByEdges dg1, dg2;

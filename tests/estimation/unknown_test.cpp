@@ -1,5 +1,6 @@
-#include "pliant/estimation/parameter_limits.h"
+#include "pliant/estimation/unknown.h"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -102,16 +103,27 @@ TEST(Priors, CountTheSameWhereTheNoiseIsEstimated) {
   EXPECT_NEAR((both.value - data.value) / *data.std_error, 1, 0.1);
 }
 
-TEST(Limits, KeepStiffnessAndFrictionFromBecomingNegative) {
-  const ComponentLaw shape{ScalarCurve::affine(0, 0), FrictionLaw::dahl, {}};
-  const ParameterLimits limits = parameter_limits(shape, "stretch.warp", {}, {40, 0.2}, {});
-  EXPECT_THAT(limits.names, ::testing::ElementsAre(
-                                "stretch.warp.k1", "stretch.warp.k2", "stretch.warp.friction.a",
-                                "stretch.warp.friction.b", "stretch.warp.friction.tau"));
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(limits.lower(i), 0);
-  EXPECT_DOUBLE_EQ(limits.lower(4), 2e-4);  // a thousandth of the largest strain
-  EXPECT_DOUBLE_EQ(limits.upper(4), 0.6);   // three times it
-  EXPECT_TRUE((limits.scale.array() > 0).all());
+TEST(Unknowns, OfALawMayNotBecomeNegative) {
+  const ComponentLaw law{ScalarCurve::affine(0, 0), FrictionLaw::dahl, {}};
+  const std::vector<Unknown> unknowns = unknowns_of(law, {"stretch.warp"}, {40, 0.2});
+  ASSERT_EQ(unknowns.size(), 5U);
+  const std::array<const char*, 5> names{"k1", "k2", "friction.a", "friction.b", "friction.tau"};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(unknowns[i].name, std::string("stretch.warp.") + names[i]);
+    EXPECT_GT(unknowns[i].scale, 0);
+    EXPECT_TRUE(i == 4 || unknowns[i].lower == 0);
+  }
+  EXPECT_DOUBLE_EQ(unknowns[4].lower, 2e-4);  // a thousandth of the largest strain
+  EXPECT_DOUBLE_EQ(unknowns[4].upper, 0.6);   // three times it
+}
+
+TEST(Unknowns, OfAGroupSetTheParametersOfAllItsComponents) {
+  const ComponentLaw law{ScalarCurve::constant(5), FrictionLaw::none, {}};
+  const std::vector<Unknown> unknowns =
+      unknowns_of(law, {"stretch.weft", "stretch.warp"}, {1, 0.1});
+  ASSERT_EQ(unknowns.size(), 1U);
+  EXPECT_THAT(unknowns[0].parameters, ::testing::ElementsAre("stretch.weft.k", "stretch.warp.k"));
+  EXPECT_EQ(unknowns[0].start, 5);
 }
 
 }  // namespace

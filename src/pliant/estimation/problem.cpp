@@ -1,0 +1,182 @@
+#include "pliant/estimation/problem.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "pliant/base/parallel.h"
+#include "pliant/base/stopwatch.h"
+
+namespace pliant {
+namespace {
+
+/// Puts the rows of all frames of an experiment in one place.
+class StoredRows : public FrameSink {
+ public:
+  /// @param unknowns  of each column of what comes; -1 has none
+  StoredRows(const Experiment& experiment, std::vector<int> unknowns, Eigen::Index unknown_count)
+      : frames_(experiment.frames()), unknowns_(std::move(unknowns)) {
+    rows_.value.resize(experiment.rows());
+    if (!unknowns_.empty()) rows_.by.setZero(experiment.rows(), unknown_count);
+  }
+
+  void take(int frame, const FrameRows& rows) override {
+    const Frame& at = frames_[static_cast<std::size_t>(frame)];
+    rows_.value.segment(at.first, at.count) = rows.value;
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+      rows_.by.block(at.first, unknowns_[i], at.count, 1) +=
+          rows.by.col(static_cast<Eigen::Index>(i));
+    }
+    if (rows.length_gain.size() == 0) return;
+    rows_.length_gain.conservativeResize(rows_.value.size());
+    rows_.length_gain.segment(at.first, at.count) = rows.length_gain;
+  }
+
+  PredictedRows rows() && { return std::move(rows_); }
+
+ private:
+  std::vector<Frame> frames_;
+  std::vector<int> unknowns_;
+  PredictedRows rows_;
+};
+
+}  // namespace
+
+void set_bounds(const std::vector<Unknown>& unknowns, LeastSquaresProblem& problem) {
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  problem.lower.resize(count);
+  problem.upper.resize(count);
+  problem.scale.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(i)];
+    problem.lower(i) = unknown.lower;
+    problem.upper(i) = unknown.upper;
+    problem.scale(i) = unknown.scale;
+  }
+}
+
+Problem::Problem(std::vector<ProblemPart> parts, std::vector<Unknown> unknowns, Workers workers)
+    : parts_(std::move(parts)),
+      unknowns_(std::move(unknowns)),
+      priors_(priors_of(unknowns_)),
+      workers_(std::move(workers)) {
+  for (ProblemPart& part : parts_) {
+    places_.push_back(places_in(*part.predictor));
+    if (part.weight.size() == 0) part.weight = part.experiment->weights();
+  }
+}
+
+Problem::Places Problem::places_in(const Predictor& predictor) const {
+  const std::vector<std::string>& names = predictor.parameters();
+  Places places;
+  for (const bool free : {true, false}) {
+    for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+      if ((unknowns_[u].lower < unknowns_[u].upper) != free) continue;
+      for (const std::string& parameter : unknowns_[u].parameters) {
+        const auto found = std::ranges::find(names, parameter);
+        if (found == names.end()) continue;  // a number of another experiment or component
+        places.parameters.push_back(static_cast<int>(found - names.begin()));
+        places.unknowns.push_back(static_cast<int>(u));
+      }
+    }
+    if (free) places.free = places.parameters.size();
+  }
+  return places;
+}
+
+int Problem::rows() const {
+  Eigen::Index rows = 0;
+  for (const ProblemPart& part : parts_) rows += (part.weight.array() > 0).count();
+  return static_cast<int>(rows);
+}
+
+std::optional<PredictedRows> Problem::predict(std::size_t part, const Eigen::VectorXd& values,
+                                              bool derivatives) const {
+  const Stopwatch watch;
+  auto rows = predict(part, values, derivatives, workers_.threads);
+  seconds_ += watch.seconds();
+  return rows;
+}
+
+std::optional<PredictedRows> Problem::predict(std::size_t part, const Eigen::VectorXd& values,
+                                              bool derivatives, int threads) const {
+  const Places& places = places_[part];
+  Predictor& predictor = *parts_[part].predictor;
+  Eigen::VectorXd parameters = predictor.values();
+  parameters(places.parameters) = values(places.unknowns);
+  const auto free = static_cast<std::ptrdiff_t>(derivatives ? places.free : 0);
+  const std::vector<int> by(places.parameters.begin(), places.parameters.begin() + free);
+  StoredRows rows(*parts_[part].experiment,
+                  {places.unknowns.begin(), places.unknowns.begin() + free}, values.size());
+  if (!predictor.predict(parameters, by, {threads, workers_.stop}, rows)) return std::nullopt;
+  return std::move(rows).rows();
+}
+
+bool Problem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
+                       Eigen::MatrixXd* jacobian) const {
+  const int count = static_cast<int>(parts_.size());
+  std::vector<std::optional<PredictedRows>> found(parts_.size());
+  const Stopwatch watch;
+  parallel_for(count, workers_.threads, [&](int p) {
+    const auto part = static_cast<std::size_t>(p);
+    found[part] = predict(part, values, jacobian != nullptr, std::max(workers_.threads / count, 1));
+  });
+  seconds_ += watch.seconds();
+  if (jacobian) jacobian->setZero(residual.size(), values.size());
+  Eigen::Index row = 0;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (!found[p]) return false;
+    const ProblemPart& part = parts_[p];
+    const Eigen::Index rows = part.weight.size();
+    residual.segment(row, rows) =
+        part.weight.cwiseProduct(found[p]->value - part.experiment->measured());
+    if (found[p]->by.size() > 0 && jacobian) {
+      jacobian->middleRows(row, rows) = part.weight.asDiagonal() * found[p]->by;
+    }
+    row += rows;
+  }
+  for (const SumPrior& prior : priors_) {
+    residual(row) = prior.miss(values);
+    for (const auto& [unknown, factor] : prior.sum) {
+      if (jacobian) (*jacobian)(row, unknown) = factor / prior.sd;
+    }
+    ++row;
+  }
+  return true;
+}
+
+LeastSquaresProblem Problem::least_squares() const {
+  LeastSquaresProblem problem;
+  problem.evaluate = [this](const Eigen::VectorXd& values, Eigen::VectorXd& residual,
+                            Eigen::MatrixXd* jacobian) {
+    return evaluate(values, residual, jacobian);
+  };
+  problem.residuals = static_cast<int>(priors_.size());
+  for (const ProblemPart& part : parts_) problem.residuals += part.experiment->rows();
+  problem.not_negative = not_negative_;
+  set_bounds(unknowns_, problem);
+  return problem;
+}
+
+std::vector<Eigen::Matrix3Xd> Problem::guesses(std::size_t part) const {
+  return parts_[part].predictor->guesses();
+}
+
+void Problem::begin_at(std::size_t part, std::vector<Eigen::Matrix3Xd> guesses) {
+  parts_[part].predictor->begin_at(std::move(guesses));
+}
+
+EquilibriumWork Problem::work() const {
+  EquilibriumWork sum;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    EquilibriumWork own = parts_[p].predictor->work();
+    const auto free = static_cast<std::ptrdiff_t>(places_[p].free);
+    const std::set<int> unknowns(places_[p].unknowns.begin(), places_[p].unknowns.begin() + free);
+    own.counts.differences = own.counts.differentiated * static_cast<int>(unknowns.size());
+    sum += own;
+  }
+  sum.seconds = sum.seconds.on_the_clock(seconds_);
+  return sum;
+}
+
+}  // namespace pliant

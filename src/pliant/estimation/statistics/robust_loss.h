@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace pliant {
+
+/// How a residual counts.
+enum class RobustLoss {
+  none,    ///< squared
+  huber,   ///< squared up to 1.345 sd, then straight: 95 % efficient for normal noise ([Huber1981])
+  cauchy,  ///< logarithmic beyond about 2.385 sd: 95 % efficient likewise
+};
+
+/// What a squared residual s (in units of sd^2) counts, in the convention of Ceres: the cost is
+/// half the sum of rho(s); rho(s) = s near 0.
+double rho(RobustLoss loss, double squared);
+
+/// d rho / d s: the weight of the row, 1 near 0, falling with s.
+double robust_weight(RobustLoss loss, double squared);
+
+/// Distance in sd at which a loss begins to differ from squares; what Ceres' losses are made with.
+/// Infinite for `none`.
+double loss_scale(RobustLoss loss);
+
+/// "none", "huber", "cauchy".
+std::string_view name_of(RobustLoss loss);
+std::optional<RobustLoss> robust_loss_named(std::string_view name);
+
+}  // namespace pliant

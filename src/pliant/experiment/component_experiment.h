@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/profile/strip_shapes.h"
+#include "pliant/material/component_law.h"
+
+namespace pliant {
+
+/// Predicted values of the measured quantity, one per row.
+struct Prediction {
+  Eigen::VectorXd value;     ///< SI
+  Eigen::MatrixXd jacobian;  ///< d value / d (law, nuisance); empty unless asked for
+  Eigen::VectorXd strain;    ///< strain of the material at each row
+  Eigen::VectorXd
+      length_gain;  ///< |d value / d length|, for noise of the length (m); empty if none
+};
+
+/// The measured path, for estimators and figures that look at it row by row.
+struct MeasuredPath {
+  std::vector<double> strain;  ///< by the stated gauge length
+  std::vector<double> force;   ///< force (N) or force per width (N/m) that the material carries
+  std::vector<double> factor;  ///< force per stress at the row's strain (m, or 1)
+  std::vector<int> direction;  ///< 1 loading, -1 unloading
+  std::vector<int> anchor;     ///< row of the turning point before; the row itself at the start
+  std::vector<int> specimen;   ///< 0, 1, ...
+  /// Rows where the path begins anew: from zero strain, free of friction, it comes to the row's
+  /// strain and turns. Empty: there are none.
+  std::vector<char> starts_flat;
+  /// Rows that the published estimator samples. Empty: all of them.
+  std::vector<char> published_samples;
+};
+
+/// An abscissa and an ordinate a row: the loop as the field draws it (force over length).
+struct LoopSeries {
+  Eigen::VectorXd abscissa;
+  Eigen::VectorXd ordinate;
+  double width = 1;   ///< across the force (m), for moduli per width; 1 for forces per width
+  double length = 1;  ///< gauge length (m) that makes the abscissa an engineering strain; 1 where
+                      ///< it is a strain already
+};
+
+/// A measurement on one strain component, whose path of strain is known row by row.
+class ComponentExperiment : public Experiment {
+ public:
+  const MeasuredPath& path() const { return path_; }
+
+  /// Runs of rows that the path goes from one turning point.
+  std::vector<Frame> frames() const override;
+  /// One of each specimen.
+  std::vector<std::vector<int>> series() const override;
+  double reference() const override;
+  Eigen::ArrayXd weights() const override;
+  std::unique_ptr<Predictor> predictor(const Material& material) const override;
+  /// The same for a law of its component, in a form that materials need not have.
+  std::unique_ptr<Predictor> predictor(const ComponentLaw& law) const;
+
+  /// How many threads a prediction may use; its results do not depend on it.
+  void set_threads(int threads) { threads_ = threads; }
+
+  /// Predicts the measured quantity of all rows.
+  /// @param nuisance  one value for each of `nuisance()`
+  /// @return nothing when the law cannot carry the loads (no equilibrium)
+  virtual std::optional<Prediction> predict(const ComponentLaw& law,
+                                            const Eigen::VectorXd& nuisance,
+                                            bool with_jacobian) const = 0;
+
+  /// Nuisance values for a prediction without a fit: what the data itself shows, else the ideal
+  /// apparatus.
+  /// @param law  that will be predicted with: what no apparatus knows is read off beside it
+  virtual Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const = 0;
+
+  /// Largest force that the material carries (N, or N/m for forces per width).
+  virtual double peak_force() const;
+
+  /// The loop of a series of the measured quantity (SI), measured or predicted; nothing where a
+  /// laboratory reads no figures off one.
+  virtual std::optional<LoopSeries> loop(const Eigen::VectorXd& quantity) const {
+    static_cast<void>(quantity);
+    return std::nullopt;
+  }
+
+  /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
+  /// measures none.
+  virtual std::optional<StripShapes> shapes(const ComponentLaw& law,
+                                            const Eigen::VectorXd& nuisance) const {
+    static_cast<void>(law);
+    static_cast<void>(nuisance);
+    return std::nullopt;
+  }
+
+ protected:
+  MeasuredPath path_;
+  int threads_ = 1;
+};
+
+}  // namespace pliant

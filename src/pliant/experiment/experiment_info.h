@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/experiment/experiment_role.h"
+#include "pliant/measurement/data_source.h"
+
+namespace pliant {
+
+/// What an experiment measures row by row, and how results print it.
+struct MeasuredQuantity {
+  std::string name;   ///< column suffix: measured_NAME, e.g. force_N
+  std::string kind;   ///< force, length, ...
+  std::string unit;   ///< unit of the column
+  double per_si = 1;  ///< column value = per_si * SI value
+};
+
+/// Facts of an experiment that hold whatever the law.
+struct ExperimentInfo {
+  std::string name;
+  std::string type;
+  std::string direction;
+  std::string component;  ///< strain component that it determines, e.g. stretch.warp
+  ExperimentRole role = ExperimentRole::fit;
+  MeasuredQuantity quantity;
+  std::vector<std::string> specimens;
+  std::vector<char> used;              ///< a row: does it take part in the fit
+  std::optional<double> force_noise;   ///< stated standard deviation of the force (N or N/m)
+  std::optional<double> length_noise;  ///< of the length (m)
+  std::vector<std::string> handled;    ///< what was found in the data and how it was dealt with
+  std::vector<std::string> warnings;
+  std::vector<OwnColumn> columns;
+  std::vector<double> time;  ///< s; empty unless measured
+};
+
+}  // namespace pliant

@@ -1,0 +1,25 @@
+#include "pliant/math/quantiles.h"
+
+#include <algorithm>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace pliant {
+namespace {
+
+double student_quantile(double probability, double degrees) {
+  return boost::math::quantile(boost::math::students_t(std::max(degrees, 1.0)), probability);
+}
+
+}  // namespace
+
+double student_quantile_95(double degrees) { return student_quantile(0.975, degrees); }
+
+double one_sided_student_quantile_95(double degrees) { return student_quantile(0.95, degrees); }
+
+double chi_square_quantile(double probability, double degrees) {
+  return boost::math::quantile(boost::math::chi_squared(std::max(degrees, 1.0)), probability);
+}
+
+}  // namespace pliant

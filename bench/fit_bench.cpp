@@ -20,21 +20,21 @@ ComponentLaw spandex() {
   return {ScalarCurve::affine(4.42, 32.19), FrictionLaw::dahl, {0.40, 4.84, 0.088}};
 }
 
-test::LabFolder measured(const LabExperiment& experiment) {
+test::LabFolder measured(const test::AnyTest& experiment) {
   const Material fabric = test::made_up_material("stretch.warp", spandex());
-  return test::LabFolder(test::measurements_of(test::lab_of(fabric, experiment)));
+  return test::LabFolder(test::measurements_of(test::lab_of(fabric, {experiment})));
 }
 
 // Weights of [T] 5.3.2 on spandex, read with a ruler.
 test::LabFolder hung_weights() {
-  LabExperiment experiment = test::hung_weights();
+  auto experiment = test::hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   return measured(experiment);
 }
 
 // Cycles of a tensile tester.
 test::LabFolder tensile_cycles() {
-  LabExperiment experiment = test::strip_cycles({0.15, 0.3, 0.45, 0.6});
+  auto experiment = test::strip_cycles({0.15, 0.3, 0.45, 0.6});
   experiment.width = 0.05;
   experiment.samples = 250;
   experiment.instrument.force_noise = 5e-3;

@@ -8,9 +8,10 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/registry.h"
+#include "pliant/experiment/standard_figures.h"
 #include "pliant/io/csv.h"
 
-#include "apps/pliant/bending_length_info.h"
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
@@ -132,46 +133,38 @@ void add_other(const CsvTable& table, const std::string& header, FileInfo& info)
   info.lines.push_back(labelled(header, text, 1));
 }
 
-/// Experiment types whose columns are all there, in their dimensions.
-std::vector<std::string> usable_types(const std::map<std::string, UnderstoodColumn>& columns) {
-  const auto has = [&](const char* quantity, Dimension dimension) {
-    return std::any_of(columns.begin(), columns.end(), [&](const auto& entry) {
+/// Understood columns, as types of tests ask for them.
+class UnderstoodColumns : public TableColumns {
+ public:
+  explicit UnderstoodColumns(const std::map<std::string, UnderstoodColumn>& columns)
+      : columns_(columns) {}
+
+  bool has(std::string_view quantity, Dimension dimension) const override {
+    return std::any_of(columns_.begin(), columns_.end(), [&](const auto& entry) {
       return entry.second.quantity == quantity && entry.second.dimension == dimension;
     });
-  };
-  const bool length = has("length", Dimension::length);
-  const bool force = has("force", Dimension::force);
-  std::vector<std::string> types;
-  if (length && (has("weight", Dimension::force) || has("weight", Dimension::mass))) {
-    types.emplace_back("hanging-weights");
   }
-  if (force && (length || has("extension", Dimension::length)))
-    types.emplace_back("tensile-cycles");
-  if (has("angle", Dimension::angle) && has("force", Dimension::force_per_length)) {
-    types.emplace_back("shear-cycles");
+
+ private:
+  const std::map<std::string, UnderstoodColumn>& columns_;
+};
+
+/// Types of tests whose columns are all there, in their dimensions.
+std::vector<const TestType*> usable_types(const std::map<std::string, UnderstoodColumn>& columns) {
+  std::vector<const TestType*> types;
+  for (const TestType* type : test_types()) {
+    if (type->is_table && type->is_table(UnderstoodColumns(columns))) types.push_back(type);
   }
-  if (has("curvature", Dimension::curvature) && has("moment", Dimension::force)) {
-    types.emplace_back("pure-bending");
-  }
-  if (has("x", Dimension::length) && has("y", Dimension::length)) {
-    if (has("overhang", Dimension::length)) types.emplace_back("cantilever");
-    if (has("radius", Dimension::length)) types.emplace_back("rolled-strip");
-  } else if (has("overhang", Dimension::length)) {
-    types.emplace_back("bending-length");
-  }
-  if (force && has("distance", Dimension::length)) types.emplace_back("buckling-bend");
   return types;
 }
 
-/// A table tells neither angle nor density: the standards' angle, and no rigidity.
-void add_bending_lengths(const std::filesystem::path& path, FileInfo& info) {
+/// A table alone tells neither how the test was set up nor what the cloth weighs.
+void add_standard_figures(const TestType& type, const std::filesystem::path& path, FileInfo& info) {
   DataSource source;
   source.files = {path};
-  const OverhangRows rows = read_overhangs(DataRows(source));
-  info.json["bending_length"] = bending_length_json(rows, kOverhangAngle, 0);
-  for (const std::string& text : bending_length_texts(rows, kOverhangAngle, 0)) {
-    info.lines.push_back(labelled("at 41.5 degrees", text));
-  }
+  const StandardFigures figures = type.standard_figures(DataRows(source), nullptr, 0);
+  info.json[figures.key] = figures.json;
+  for (const std::string& text : figures.texts) info.lines.push_back(labelled(figures.label, text));
 }
 
 }  // namespace
@@ -194,13 +187,15 @@ FileInfo csv_info(const std::filesystem::path& path) {
       add_other(table, header, info);
     }
   }
-  const std::vector<std::string> types = usable_types(understood);
-  info.json["usable_as"] = types;
+  const std::vector<const TestType*> types = usable_types(understood);
+  std::vector<std::string_view> names;
+  for (const TestType* type : types) names.push_back(type->name);
+  info.json["usable_as"] = names;
   info.lines.push_back(labelled("usable as data of",
-                                types.empty() ? "no test without a map of its columns (`columns:`)"
-                                              : fmt::format("{}", fmt::join(types, ", "))));
-  if (std::count(types.begin(), types.end(), "bending-length") > 0) {
-    add_bending_lengths(path, info);
+                                names.empty() ? "no test without a map of its columns (`columns:`)"
+                                              : fmt::format("{}", fmt::join(names, ", "))));
+  for (const TestType* type : types) {
+    if (type->standard_figures) add_standard_figures(*type, path, info);
   }
   info.json["warnings"] = info.warnings;
   return info;

@@ -23,8 +23,7 @@ void add_init(CommandRegistry& registry) {
       throw InputError({*output, 0, ""}, "is not empty", "a new directory");
     }
     ResultDirectory results(*output, "init");
-    for (const auto& [name, content] : make_test_template(*test).files)
-      results.write(name, content);
+    for (const auto& [name, content] : test_template(*test)) results.write(name, content);
     results.commit();
     context.say(
         fmt::format("{} is ready: read PROTOCOL.md, fill in the CSV, then "

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/study/test_template.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/terminal_progress.h"
@@ -64,10 +65,10 @@ int parse_and_run(int argc, char** argv) {
       "pliant");
   app.set_version_flag("--version", "pliant " PLIANT_VERSION);
   app.require_subcommand(1);
-  app.footer(
-      "A first fit:  pliant init hanging-weights -o mine; edit mine/study.yaml and its CSV;\n"
-      "              pliant fit mine/study.yaml -o result; open result/report.html.\n"
-      "Exit status: 0 done, 1 the work failed, 2 bad usage or bad input.");
+  app.footer("A first fit:  pliant init " + pliant::template_tests().front() +
+             " -o mine; edit mine/study.yaml and its CSV;\n"
+             "              pliant fit mine/study.yaml -o result; open result/report.html.\n"
+             "Exit status: 0 done, 1 the work failed, 2 bad usage or bad input.");
 
   pliant::CommonOptions common;
   common.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -12,10 +12,10 @@
 #include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/sheet_test.h"
+#include "pliant/experiment/standard_figures.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/study.h"
 
-#include "apps/pliant/bending_length_info.h"
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
@@ -67,8 +67,8 @@ Json spec_json(const ExperimentSpec& spec) {
           {"direction", spec.direction},
           {"role", spec.role == ExperimentRole::fit ? "fit" : "validate"},
           {"data", file_names(spec.data)},
-          {"length", or_null(spec.length)},
-          {"width", or_null(spec.width)}};
+          {"length", or_null(spec.test->length)},
+          {"width", or_null(spec.test->width)}};
 }
 
 std::string heading(const ExperimentSpec& spec) {
@@ -80,7 +80,7 @@ std::string specimens_text(const std::vector<std::string>& names) {
                            : fmt::format("{} specimens ({})", names.size(), fmt::join(names, ", "));
 }
 
-void add_strip(const ExperimentSpec& spec, std::vector<std::string>& lines) {
+void add_strip(const TestSpec& spec, std::vector<std::string>& lines) {
   if (spec.width == 0) return;
   if (spec.length == 0) {
     lines.push_back(
@@ -92,24 +92,6 @@ void add_strip(const ExperimentSpec& spec, std::vector<std::string>& lines) {
       fmt::format("{} long, {} wide", format_quantity(spec.length, Dimension::length, kDigits),
                   format_quantity(spec.width, Dimension::length, kDigits)),
       1));
-}
-
-/// A type that this version does not use: its fields, and its rows where they stand in CSV files.
-void add_unused(const ExperimentSpec& spec, FileInfo& info, Json& json) {
-  info.lines.push_back(labelled(spec.name, spec.type));
-  for (const auto& [key, text] : spec.other_fields) info.lines.push_back(labelled(key, text, 1));
-  json["fields"] = spec.other_fields;
-  json["rows"] = nullptr;
-  const bool csv = spec.type != "session" && spec.type != "image-poses";
-  if (csv) {
-    const DataRows data(spec.data);
-    json["rows"] = data.rows();
-    info.lines.push_back(
-        labelled("data", fmt::format("{}: {} rows", spec.data.written, data.rows()), 1));
-  }
-  info.warnings.push_back(
-      fmt::format("experiment {} ({}) is left out of fits: this version does not use its type yet",
-                  spec.name, spec.type));
 }
 
 /// What of a session is compared, in words.
@@ -168,7 +150,7 @@ void add_session(const ExperimentSpec& spec, FileInfo& info, Json& json) {
 }
 
 std::string peak_label(const ExperimentInfo& about) {
-  if (about.type == "buckling-bend") return "span of force";
+  if (about.test.has_unknown_zero) return "span of force";
   return is_bending(about.component) ? "peak moment" : "peak force";
 }
 
@@ -208,7 +190,7 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
                              spec.role == ExperimentRole::fit ? "fitted: determines"
                                                               : "predicted, not fitted: needs",
                              component)));
-  add_strip(spec, lines);
+  add_strip(*spec.test, lines);
   lines.push_back(labelled("data",
                            fmt::format("{}: {} rows, {} used, {}", spec.data.written,
                                        experiment.rows(), used, specimens_text(about.specimens)),
@@ -238,18 +220,18 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
   info.json["experiments"] = Json::array();
   for (const ExperimentSpec& spec : study.experiments) {
     Json json = spec_json(spec);
-    if (is_supported_type(spec.type)) {
+    const TestType& type = spec.test->type();
+    if (type.facts.measures_sheets) {
+      add_session(spec, info, json);
+    } else {
       auto experiment = read_experiment(spec, study);
       add_measurements(spec, study.model, *experiment, info, json);
       if (!is_sheet(spec, study.model)) experiments.push_back(std::move(experiment));
-      if (spec.type == "bending-length") {
-        json["bending_length"] = bending_length_json(read_overhangs(DataRows(spec.data)),
-                                                     spec.angle, study.density * kStandardGravity);
+      if (type.standard_figures) {
+        const StandardFigures figures = type.standard_figures(DataRows(spec.data), spec.test.get(),
+                                                              study.density * kStandardGravity);
+        json[figures.key] = figures.json;
       }
-    } else if (measures_sheets(spec.type)) {
-      add_session(spec, info, json);
-    } else {
-      add_unused(spec, info, json);
     }
     info.json["experiments"].push_back(std::move(json));
   }
@@ -277,9 +259,9 @@ void add_plan(const Study& study, const std::string& component,
               const std::vector<const ComponentExperiment*>& fitted, FileInfo& info) {
   std::vector<std::string> notes;
   const ComponentPlan plan = plan_component(study, fitted, notes);
-  const bool data_unloads =
-      std::any_of(fitted.begin(), fitted.end(),
-                  [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
+  const bool data_unloads = std::any_of(
+      fitted.begin(), fitted.end(),
+      [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
   const std::string reason = friction_reason(friction_choice(study, component), data_unloads);
   const std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
   std::vector<std::string> names;

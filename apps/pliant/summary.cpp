@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/registry.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -37,7 +38,7 @@ std::string data_text(const ExperimentResult& e) {
     return fmt::format("curvature to {:.3g} 1/m",
                        std::max(std::abs(low), std::abs(high)) / kStrainPerCurvature);
   }
-  if (e.type == "buckling-bend") {
+  if (facts_of_test(e.type).has_unknown_zero) {
     return fmt::format("span {:.3g} mN, curvature to {:.3g} 1/m", e.peak_force * 1e3,
                        e.strain_range.second / kStrainPerCurvature);
   }
@@ -48,7 +49,7 @@ std::string data_text(const ExperimentResult& e) {
 std::string error_text(const ExperimentResult& e) {
   if (e.quantity.kind == "distance") return distance_text(e);
   std::string text = fmt::format("{:.2f} % of peak", e.rms_percent);
-  if (e.type == "buckling-bend") {
+  if (facts_of_test(e.type).has_unknown_zero) {
     text = fmt::format("{:.2g} mN, {:.2f} % of span", e.rms * 1e3, e.rms_percent);
     if (e.noise_floor) text += fmt::format(", rows scatter by {:.2g} mN", *e.noise_floor * 1e3);
   }

@@ -43,16 +43,15 @@ void add_test(const std::string& direction, const U3mTest& test, FileInfo& info)
   const Range distance = range_of(test, &U3mSegment::distance);
   const Range force = range_of(test, &U3mSegment::force);
   const std::string name = direction + "-" + test.name;
-  info.json["tests"].push_back(
-      {{"name", name},
-       {"type", test.kind == U3mTestKind::stretch ? "tensile-cycles" : "buckling-bend"},
-       {"direction", direction},
-       {"rows", row_count(test)},
-       {"half_cycles", test.segments.size()},
-       {"length", test.length},
-       {"width", test.width ? Json(*test.width) : Json(nullptr)},
-       {"distance_range", {distance.first, distance.second}},
-       {"force_range", {force.first, force.second}}});
+  info.json["tests"].push_back({{"name", name},
+                                {"type", test_type_of(test).name},
+                                {"direction", direction},
+                                {"rows", row_count(test)},
+                                {"half_cycles", test.segments.size()},
+                                {"length", test.length},
+                                {"width", test.width ? Json(*test.width) : Json(nullptr)},
+                                {"distance_range", {distance.first, distance.second}},
+                                {"force_range", {force.first, force.second}}});
   info.lines.push_back(labelled(
       name,
       fmt::format("{} rows in {} half cycles; clamps {} apart (straight at {}), force {}, width {}",

@@ -174,19 +174,6 @@ TEST(Info, OfDataThatOnlyLoadsTellsWhyThereIsNoFriction) {
   EXPECT_EQ(info.json["experiments"][0]["unloads"], false);
 }
 
-TEST(Info, NamesTheExperimentsThatThisVersionDoesNotUse) {
-  const TemporaryFolder folder;
-  folder.write("press.csv", "force_N,depth_mm\n0,0\n1,2\n");
-  const fs::path file = folder.write(
-      "study.yaml", study_of("  - {name: press, type: press, finger: index, data: press.csv}\n"));
-  const FileInfo info = describe_file(file);
-  EXPECT_EQ(info.json["experiments"][0]["rows"], 2);
-  EXPECT_EQ(info.json["experiments"][0]["fields"]["finger"], "index");
-  EXPECT_THAT(info.warnings, Contains(HasSubstr("press (press) is left out")));
-  EXPECT_THAT(info.warnings, Contains("no experiment that this version can fit"));
-  EXPECT_EQ(info.json["warnings"].size(), info.warnings.size());
-}
-
 TEST(Info, LocatesMissingDataInTheStudyAndNamesAllOfIt) {
   const TemporaryFolder folder;
   const fs::path file =

@@ -73,7 +73,7 @@ TEST(BendingLengthFit, LeavesFrictionUndetermined) {
 
 // A spread of 1 % of readings is one of 3 % in the stiffness, less the root of their number.
 TEST(BendingLengthFit, CarriesTheSpreadOfTheReadingsIntoTheStandardError) {
-  LabExperiment noisy = pushed_strips();
+  auto noisy = pushed_strips();
   noisy.repeats = 50;
   const Material fabric = elastic_fabric(ScalarCurve::constant(kStiffness));
   const double overhang = std::cbrt(8.0042 * 3 * kStiffness / (0.2 * kStandardGravity));

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/buckling/buckling_bend_type.h"
+
 #include "estimation/virtual_study.h"
 #include "io/input_error_of.h"
 #include "support/virtual_lab.h"
@@ -29,10 +31,9 @@ Material knit() {
 
 /// A strip of 40 mm by 21 mm that is not quite as long as is said, on a force cell whose zero is
 /// wrong and drifts.
-LabExperiment buckled(const std::string& name, BucklingSide side) {
-  LabExperiment experiment;
+VirtualBucklingBend buckled(const std::string& name, BucklingSide side) {
+  VirtualBucklingBend experiment;
   experiment.name = name;
-  experiment.type = "buckling-bend";
   experiment.direction = "warp";
   experiment.length = 0.021;
   experiment.width = 0.04;
@@ -70,8 +71,8 @@ TEST(SlowBuckledStrips, OfBothSidesGiveLawLengthAndZeroOfTheForceBack) {
 
 TEST(SlowBuckledStrips, IntervalsHoldTheTruthUnderNoise) {
   const Material fabric = knit();
-  LabExperiment down = buckled("down", BucklingSide::down);
-  LabExperiment up = buckled("up", BucklingSide::up);
+  auto down = buckled("down", BucklingSide::down);
+  auto up = buckled("up", BucklingSide::up);
   down.instrument.force_noise = up.instrument.force_noise = 1e-4;
   VirtualStudy study(lab_of(fabric, {down, up}), /*seed=*/1);
   study.set_model("stiffness: affine");
@@ -103,7 +104,7 @@ TEST(BuckledStrips, AreRefusedToThePublishedEstimator) {
 TEST(BuckledStrips, OfAKnownLengthGiveFrictionBackOnConstantStiffness) {
   Material fabric = knit();
   fabric.components.at("bend.warp").stiffness = ScalarCurve::constant(2e-6);
-  LabExperiment down = buckled("down", BucklingSide::down);
+  auto down = buckled("down", BucklingSide::down);
   down.strip_length = down.length;
   const StudyResult result = VirtualStudy(lab_of(fabric, down)).fit();
   EXPECT_EQ(result.nuisance.size(), 2u);

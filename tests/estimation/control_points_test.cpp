@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
@@ -32,8 +33,8 @@ struct OneExperiment {
 };
 
 /// Noise of a good load cell: 0.1 % of the peak force or so.
-LabExperiment noisy_cycles(std::vector<double> strains, double force_noise) {
-  LabExperiment experiment = strip_cycles(std::move(strains));
+VirtualTensileCycles noisy_cycles(std::vector<double> strains, double force_noise) {
+  auto experiment = strip_cycles(std::move(strains));
   experiment.instrument.force_noise = force_noise;
   return experiment;
 }
@@ -90,9 +91,8 @@ TEST(ControlPoints, StayWithinTheNumberThatTheStudyAllows) {
 
 // The sheet is sheared both ways and its law is even: knots stand on one side.
 TEST(ControlPoints, OfShearBeginAtZero) {
-  LabExperiment experiment;
+  VirtualShearCycles experiment;
   experiment.name = "shear";
-  experiment.type = "shear-cycles";
   experiment.peaks = {0.07, 0.14};
   const Material material = made_up_material(
       "shear", {ScalarCurve::affine(5, 300), FrictionLaw::dahl, {0.1, 0.2, 0.005}});

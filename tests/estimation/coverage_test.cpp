@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/parallel.h"
+#include "pliant/experiment/bending/pure_bending_type.h"
 
 #include "estimation/virtual_study.h"
 #include "support/virtual_strips.h"
@@ -23,9 +24,10 @@ using test::strip_cycles;
 using test::VirtualStudy;
 
 constexpr int kSeeds = 200;
-// 95 % of 200 trials vary by a standard deviation of 1.5 %: three of them either way.
+// 95 % of 200 trials vary by a standard deviation of 1.5 %: three of them below. The larger of two
+// standard errors holds the truth a little more often than either: up to 99.5 %.
 constexpr double kLowestRate = 0.905;
-constexpr double kHighestRate = 0.985;
+constexpr double kHighestRate = 0.995;
 constexpr double kIdentifiable = 0.95;  // of the seeds
 
 struct Sample {
@@ -110,7 +112,7 @@ class SlowCoverage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SlowCoverage, IntervalsOfHungWeightsHoldTheTruthAtTheStatedRate) {
   const Material fabric = published_fabric(GetParam());
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   const auto table =
       coverage_over_seeds(lab_of(fabric, experiment), "stretch.warp", [](VirtualStudy&) {});
@@ -119,7 +121,7 @@ TEST_P(SlowCoverage, IntervalsOfHungWeightsHoldTheTruthAtTheStatedRate) {
 
 TEST_P(SlowCoverage, IntervalsOfStripCyclesHoldTheTruthAtTheStatedRate) {
   const Material fabric = published_fabric(GetParam());
-  LabExperiment experiment = strip_cycles({0.05, 0.1, 0.2});
+  auto experiment = strip_cycles({0.05, 0.1, 0.2});
   experiment.instrument.force_noise = 5e-3;
   const auto table =
       coverage_over_seeds(lab_of(fabric, experiment), "stretch.warp",
@@ -131,7 +133,7 @@ TEST_P(SlowCoverage, IntervalsOfStripCyclesHoldTheTruthAtTheStatedRate) {
 // noise.
 TEST_P(SlowCoverage, IntervalsHoldTheTruthWithNuisanceParametersAndNoiseInBothChannels) {
   const Material fabric = published_fabric(GetParam());
-  LabExperiment experiment = strip_cycles({0.05, 0.1, 0.2});
+  auto experiment = strip_cycles({0.05, 0.1, 0.2});
   experiment.instrument.force_noise = 5e-3;
   experiment.instrument.length_noise = 0.02e-3;
   const auto table =
@@ -151,9 +153,8 @@ class SlowBendingCoverage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SlowBendingCoverage, IntervalsOfPureBendingHoldTheTruthAtTheStatedRate) {
   const Material fabric = published_fabric(GetParam());
-  LabExperiment experiment;
+  VirtualPureBending experiment;
   experiment.name = "bending";
-  experiment.type = "pure-bending";
   experiment.direction = "warp";
   experiment.peaks = {100, 250};
   experiment.instrument.force_noise = 50e-6;
@@ -184,7 +185,7 @@ int fewest_covered(int intervals) {
 
 // Fits of strips take a while: few seeds, and their parameters counted together. That all of them
 // are covered is no rare event, so that there is no bound from above.
-void expect_few_covered(const std::string& fabric, const LabExperiment& rolls, int seeds) {
+void expect_few_covered(const std::string& fabric, const VirtualRolledStrip& rolls, int seeds) {
   const auto table = coverage_over_seeds(
       lab_of(test::published_bending_material(fabric), rolls), "bend.warp", [](VirtualStudy&) {},
       seeds);
@@ -200,14 +201,14 @@ void expect_few_covered(const std::string& fabric, const LabExperiment& rolls, i
 }
 
 TEST(SlowStripCoverage, IntervalsOfRolledStripsHoldTheTruthAtTheStatedRate) {
-  LabExperiment rolls = test::rolled_strips({0.004, 0.006, 0.008, 0.012});
+  auto rolls = test::rolled_strips({0.004, 0.006, 0.008, 0.012});
   rolls.instrument.length_noise = 0.1e-3;
   expect_few_covered("felt", rolls, 20);
 }
 
 // Strips of the wider cylinders jump on their release.
 TEST(SlowStripCoverage, IntervalsOfStripsThatJumpHoldTheTruthAtTheStatedRate) {
-  LabExperiment rolls = test::rolled_strips(test::published_radii());
+  auto rolls = test::rolled_strips(test::published_radii());
   rolls.instrument.length_noise = 0.1e-3;
   rolls.repeats = 3;
   rolls.points = 20;

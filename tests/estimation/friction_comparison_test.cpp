@@ -16,7 +16,7 @@ using test::published_fabric;
 using test::VirtualStudy;
 
 std::vector<ModelRank> ranks_for(const Material& material) {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   return VirtualStudy(lab_of(material, experiment))
       .fit({.compare_friction = true, .profiles = {}})

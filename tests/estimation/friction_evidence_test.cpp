@@ -70,7 +70,7 @@ TEST(FrictionChoice, NoneLeavesFrictionOut) {
 TEST(FrictionOfAnElasticMaterial, IsNotFoundToBeThere) {
   Material elastic = published_fabric("cotton");
   elastic.components.at("stretch.warp").friction.reset();
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   const StudyResult result = VirtualStudy(lab_of(elastic, experiment)).fit();
   const ParameterEstimate a = estimate_named(result, "stretch.warp.friction.a");
@@ -79,7 +79,7 @@ TEST(FrictionOfAnElasticMaterial, IsNotFoundToBeThere) {
 }
 
 VirtualLab one_small_loop() {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.peaks = {2};
   experiment.repeats = 1;
   experiment.instrument.length_noise = 0.2e-3;
@@ -97,7 +97,8 @@ TEST(AsManyRowsAsParameters, AreJudgedByAStatedNoise) {
   VirtualStudy study(one_small_loop());
   study.add_to_experiment("noise: {length: 0.2 mm}");
   const StudyResult result = study.fit();
-  EXPECT_FALSE(estimate_named(result, "stretch.warp.friction.tau").identified);
+  EXPECT_NE(estimate_named(result, "stretch.warp.friction.tau").determination,
+            Determination::within_10_percent);
   EXPECT_TRUE(estimate_named(result, "stretch.warp.k1").std_error.has_value());
 }
 

@@ -93,13 +93,14 @@ TEST(RestLength, IsFoundWhereItIsUnknown) {
 TEST(RestLength, IsUnknownWhereAPretensionIsStated) {
   VirtualStudy study(lab_of(published_fabric("polyester"), strip_cycles({0.05, 0.1})));
   study.add_to_experiment("pretension: 0.05 N");
-  EXPECT_EQ(study.study().experiments.front().rest_length, RestLength::unknown);
+  const Study read = study.study();
+  EXPECT_EQ(spec_of<TensileCyclesSpec>(read.experiments.front()).rest_length, RestLength::unknown);
   EXPECT_NEAR(estimate_named(study.fit(), "cycles.rest_length_change").value, 0, 0.1e-3);
 }
 
 TEST(InitialSlack, CarriesNoForceAndIsReported) {
   const Material fabric = published_fabric("polyester");
-  LabExperiment experiment = strip_cycles({0.05, 0.1, 0.2});
+  auto experiment = strip_cycles({0.05, 0.1, 0.2});
   experiment.slack = 2e-3;
   VirtualStudy study(lab_of(fabric, experiment));
   study.set_model("stiffness: affine");
@@ -110,7 +111,7 @@ TEST(InitialSlack, CarriesNoForceAndIsReported) {
 
 TEST(InitialSlack, ShowsTheForceOffsetWithoutAnyFit) {
   const Material fabric = published_fabric("polyester");
-  LabExperiment experiment = strip_cycles({0.1, 0.2});
+  auto experiment = strip_cycles({0.1, 0.2});
   experiment.slack = 5e-3;
   VirtualStudy study(lab_of(fabric, experiment));
   study.edit_rows("cycles.csv", [](VirtualStudy::Rows& rows) {

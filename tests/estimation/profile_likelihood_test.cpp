@@ -16,7 +16,7 @@ using test::published_fabric;
 using test::VirtualStudy;
 
 VirtualLab noisy_weights(const std::string& fabric, double noise) {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = noise;
   return lab_of(published_fabric(fabric), experiment);
 }

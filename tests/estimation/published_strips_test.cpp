@@ -44,8 +44,8 @@ struct Fabric {
 
 /// The tests of [P] 4.3, three times each.
 VirtualLab published_tests(const Material& fabric) {
-  LabExperiment rolls = rolled_strips(test::published_radii());
-  LabExperiment overhangs = overhanging_strips({0.04, 0.06, 0.08, 0.1});
+  auto rolls = rolled_strips(test::published_radii());
+  auto overhangs = overhanging_strips({0.04, 0.06, 0.08, 0.1});
   rolls.repeats = overhangs.repeats = 3;
   return lab_of(fabric, {rolls, overhangs});
 }

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/law_fit.h"
+#include "pliant/experiment/bending/pure_bending_type.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
@@ -122,10 +124,9 @@ TEST(StripCycles, GiveAStiffnessCurveBackOnItsOwnKnots) {
                              *law_of(material, "stretch.warp"));
 }
 
-LabExperiment sheared_both_ways(std::vector<double> angles) {
-  LabExperiment experiment;
+VirtualShearCycles sheared_both_ways(std::vector<double> angles) {
+  VirtualShearCycles experiment;
   experiment.name = "shear";
-  experiment.type = "shear-cycles";
   experiment.peaks = std::move(angles);
   experiment.transverse_tension = 9.8;  // N/m, of KES-FB1
   return experiment;
@@ -149,10 +150,9 @@ TEST(ShearCycles, GiveAffineStiffnessAndFrictionBack) {
   }
 }
 
-LabExperiment bent_both_ways(std::vector<double> curvatures) {
-  LabExperiment experiment;
+VirtualPureBending bent_both_ways(std::vector<double> curvatures) {
+  VirtualPureBending experiment;
   experiment.name = "bending";
-  experiment.type = "pure-bending";
   experiment.direction = "warp";
   experiment.peaks = std::move(curvatures);
   return experiment;
@@ -160,7 +160,7 @@ LabExperiment bent_both_ways(std::vector<double> curvatures) {
 
 /// Table 5.2 of [T], bent as KES-FB2 does.
 StudyResult fit_bending(const Material& fabric, EstimatorKind estimator, int samples) {
-  LabExperiment experiment = bent_both_ways({100, 250});
+  auto experiment = bent_both_ways({100, 250});
   experiment.samples = samples;
   VirtualStudy study(lab_of(fabric, experiment));
   study.set_model("stiffness: affine");
@@ -207,9 +207,7 @@ TEST(PureBending, GivesAStiffnessCurveBackOnItsOwnKnots) {
 // Two experiments of one component share its law and are weighed by what noise they show.
 TEST(PooledFit, FindsOneLawInWeightsAndCycles) {
   const Material fabric = published_fabric("cotton");
-  VirtualLab lab = lab_of(fabric, hung_weights());
-  lab.experiments.push_back(strip_cycles({0.1, 0.2}));
-  VirtualStudy study(lab);
+  VirtualStudy study(lab_of(fabric, {hung_weights(), strip_cycles({0.1, 0.2})}));
   study.set_model("stiffness: affine");
   const StudyResult result = study.fit();
   EXPECT_EQ(result.experiments.size(), 2u);

@@ -33,10 +33,9 @@ const RunFacts kFacts{
 class ResultFiles : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    VirtualLab lab = lab_of(published_fabric("cotton"), hung_weights());
-    lab.experiments.front().instrument.length_noise = 0.2e-3;
-    lab.experiments.push_back(strip_cycles({0.1}));
-    VirtualStudy study(lab);
+    auto weights = hung_weights();
+    weights.instrument.length_noise = 0.2e-3;
+    VirtualStudy study(lab_of(published_fabric("cotton"), {weights, strip_cycles({0.1})}));
     study.add("validate: [cycles]");
     study.add("conditions: {temperature: 20 degC}");
     result_ = new StudyResult(study.fit({.compare_friction = true, .profiles = {"*.tau"}}));

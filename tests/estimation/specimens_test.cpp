@@ -17,7 +17,8 @@ using test::strip_cycles;
 using test::truth_of;
 using test::VirtualStudy;
 
-VirtualLab varied(const LabExperiment& experiment, int specimens) {
+template <class Test>
+VirtualLab varied(const Test& experiment, int specimens) {
   VirtualLab lab = lab_of(published_fabric("polyester"), experiment);
   lab.specimens = specimens;
   lab.specimen_variation = 0.05;

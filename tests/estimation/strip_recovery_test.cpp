@@ -65,7 +65,7 @@ class SlowStripsRolledToOneSide : public ::testing::Test {
   static VirtualStudy rolled(double side, double noise) {
     std::vector<double> radii{0.004, 0.005, 0.006, 0.0075, 0.010, 0.016, 0.023};
     for (double& radius : radii) radius *= side;
-    LabExperiment experiment = rolled_strips(radii);
+    auto experiment = rolled_strips(radii);
     experiment.instrument.length_noise = noise;
     return VirtualStudy(lab_of(published_bending_material("felt"), experiment), /*seed=*/1);
   }
@@ -107,7 +107,7 @@ double moment_error(const ComponentLaw& law, const ComponentLaw& truth) {
 class SlowRolledPaper : public ::testing::Test {
  protected:
   static StudyResult fit(double widest) {
-    LabExperiment experiment = rolled_strips({});
+    auto experiment = rolled_strips({});
     for (const double radius : test::published_radii()) {
       if (radius <= widest) experiment.settings.push_back(radius);
     }

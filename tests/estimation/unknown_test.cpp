@@ -21,7 +21,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 
 VirtualLab noisy_weights(const std::string& fabric) {
-  LabExperiment experiment = hung_weights();
+  auto experiment = hung_weights();
   experiment.instrument.length_noise = 0.2e-3;
   return lab_of(published_fabric(fabric), experiment);
 }

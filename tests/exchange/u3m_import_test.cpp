@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/io/csv.h"
 #include "pliant/study/study.h"
 
@@ -79,12 +80,12 @@ TEST(U3mImport, EveryTestBecomesAnExperimentThatTheStudyReaderAccepts) {
   EXPECT_DOUBLE_EQ(study.density, 0.150);
   EXPECT_THAT(study.validate, ElementsAre("*-stretch-2cm", "*-bend-down-8cm"));
   for (const ExperimentSpec& spec : study.experiments) {
-    EXPECT_DOUBLE_EQ(spec.width, 0.05);
-    EXPECT_DOUBLE_EQ(spec.length, 0.08);
+    EXPECT_DOUBLE_EQ(spec.test->width, 0.05);
+    EXPECT_DOUBLE_EQ(spec.test->length, 0.08);
     if (spec.name.find("bend") != std::string::npos) {
       EXPECT_EQ(spec.type, "buckling-bend");
       const bool up = spec.name.ends_with("up-2cm");
-      EXPECT_EQ(spec.side, up ? BucklingSide::up : BucklingSide::down);
+      EXPECT_EQ(spec_of<BucklingBendSpec>(spec).side, up ? BucklingSide::up : BucklingSide::down);
       continue;
     }
     EXPECT_EQ(read_experiment(spec, study)->rows(), 6);
@@ -373,7 +374,7 @@ TEST(RealU3mImport, FabRecordOfACottonKnitIsRead) {
     EXPECT_EQ(experiment->rows(), rows) << name;
     // The expected peaks are rounded to 1 mN.
     EXPECT_NEAR(experiment->measured().maxCoeff(), peak, 0.5e-3) << name;
-    EXPECT_DOUBLE_EQ(spec->width, 0.04);
+    EXPECT_DOUBLE_EQ(spec->test->width, 0.04);
   }
 }
 

@@ -95,7 +95,7 @@ TEST(PhotoImport, WritesAStudyThatSaysWhereItCameFrom) {
   const ExperimentSpec& spec = study.experiments.front();
   EXPECT_EQ(spec.type, "cantilever");
   EXPECT_EQ(spec.direction, "warp");
-  EXPECT_DOUBLE_EQ(spec.width, 0.025);
+  EXPECT_DOUBLE_EQ(spec.test->width, 0.025);
   const auto experiment = read_experiment(spec, study);
   EXPECT_EQ(experiment->rows(), 62);  // two profiles of 31 points
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "a-profile.png"));

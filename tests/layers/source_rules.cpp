@@ -111,6 +111,40 @@ std::vector<Offence> library_manner_offences(const SourceFile& source) {
   return lines_matching(source, manners, "a library never prints, exits or reads the environment");
 }
 
+std::vector<TestName> test_names(const std::vector<SourceFile>& sources) {
+  static const std::regex name(R"re(\.name = "([^"]+)")re");
+  std::vector<TestName> tests;
+  for (const SourceFile& source : sources) {
+    std::smatch match;
+    if (!source.path.ends_with("_type.cpp")) continue;
+    if (!std::regex_search(source.text, match, name)) continue;
+    tests.push_back({match[1].str(), source.path.substr(0, source.path.rfind('/') + 1)});
+  }
+  return tests;
+}
+
+std::vector<Offence> test_name_offences(const SourceFile& source,
+                                        const std::vector<TestName>& tests) {
+  static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
+  return check_lines(source, [&](const std::string& line) -> std::string {
+    if (line.starts_with("#include") || line.find('"') == std::string::npos) return {};
+    const std::string code = line.substr(0, line.find("//"));
+    for (std::sregex_iterator it(code.begin(), code.end(), literal), end; it != end; ++it) {
+      const std::string text = (*it)[1].str();
+      for (const TestName& test : tests) {
+        // A name of one word is a word of sentences, too.
+        const bool named = test.name.find('-') == std::string::npos
+                               ? text == test.name
+                               : text.find(test.name) != std::string::npos;
+        if (named && !source.path.starts_with(test.folder)) {
+          return "names the test " + test.name + " outside " + test.folder;
+        }
+      }
+    }
+    return {};
+  });
+}
+
 std::string describe(const std::vector<Offence>& offences) {
   std::ostringstream text;
   for (const Offence& offence : offences) {

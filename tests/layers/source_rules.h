@@ -36,6 +36,19 @@ std::vector<Offence> machine_path_offences(const SourceFile& source);
 /// Library code that prints, ends the process or reads the environment.
 std::vector<Offence> library_manner_offences(const SourceFile& source);
 
+/// A type of test of the registry.
+struct TestName {
+  std::string name;    ///< as studies write it
+  std::string folder;  ///< its own, relative to the root of the repository
+};
+
+/// The types of tests that sources define: `.name = "..."` in `*_type.cpp`.
+std::vector<TestName> test_names(const std::vector<SourceFile>& sources);
+
+/// Texts that name a type of test outside its folder; comments and includes may.
+std::vector<Offence> test_name_offences(const SourceFile& source,
+                                        const std::vector<TestName>& tests);
+
 /// One line an offence, as compilers write it: `file:line: what`.
 std::string describe(const std::vector<Offence>& offences);
 

@@ -1,5 +1,8 @@
 #include "layers/source_rules.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,6 +46,24 @@ TEST(SourceTree, NamesNoPathOfOneMachine) {
 
 TEST(SourceTree, LibrariesNeverPrintExitOrReadTheEnvironment) {
   expect_none(offences_of_the_tree(library_manner_offences));
+}
+
+TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
+  // A session is a document, too.
+  constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/document.cpp",
+                                             "apps/pliant/file_info.cpp"};
+  const std::vector<TestName> tests =
+      test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"));
+  EXPECT_GE(tests.size(), 9U);
+  std::vector<Offence> offences;
+  for (const char* folder : {"src/pliant", "apps"}) {
+    for (const SourceFile& source : source_files(PLIANT_SOURCE_DIR, folder)) {
+      if (std::ranges::find(kDocuments, source.path) != std::end(kDocuments)) continue;
+      const std::vector<Offence> found = test_name_offences(source, tests);
+      offences.insert(offences.end(), found.begin(), found.end());
+    }
+  }
+  expect_none(offences);
 }
 
 TEST(LayerRule, FindsALaterLayerWithItsFileAndLine) {
@@ -91,6 +112,23 @@ TEST(LibraryMannerRule, BindsLibrariesAndNotPrograms) {
   EXPECT_THAT(library_manner_offences({"apps/pliant/main.cpp", text}), IsEmpty());
   EXPECT_THAT(library_manner_offences({"src/pliant/io/a.cpp", "std::snprintf(b, n, \"\");\n"}),
               IsEmpty());
+}
+
+TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {
+  const SourceFile own{"src/pliant/experiment/pull/pull_type.cpp",
+                       "const TestType type{.name = \"pull-test\"};\n"};
+  const std::vector<TestName> tests = test_names({own});
+  ASSERT_EQ(tests.size(), 1U);
+  EXPECT_EQ(tests[0].folder, "src/pliant/experiment/pull/");
+  EXPECT_THAT(test_name_offences(own, tests), IsEmpty());
+  const std::string text = "if (type == \"pull-test\") {}\n// \"pull-test\"\nf(\"a pull-test\");\n";
+  EXPECT_EQ(test_name_offences({"apps/a.cpp", text}, tests).size(), 2U);
+}
+
+TEST(TestNameRule, LetsSentencesUseAWordThatIsAName) {
+  const std::vector<TestName> tests{{"press", "src/pliant/experiment/press/"}};
+  EXPECT_THAT(test_name_offences({"apps/a.cpp", "f(\"press it\");\n"}, tests), IsEmpty());
+  EXPECT_EQ(test_name_offences({"apps/a.cpp", "f(\"press\");\n"}, tests).size(), 1U);
 }
 
 }  // namespace

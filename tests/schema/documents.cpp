@@ -213,6 +213,7 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
       changed("negative length", study, "/experiments/0/length", "-100 mm"),
       changed("length in kilograms", study, "/experiments/0/length", "100 kg"),
       changed("decimal comma", study, "/experiments/0/length", "10,5 cm"),
+      changed("a type that is not there yet", study, "/experiments/0/type", "press"),
       changed("unknown experiment type", study, "/experiments/0/type", "hanging-weight"),
       changed("unknown direction", study, "/experiments/0/direction", "wrap"),
       changed("no experiments", study, "/experiments", Json::array()),

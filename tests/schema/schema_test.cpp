@@ -2,6 +2,7 @@
 // other accepts. jsonschema for Python judges by the schemas, which proves them independently of
 // our own code.
 
+#include <filesystem>
 #include <regex>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/registry.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/io/text_file.h"
 
@@ -79,18 +81,14 @@ std::set<std::string> properties_of(const std::string& type) {
 std::set<std::string> words_of_readers() {
   static const std::regex kWord("\"([a-z_.]+)\"");
   std::set<std::string> words;
-  for (const char* file :
-       {"experiment/study.cpp", "experiment/data_source.cpp", "experiment/lab_file.cpp",
-        "experiment/scene.cpp", "experiment/scene/cloth.cpp", "experiment/scene/frame_output.cpp",
-        "experiment/scene/holds.cpp", "experiment/scene/keyframe_fields.cpp",
-        "experiment/scene/mesh_source.cpp", "experiment/scene/stepping.cpp",
-        "experiment/scene/vector_fields.cpp", "experiment/scene/vertex_selection.cpp",
-        "experiment/session/document.cpp", "experiment/virtual_session/fields.cpp",
-        "experiment/virtual_session/options.cpp", "material/material_file.cpp",
-        "material/material.cpp"}) {
-    const std::string text = read_text_file(kSource / "src" / "pliant" / file);
-    for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
-      words.insert((*word)[1]);
+  for (const char* folder : {"study", "measurement", "experiment", "scene", "material", "io"}) {
+    const std::filesystem::path top = kSource / "src" / "pliant" / folder;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string text = read_text_file(entry.path());
+      for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
+        words.insert((*word)[1]);
+      }
     }
   }
   return words;
@@ -127,6 +125,27 @@ TEST(SchemaText, IsTheTextInDocs) {
   for (const std::string& type : types) {
     EXPECT_EQ(schema_text(type),
               read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));
+  }
+}
+
+/// The types of the experiments of a study or lab.
+std::set<std::string> types_of(const Json& document) {
+  std::set<std::string> types;
+  for (const Json& experiment : document["experiments"]) types.insert(experiment["type"]);
+  return types;
+}
+
+TEST(SchemaText, KnowsTheTestsOfTheRegistry) {
+  std::set<std::string> registered;
+  for (const TestType* type : test_types()) registered.emplace(type->name);
+  const std::vector<NamedDocument> full = full_documents();
+  for (const std::size_t i : {0, 1}) {
+    const SchemaCase& document = full[i].document;
+    const Json schema = Json::parse(schema_text(document.type));
+    const Json& type = schema["definitions"]["experiment"]["properties"]["type"];
+    EXPECT_EQ(type["enum"].get<std::set<std::string>>(), registered) << document.type;
+    // Their fields are compared where one of each stands.
+    EXPECT_EQ(types_of(document.document), registered) << full[i].name;
   }
 }
 

@@ -6,14 +6,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/bending/pure_bending_type.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/session/session_type.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/virtual_lab.h"
 
 #include "io/temporary_folder.h"
 #include "support/refusal.h"
+#include "support/virtual_strips.h"
 
 namespace pliant {
 namespace {
 
+using test::experiment_of;
 using test::Refusal;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
@@ -61,7 +67,7 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_DOUBLE_EQ(lab.specimen_variation, 0.03);
   EXPECT_THAT(lab.validate, ElementsAre("weft*"));
   ASSERT_EQ(lab.experiments.size(), 9U);
-  const LabExperiment& hung = lab.experiments[0];
+  const auto& hung = experiment_of<VirtualHangingWeights>(lab, 0);
   EXPECT_DOUBLE_EQ(hung.length, 0.1);
   EXPECT_DOUBLE_EQ(hung.width, 0.09);
   EXPECT_DOUBLE_EQ(hung.clip_mass, 0.02);
@@ -70,33 +76,37 @@ TEST(LabFile, ReadsEveryField) {
   EXPECT_EQ(hung.repeats, 3);
   EXPECT_DOUBLE_EQ(hung.instrument.length_noise, 2e-4);
   EXPECT_DOUBLE_EQ(hung.instrument.length_resolution, 5e-4);
-  const LabExperiment& pulled = lab.experiments[1];
+  const auto& pulled = experiment_of<VirtualTensileCycles>(lab, 1);
   EXPECT_THAT(pulled.peaks, ElementsAre(0.05, 0.1));
   EXPECT_DOUBLE_EQ(pulled.slack, 1e-3);
   EXPECT_EQ(pulled.samples, 50);
   EXPECT_DOUBLE_EQ(pulled.instrument.force_noise, 5e-3);
   EXPECT_DOUBLE_EQ(pulled.instrument.force_resolution, 1e-3);
-  EXPECT_DOUBLE_EQ(lab.experiments[2].peaks[0], 8 * std::numbers::pi / 180);
-  EXPECT_DOUBLE_EQ(lab.experiments[2].transverse_tension, 9.8);
-  EXPECT_THAT(lab.experiments[3].peaks, ElementsAre(100, 250));
-  EXPECT_DOUBLE_EQ(lab.experiments[3].instrument.force_noise, 9.80665e-6);
-  EXPECT_DOUBLE_EQ(lab.experiments[3].instrument.force_resolution, 1e-6);
-  EXPECT_THAT(lab.experiments[4].settings, ElementsAre(0.04, 0.08));
-  EXPECT_EQ(lab.experiments[4].points, 11);
-  EXPECT_EQ(lab.experiments[4].repeats, 1);
-  const LabExperiment& rolled = lab.experiments[5];
+  const auto& sheared = experiment_of<VirtualShearCycles>(lab, 2);
+  EXPECT_DOUBLE_EQ(sheared.peaks[0], 8 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(sheared.transverse_tension, 9.8);
+  const auto& bent = experiment_of<VirtualPureBending>(lab, 3);
+  EXPECT_THAT(bent.peaks, ElementsAre(100, 250));
+  EXPECT_DOUBLE_EQ(bent.instrument.force_noise, 9.80665e-6);
+  EXPECT_DOUBLE_EQ(bent.instrument.force_resolution, 1e-6);
+  const auto& overhangs = experiment_of<VirtualCantilever>(lab, 4);
+  EXPECT_THAT(overhangs.settings, ElementsAre(0.04, 0.08));
+  EXPECT_EQ(overhangs.points, 11);
+  EXPECT_EQ(overhangs.repeats, 1);
+  const auto& rolled = experiment_of<VirtualRolledStrip>(lab, 5);
   EXPECT_DOUBLE_EQ(rolled.length, 0.12);
   EXPECT_THAT(rolled.settings, ElementsAre(0.005, -0.01));
   EXPECT_EQ(rolled.repeats, 2);
   EXPECT_DOUBLE_EQ(rolled.instrument.length_noise, 1e-4);
   EXPECT_DOUBLE_EQ(rolled.instrument.length_resolution, 1e-5);
-  const LabExperiment& lengths = lab.experiments[7];
+  const auto& lengths = experiment_of<VirtualBendingLength>(lab, 7);
   EXPECT_DOUBLE_EQ(lengths.angle, std::numbers::pi / 4);
   EXPECT_EQ(lengths.repeats, 3);
   EXPECT_DOUBLE_EQ(lengths.instrument.length_noise, 5e-4);
   EXPECT_DOUBLE_EQ(lengths.instrument.length_resolution, 1e-3);
-  EXPECT_DOUBLE_EQ(lab.experiments[8].angle, 41.5 * std::numbers::pi / 180);
-  EXPECT_EQ(lab.experiments[8].repeats, 2);
+  const auto& standard = experiment_of<VirtualBendingLength>(lab, 8);
+  EXPECT_DOUBLE_EQ(standard.angle, 41.5 * std::numbers::pi / 180);
+  EXPECT_EQ(standard.repeats, 2);
 }
 
 TEST(LabFile, ReadsABuckledStripAndTheErrorsOfItsTester) {
@@ -107,7 +117,7 @@ TEST(LabFile, ReadsABuckledStripAndTheErrorsOfItsTester) {
       "     peaks: [15 %, 40 %], noise: {force: 0.1 mN}}\n"
       "  - {name: d, type: buckling-bend, direction: warp, length: 20 mm, side: down, peaks: [30 "
       "%]}\n");
-  const LabExperiment& up = lab.experiments[0];
+  const auto& up = experiment_of<VirtualBucklingBend>(lab, 0);
   EXPECT_EQ(up.side, BucklingSide::up);
   EXPECT_DOUBLE_EQ(up.slack, 1e-3);
   EXPECT_DOUBLE_EQ(up.strip_length, 0.0208);
@@ -115,7 +125,7 @@ TEST(LabFile, ReadsABuckledStripAndTheErrorsOfItsTester) {
   EXPECT_DOUBLE_EQ(up.force_drift, 1e-3);
   EXPECT_THAT(up.peaks, ElementsAre(0.15, 0.4));
   EXPECT_DOUBLE_EQ(up.instrument.force_noise, 1e-4);
-  const LabExperiment& down = lab.experiments[1];
+  const auto& down = experiment_of<VirtualBucklingBend>(lab, 1);
   EXPECT_DOUBLE_EQ(down.strip_length, 0.02);
   EXPECT_DOUBLE_EQ(down.slack, 4e-4);
 }
@@ -130,7 +140,7 @@ TEST(LabFile, ReadsASession) {
       "     angle: 20 deg, initial_strain: 1 %, grip: 4 mm, clip_mass: 5 g, mesh: {nodes: 9x13},\n"
       "     noise: {position: 75 um, force: 3 mN}, cord_friction: 0.1 N}\n"
       "  - {name: b, type: session, test: bias-extension}\n"));
-  const VirtualSession& frame = lab.experiments[0].session;
+  const VirtualSession& frame = experiment_of<VirtualSessionTest>(lab, 0).session;
   EXPECT_EQ(frame.test, "shear");
   EXPECT_DOUBLE_EQ(frame.width, 0.08);
   EXPECT_DOUBLE_EQ(frame.height, 0.12);
@@ -144,7 +154,7 @@ TEST(LabFile, ReadsASession) {
   EXPECT_DOUBLE_EQ(frame.noise.position, 75e-6);
   EXPECT_DOUBLE_EQ(frame.noise.force, 3e-3);
   EXPECT_DOUBLE_EQ(frame.noise.cord_friction, 0.1);
-  const VirtualSession& strip = lab.experiments[1].session;
+  const VirtualSession& strip = experiment_of<VirtualSessionTest>(lab, 1).session;
   EXPECT_DOUBLE_EQ(strip.height, 0.15);
   EXPECT_DOUBLE_EQ(strip.amplitude, 0.1);
   EXPECT_DOUBLE_EQ(strip.clip_mass, 10.1e-3) << "[T] Table 3.1";
@@ -171,7 +181,7 @@ TEST(LabFile, NeedsAGridForASessionOfSprings) {
 // [P] 4.3: twelve cylinders from 3 to 50 mm, three times each.
 TEST(LabFile, RollsAroundThePublishedCylindersByDefault) {
   const VirtualLab lab = read_lab_text(kLab);
-  const LabExperiment& rolled = lab.experiments[6];
+  const auto& rolled = experiment_of<VirtualRolledStrip>(lab, 6);
   ASSERT_EQ(rolled.settings.size(), 12u);
   EXPECT_DOUBLE_EQ(rolled.settings.front(), 0.003);
   EXPECT_DOUBLE_EQ(rolled.settings.back(), 0.05);

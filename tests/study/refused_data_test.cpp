@@ -185,8 +185,8 @@ TEST(RefusedData, AStripThatItsWeightBendsNeedsTheDensity) {
   const StudyFolder folder;
   folder.write("data.csv",
                "overhang_mm,x_mm,y_mm\n40,0,0\n40,10,0\n40,20,-1\n40,30,-2\n40,40,-4\n");
-  const Study study =
-      folder.study("{name: test, data: data.csv, type: cantilever, direction: warp}");
+  Study study = folder.study("{name: test, data: data.csv, type: cantilever, direction: warp}");
+  study.density = 0;
   const InputError error =
       input_error_of([&] { read_experiment(study.experiments.front(), study); });
   EXPECT_EQ(error.where().file, (folder.path() / "study.yaml").string());

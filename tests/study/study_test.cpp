@@ -6,6 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/base/name_pattern.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/hanging/hanging_weights_type.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
+
 #include "io/temporary_folder.h"
 #include "study/study_text.h"
 
@@ -64,9 +70,9 @@ TEST(Study, ReadsTheDocumentedExample) {
   EXPECT_EQ(weights.type, "hanging-weights");
   EXPECT_EQ(weights.direction, "warp");
   EXPECT_EQ(weights.data.written, "warp-weights.csv");
-  EXPECT_DOUBLE_EQ(weights.clip_mass, 0.020);
-  EXPECT_DOUBLE_EQ(weights.length, 0.1);
-  EXPECT_DOUBLE_EQ(weights.width, 0.1);
+  EXPECT_DOUBLE_EQ(spec_of<HangingWeightsSpec>(weights).clip_mass, 0.020);
+  EXPECT_DOUBLE_EQ(weights.test->length, 0.1);
+  EXPECT_DOUBLE_EQ(weights.test->width, 0.1);
   EXPECT_EQ(weights.standard, "ISO 20932-1");
   ASSERT_EQ(weights.excluded.size(), 1U);
   EXPECT_EQ(weights.excluded[0].first, 12);
@@ -74,7 +80,7 @@ TEST(Study, ReadsTheDocumentedExample) {
   EXPECT_EQ(weights.excluded[0].reason, "jaw slip");
   EXPECT_EQ(weights.role, ExperimentRole::fit);
   EXPECT_EQ(study.experiments[1].role, ExperimentRole::validate);
-  EXPECT_DOUBLE_EQ(study.experiments[1].length, 0.02);
+  EXPECT_DOUBLE_EQ(study.experiments[1].test->length, 0.02);
 }
 
 TEST(Study, DefaultsAreThoseOfTheFormat) {
@@ -85,18 +91,23 @@ TEST(Study, DefaultsAreThoseOfTheFormat) {
   EXPECT_FALSE(study.model.stiffness);
   EXPECT_EQ(study.fit.estimator, EstimatorKind::path);
   EXPECT_EQ(study.fit.control_points, 5);
-  EXPECT_FALSE(study.experiments[0].rested);
-  EXPECT_EQ(study.experiments[0].initial_friction, InitialFriction::rest);
+  EXPECT_FALSE(spec_of<HangingWeightsSpec>(study.experiments[0]).rested);
+}
+
+template <class Spec>
+InitialFriction initial_friction_of(const std::string& experiment) {
+  return spec_of<Spec>(read_experiment(experiment)).initial_friction;
 }
 
 TEST(Study, TheFrictionStateOfCyclesIsUnknownByDefault) {
-  for (const char* rest :
-       {"type: tensile-cycles, direction: weft, length: 8 cm, width: 5 cm", "type: shear-cycles"}) {
-    const std::string head = std::string("{name: x, data: x.csv, ") + rest;
-    EXPECT_EQ(read_experiment(head + "}").initial_friction, InitialFriction::unknown);
-    EXPECT_EQ(read_experiment(head + ", initial_friction: rest}").initial_friction,
-              InitialFriction::rest);
-  }
+  const std::string strip =
+      "{name: x, data: x.csv, type: tensile-cycles, direction: weft, length: 8 cm, width: 5 cm";
+  const std::string sheared = "{name: x, data: x.csv, type: shear-cycles";
+  const std::string rest = ", initial_friction: rest}";
+  EXPECT_EQ(initial_friction_of<TensileCyclesSpec>(strip + "}"), InitialFriction::unknown);
+  EXPECT_EQ(initial_friction_of<TensileCyclesSpec>(strip + rest), InitialFriction::rest);
+  EXPECT_EQ(initial_friction_of<ShearCyclesSpec>(sheared + "}"), InitialFriction::unknown);
+  EXPECT_EQ(initial_friction_of<ShearCyclesSpec>(sheared + rest), InitialFriction::rest);
 }
 
 TEST(Study, ReadsEveryFieldOfTensileCycles) {
@@ -105,15 +116,16 @@ TEST(Study, ReadsEveryFieldOfTensileCycles) {
       "data: {file: x.csv, columns: {force: \"Load (N)\", extension: \"Extension (mm)\"}, "
       "encoding: gbk, skip_rows: 3}, pretension: 5 cN, apparatus_friction: 0.1 N, "
       "precondition_cycles: 2, noise: {force: 3 mN, length: 20 um}, rest_length: known}");
+  const auto& own = spec_of<TensileCyclesSpec>(spec);
   EXPECT_EQ(spec.data.csv.encoding, "gbk");
   EXPECT_EQ(spec.data.csv.skip_rows, 3);
   EXPECT_EQ(spec.data.csv.columns.at("extension"), "Extension (mm)");
-  EXPECT_DOUBLE_EQ(spec.pretension, 0.05);
-  EXPECT_DOUBLE_EQ(spec.apparatus_friction, 0.1);
-  EXPECT_EQ(spec.precondition_cycles, 2);
+  EXPECT_DOUBLE_EQ(own.pretension, 0.05);
+  EXPECT_DOUBLE_EQ(own.apparatus_friction, 0.1);
+  EXPECT_EQ(own.precondition_cycles, 2);
   EXPECT_DOUBLE_EQ(spec.noise.force.value(), 3e-3);
   EXPECT_DOUBLE_EQ(spec.noise.length.value(), 2e-5);
-  EXPECT_EQ(spec.rest_length, RestLength::known);
+  EXPECT_EQ(own.rest_length, RestLength::known);
 }
 
 TEST(Study, ReadsTheOptionsOfTheFit) {
@@ -131,16 +143,6 @@ TEST(Study, ReadsTheOptionsOfTheFit) {
   EXPECT_EQ(study.model.components.at("shear").friction, FrictionChoice::none);
 }
 
-TEST(Study, SupportsTheLoadUnloadTestsAndReadsTheOthers) {
-  for (const char* type : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
-                           "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
-    EXPECT_TRUE(is_supported_type(type)) << type;
-  }
-  const ExperimentSpec spec = read_experiment("{name: p, type: press, finger: index, data: p.csv}");
-  EXPECT_FALSE(is_supported_type(spec.type));
-  EXPECT_EQ(spec.other_fields.at("finger"), "index");
-}
-
 TEST(Study, ReadsWhichWayAStripBuckles) {
   for (const auto& [text, side] :
        {std::pair("up", BucklingSide::up), std::pair("down", BucklingSide::down)}) {
@@ -148,9 +150,10 @@ TEST(Study, ReadsWhichWayAStripBuckles) {
         std::string("{name: b, type: buckling-bend, direction: weft, length: 21 mm, width: 4 cm, "
                     "data: b.csv, noise: {force: 0.2 mN, length: 5 um}, side: ") +
         text + "}");
-    EXPECT_EQ(spec.side, side) << text;
-    EXPECT_EQ(spec.rest_length, RestLength::known);
-    EXPECT_DOUBLE_EQ(spec.length, 0.021);
+    const auto& own = spec_of<BucklingBendSpec>(spec);
+    EXPECT_EQ(own.side, side) << text;
+    EXPECT_EQ(own.rest_length, RestLength::known);
+    EXPECT_DOUBLE_EQ(own.length, 0.021);
     EXPECT_DOUBLE_EQ(spec.noise.force.value(), 2e-4);
     EXPECT_DOUBLE_EQ(spec.noise.length.value(), 5e-6);
     EXPECT_EQ(component_of_test(spec.type, spec.direction), "bend.weft");

@@ -24,8 +24,8 @@ using ::testing::IsEmpty;
 constexpr int kPageLines = 70;  // of A4 at 10 point
 constexpr std::size_t kLineLength = 110;
 
-std::string content_of_file(const TestTemplate& files, const std::string& name) {
-  for (const auto& [file, content] : files.files) {
+std::string content_of_file(const TestFiles& files, const std::string& name) {
+  for (const auto& [file, content] : files) {
     if (file == name) return content;
   }
   ADD_FAILURE() << "no file " << name;
@@ -36,7 +36,7 @@ class Template : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Template, IsReadAsAStudyWithItsExample) {
   const TemporaryFolder folder;
-  for (const auto& [name, content] : make_test_template(GetParam()).files) {
+  for (const auto& [name, content] : test_template(GetParam())) {
     folder.write(name, content);
   }
   const Study study = read_study(folder.path() / "study.yaml");
@@ -51,7 +51,7 @@ TEST_P(Template, IsReadAsAStudyWithItsExample) {
 
 TEST_P(Template, ExampleUnloadsWhereTheTestDoes) {
   const TemporaryFolder folder;
-  for (const auto& [name, content] : make_test_template(GetParam()).files) {
+  for (const auto& [name, content] : test_template(GetParam())) {
     folder.write(name, content);
   }
   const Study study = read_study(folder.path() / "study.yaml");
@@ -61,7 +61,7 @@ TEST_P(Template, ExampleUnloadsWhereTheTestDoes) {
 }
 
 TEST_P(Template, ProtocolFitsOnOnePage) {
-  std::istringstream protocol(content_of_file(make_test_template(GetParam()), "PROTOCOL.md"));
+  std::istringstream protocol(content_of_file(test_template(GetParam()), "PROTOCOL.md"));
   int lines = 0;
   for (std::string line; std::getline(protocol, line); ++lines) {
     EXPECT_LE(line.size(), kLineLength) << line;
@@ -70,7 +70,7 @@ TEST_P(Template, ProtocolFitsOnOnePage) {
 }
 
 TEST_P(Template, ProtocolTellsWhatEveryProtocolMust) {
-  const std::string protocol = content_of_file(make_test_template(GetParam()), "PROTOCOL.md");
+  const std::string protocol = content_of_file(test_template(GetParam()), "PROTOCOL.md");
   for (const char* part :
        {"**Purpose.**", "**Standards.**", "ISO 139", "**Samples.**", "Mark the warp",
         "**Procedure**", "**Write down.**", "**Precision.**", "**Frequent mistakes**"}) {
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, Template, ::testing::ValuesIn(template_tests()),
                          });
 
 TEST(TestTemplate, AnUnknownTestNamesTheNearestOne) {
-  const InputError error = input_error_of([] { make_test_template("tensile-cycle"); });
+  const InputError error = input_error_of([] { test_template("tensile-cycle"); });
   EXPECT_THAT(error.problem(), HasSubstr("did you mean \"tensile-cycles\"?"));
   EXPECT_THAT(error.expected(), HasSubstr("hanging-weights"));
 }

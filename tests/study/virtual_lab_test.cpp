@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/bending/pure_bending_type.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/study.h"
 
 #include "support/virtual_lab.h"
@@ -43,8 +45,8 @@ Material jersey() {
   return material;
 }
 
-LabExperiment cycles() {
-  LabExperiment experiment = test::strip_cycles({0.05, 0.1, 0.2});
+VirtualTensileCycles cycles() {
+  auto experiment = test::strip_cycles({0.05, 0.1, 0.2});
   experiment.name = "weft-8cm";
   experiment.direction = "weft";
   experiment.length = 0.08;
@@ -53,26 +55,32 @@ LabExperiment cycles() {
   return experiment;
 }
 
-LabExperiment shear() {
-  LabExperiment experiment;
+VirtualShearCycles shear() {
+  VirtualShearCycles experiment;
   experiment.name = "shear";
-  experiment.type = "shear-cycles";
   experiment.peaks = {0.07, 0.14};
   experiment.transverse_tension = 9.8;
   return experiment;
 }
 
-LabExperiment bending() {
-  LabExperiment experiment;
+VirtualPureBending bending() {
+  VirtualPureBending experiment;
   experiment.name = "bending";
-  experiment.type = "pure-bending";
   experiment.direction = "warp";
   experiment.peaks = {100, 250};  // 1/m
   return experiment;
 }
 
-VirtualLab lab_of(std::vector<LabExperiment> experiments) {
-  return test::lab_of(jersey(), std::move(experiments));
+VirtualLab lab_of(const std::vector<test::AnyTest>& experiments) {
+  return test::lab_of(jersey(), experiments);
+}
+
+VirtualTable& table(const VirtualLab& lab, std::size_t i) {
+  return test::experiment_of<VirtualTable>(lab, i);
+}
+
+VirtualCycles& cycles(const VirtualLab& lab, std::size_t i) {
+  return test::experiment_of<VirtualCycles>(lab, i);
 }
 
 std::string file(const MeasuredFiles& files, const std::string& name) {
@@ -124,7 +132,7 @@ TEST(VirtualLab, PathPredictionOfNoiseFreeFilesIsTheirOwnNumbers) {
 
 TEST(VirtualLab, RefusesSoFewRowsThatReversalsCannotBeFoundAgain) {
   VirtualLab lab = lab_of({cycles()});
-  lab.experiments[0].samples = 20;
+  cycles(lab, 0).samples = 20;
   EXPECT_THROW(measurements_of(lab), InputError);
 }
 
@@ -132,9 +140,9 @@ TEST(VirtualLab, PathPredictionHoldsWhereverTurnsFallBetweenSamples) {
   // At 37 samples the smallest cycle has the eight rows a leg from which turns are found.
   for (const int samples : {37, 50, 64, 100, 251, 1000}) {
     VirtualLab lab = lab_of({cycles(), shear()});
-    for (LabExperiment& experiment : lab.experiments) {
-      experiment.samples = samples;
-      experiment.repeats = 2;
+    for (std::size_t i = 0; i < 2; ++i) {
+      cycles(lab, i).samples = samples;
+      cycles(lab, i).repeats = 2;
     }
     const MeasuredStudy measured(measurements_of(lab));
     for (size_t i = 0; i < 2; ++i) {
@@ -154,12 +162,13 @@ TEST(VirtualLab, ReadsBackAsTheStudyThatWasAskedFor) {
   EXPECT_DOUBLE_EQ(study.density, 0.157);
   EXPECT_EQ(study.model.membrane, MembraneMeasure::soft_constraint);
   EXPECT_EQ(study.experiments[0].direction, "warp");
-  EXPECT_DOUBLE_EQ(study.experiments[0].clip_mass, 0.02);
-  EXPECT_DOUBLE_EQ(study.experiments[1].length, 0.08);
-  EXPECT_DOUBLE_EQ(study.experiments[1].width, 0.05);
+  EXPECT_DOUBLE_EQ(spec_of<HangingWeightsSpec>(study.experiments[0]).clip_mass, 0.02);
+  EXPECT_DOUBLE_EQ(study.experiments[1].test->length, 0.08);
+  EXPECT_DOUBLE_EQ(study.experiments[1].test->width, 0.05);
   EXPECT_EQ(study.experiments[1].role, ExperimentRole::validate);
-  EXPECT_EQ(study.experiments[1].initial_friction, InitialFriction::rest);
-  EXPECT_DOUBLE_EQ(study.experiments[2].transverse_tension, 9.8);
+  EXPECT_EQ(spec_of<TensileCyclesSpec>(study.experiments[1]).initial_friction,
+            InitialFriction::rest);
+  EXPECT_DOUBLE_EQ(spec_of<ShearCyclesSpec>(study.experiments[2]).transverse_tension, 9.8);
   EXPECT_EQ(measured[0].rows(), 3 * (3 + 5 + 7 + 9 + 11 + 13));  // [T] 5.3.2
 }
 
@@ -178,9 +187,9 @@ TEST(VirtualLab, NamesSurviveWhateverTheyContain) {
 
 VirtualLab noisy_lab() {
   VirtualLab lab = lab_of({hung_weights(), cycles(), shear()});
-  lab.experiments[0].instrument.length_noise = 2e-4;
-  lab.experiments[1].instrument.force_noise = 0.01;
-  lab.experiments[2].instrument.force_noise = 0.1;
+  table(lab, 0).instrument.length_noise = 2e-4;
+  table(lab, 1).instrument.force_noise = 0.01;
+  table(lab, 2).instrument.force_noise = 0.1;
   return lab;
 }
 
@@ -209,8 +218,8 @@ void expect_standard_deviation(const Eigen::VectorXd& residuals, double expected
 
 TEST(VirtualLab, NoiseHasTheStatedStandardDeviation) {
   VirtualLab lab = noisy_lab();
-  lab.experiments[1].samples = lab.experiments[2].samples = 1000;
-  lab.experiments[0].repeats = 20;
+  cycles(lab, 1).samples = cycles(lab, 2).samples = 1000;
+  table(lab, 0).repeats = 20;
   const MeasuredStudy measured(measurements_of(lab));
   expect_standard_deviation(residuals(measured[0], lab.material), 2e-4);
   expect_standard_deviation(residuals(measured[1], lab.material), 0.01);
@@ -220,7 +229,7 @@ TEST(VirtualLab, NoiseHasTheStatedStandardDeviation) {
 TEST(VirtualLab, LengthNoiseOfCyclesIsInTheirLengths) {
   VirtualLab lab = lab_of({cycles()});
   const MeasuredStudy ideal(measurements_of(lab));
-  lab.experiments[0].instrument.length_noise = 1e-4;
+  table(lab, 0).instrument.length_noise = 1e-4;
   const MeasuredStudy noisy(measurements_of(lab));
   const Eigen::VectorXd& force = noisy[0].measured();
   EXPECT_EQ(force, ideal[0].measured());
@@ -236,8 +245,8 @@ void expect_multiples(const Eigen::VectorXd& values, double resolution) {
 
 TEST(VirtualLab, ResolutionRounds) {
   VirtualLab lab = lab_of({hung_weights(), cycles()});
-  lab.experiments[0].instrument.length_resolution = 5e-4;
-  lab.experiments[1].instrument = {0, 0, 0.02, 1e-4};
+  table(lab, 0).instrument.length_resolution = 5e-4;
+  table(lab, 1).instrument = {0, 0, 0.02, 1e-4};
   const MeasuredStudy measured(measurements_of(lab));
   expect_multiples(measured[0].measured(), 5e-4);
   expect_multiples(measured[1].measured(), 0.02);
@@ -256,7 +265,7 @@ TEST(VirtualLab, SpecimensDifferByTheirNoiseAndTheirVariation) {
   const MeasuredFiles varied = measurements_of(lab);
   EXPECT_NE(file(varied, "weft-8cm-01.csv"), file(varied, "weft-8cm-02.csv"));
   lab.specimen_variation = 0;
-  lab.experiments[0].instrument.force_noise = 0.01;
+  table(lab, 0).instrument.force_noise = 0.01;
   const MeasuredFiles noisy = measurements_of(lab);
   EXPECT_NE(file(noisy, "weft-8cm-01.csv"), file(noisy, "weft-8cm-02.csv"));
   EXPECT_THAT(MeasuredStudy(noisy)[0].info().specimens,
@@ -269,8 +278,8 @@ TEST(VirtualLab, VariationBetweenSpecimensHasTheStatedSize) {
   lab.material.components["stretch.weft"].stiffness = ScalarCurve::constant(50);
   lab.specimens = 400;
   lab.specimen_variation = 0.05;
-  lab.experiments[0].samples = 12;
-  lab.experiments[0].peaks = {0.1};
+  cycles(lab, 0).samples = 12;
+  cycles(lab, 0).peaks = {0.1};
   const MeasuredStudy measured(measurements_of(lab));
   // Without friction the force is proportional to the specimen's one stiffness.
   std::vector<double> logs;

@@ -1,10 +1,9 @@
-#include "pliant/study/virtual_sessions.h"
-
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/session/session_type.h"
 #include "pliant/measurement/session.h"
 
 #include "support/cloth_sheet.h"
@@ -14,13 +13,11 @@ namespace pliant::test {
 namespace {
 
 using testing::Contains;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
-LabExperiment session_of(const std::string& name, const char* test) {
-  LabExperiment experiment;
+VirtualSessionTest session_of(const std::string& name, const char* test) {
+  VirtualSessionTest experiment;
   experiment.name = name;
-  experiment.type = "session";
   experiment.session = usual_session(test);
   experiment.session.frames = 3;
   experiment.session.nodes = std::pair(9, 9);
@@ -45,8 +42,11 @@ TEST(VirtualLabSessions, AreDirectoriesThatTheStudyNames) {
   EXPECT_EQ(read_session(folder.path() / "table").test, "bend-warp");
   const std::string study = content_of_file(files, "study.yaml");
   EXPECT_THAT(study, HasSubstr("- name: \"weft\"\n    type: session\n    data: \"weft\"\n"));
-  EXPECT_TRUE(folder.study().experiments[0].cord_friction.unknown) << "the lab lets cords drag";
-  EXPECT_FALSE(folder.study().experiments[2].cord_friction.unknown) << "a table has no cords";
+  const Study read = folder.study();
+  EXPECT_TRUE(spec_of<SessionSpec>(read.experiments[0]).cord_friction.unknown)
+      << "the lab lets cords drag";
+  EXPECT_FALSE(spec_of<SessionSpec>(read.experiments[2]).cord_friction.unknown)
+      << "a table has no cords";
 }
 
 TEST(VirtualLabSessions, AreTheSameWithAnyNumberOfThreads) {
@@ -63,8 +63,7 @@ TEST(VirtualLabSessions, HaveADirectoryForEachSpecimen) {
   VirtualLab lab = lab_of(cotton(), session_of("weft", "stretch-weft"));
   lab.specimens = 2;
   lab.specimen_variation = 0.1;
-  lab.experiments[0].session.noise = {};
-  EXPECT_THAT(session_names(lab, lab.experiments[0]), ElementsAre("weft-01", "weft-02"));
+  experiment_of<VirtualSessionTest>(lab, 0).session.noise = {};
   const MeasuredFiles files = measurements_of(lab);
   const std::string first = content_of_file(files, "weft-01/cords.csv");
   EXPECT_FALSE(first.empty());
@@ -77,7 +76,9 @@ TEST(VirtualLabSessions, OfASpecimenAreOfOneMaterial) {
       lab_of(cotton(), {session_of("a", "stretch-weft"), session_of("b", "stretch-weft")});
   lab.specimens = 2;
   lab.specimen_variation = 0.1;
-  for (LabExperiment& experiment : lab.experiments) experiment.session.noise = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    experiment_of<VirtualSessionTest>(lab, i).session.noise = {};
+  }
   const MeasuredFiles files = measurements_of(lab);
   const auto cords = [&](const std::string& session) {
     return content_of_file(files, session + "/cords.csv");
@@ -104,8 +105,9 @@ TEST(VirtualLabSessions, TellOfTheirFramesAndWarnings) {
   RunContext context{.progress = heard, .stop = {}};
   VirtualLab lab = sheet_lab();
   lab.material.bending_of = "sheet";  // such that no irregular mesh bends like it
-  lab.experiments.back().session.nodes.reset();
-  lab.experiments.back().session.edge = 0.02;
+  VirtualSession& table = experiment_of<VirtualSessionTest>(lab, 2).session;
+  table.nodes.reset();
+  table.edge = 0.02;
   lab.material.components.at("bend.diagonal").stiffness = ScalarCurve::constant(1e-8);
   make_measurements(lab, context);
   EXPECT_EQ(heard.total_, 9);

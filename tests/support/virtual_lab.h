@@ -1,10 +1,14 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "pliant/experiment/hanging/hanging_weights_type.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/study/study.h"
 #include "pliant/study/virtual_lab.h"
 
@@ -28,10 +32,9 @@ inline Material made_up_material(const std::string& component, const ComponentLa
 
 /// The weights of [T] 5.3.2: 1 to 6 N in steps of 1 N, three times, a clip of 20 g, 100 mm x 100
 /// mm.
-inline LabExperiment hung_weights() {
-  LabExperiment experiment;
+inline VirtualHangingWeights hung_weights() {
+  VirtualHangingWeights experiment;
   experiment.name = "weights";
-  experiment.type = "hanging-weights";
   experiment.direction = "warp";
   experiment.clip_mass = 0.02;
   experiment.peaks = {1, 2, 3, 4, 5, 6};
@@ -40,30 +43,44 @@ inline LabExperiment hung_weights() {
 }
 
 /// Cycles of growing amplitude on a strip of 100 mm x 40 mm, and how it is sampled by default.
-inline LabExperiment strip_cycles(std::vector<double> engineering_strains) {
-  LabExperiment experiment;
+inline VirtualTensileCycles strip_cycles(std::vector<double> engineering_strains) {
+  VirtualTensileCycles experiment;
   experiment.name = "cycles";
-  experiment.type = "tensile-cycles";
   experiment.direction = "warp";
   experiment.width = 0.04;
   experiment.peaks = std::move(engineering_strains);
   return experiment;
 }
 
-inline VirtualLab lab_of(const Material& material, std::vector<LabExperiment> experiments) {
+/// A copy of a virtual test of any type.
+struct AnyTest {
+  template <std::derived_from<VirtualTest> Test>
+  AnyTest(const Test& own) : test(std::make_shared<Test>(own)) {}
+
+  std::shared_ptr<VirtualTest> test;
+};
+
+inline VirtualLab lab_of(const Material& material, const std::vector<AnyTest>& experiments) {
   VirtualLab lab;
   lab.name = material.name;
   lab.material = material;
-  lab.experiments = std::move(experiments);
+  for (const AnyTest& any : experiments) lab.experiments.push_back(any.test);
   return lab;
 }
 
-inline VirtualLab lab_of(const Material& material, const LabExperiment& experiment) {
-  return lab_of(material, std::vector<LabExperiment>{experiment});
+template <std::derived_from<VirtualTest> Test>
+VirtualLab lab_of(const Material& material, const Test& experiment) {
+  return lab_of(material, std::vector<AnyTest>{experiment});
+}
+
+/// An experiment of a lab, whose type the caller knows.
+template <class Test>
+Test& experiment_of(const VirtualLab& lab, std::size_t i) {
+  return dynamic_cast<Test&>(*lab.experiments.at(i));
 }
 
 /// Names and contents of files.
-using MeasuredFiles = std::vector<std::pair<std::string, std::string>>;
+using MeasuredFiles = TestFiles;
 
 inline MeasuredFiles measurements_of(const VirtualLab& lab, std::uint64_t seed = 0) {
   RunContext context;

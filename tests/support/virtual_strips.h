@@ -1,6 +1,8 @@
 #pragma once
 
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/cantilever/cantilever_type.h"
+#include "pliant/experiment/overhang/bending_length_type.h"
+#include "pliant/experiment/rolled/rolled_strip_type.h"
 #include "pliant/study/virtual_lab.h"
 
 #include "support/published_bending.h"
@@ -21,10 +23,9 @@ inline Material published_bending_material(const std::string& name) {
 }
 
 /// A strip of 100 mm by 25 mm, rolled once around each of the cylinders (radii in m) and let go.
-inline LabExperiment rolled_strips(std::vector<double> radii) {
-  LabExperiment experiment;
+inline VirtualRolledStrip rolled_strips(std::vector<double> radii) {
+  VirtualRolledStrip experiment;
   experiment.name = "rolls";
-  experiment.type = "rolled-strip";
   experiment.direction = "warp";
   experiment.width = 0.025;
   experiment.settings = std::move(radii);
@@ -32,20 +33,21 @@ inline LabExperiment rolled_strips(std::vector<double> radii) {
 }
 
 /// Strips that stick out of a clamp (overhangs in m).
-inline LabExperiment overhanging_strips(std::vector<double> overhangs) {
-  LabExperiment experiment = rolled_strips(std::move(overhangs));
+inline VirtualCantilever overhanging_strips(std::vector<double> overhangs) {
+  VirtualCantilever experiment;
   experiment.name = "overhangs";
-  experiment.type = "cantilever";
+  experiment.direction = "warp";
+  experiment.width = 0.025;
+  experiment.settings = std::move(overhangs);
   return experiment;
 }
 
 /// A strip pushed over an edge until it dips by 41.5 degrees, twice on each face.
-inline LabExperiment pushed_strips() {
-  LabExperiment experiment = rolled_strips({});
+inline VirtualBendingLength pushed_strips() {
+  VirtualBendingLength experiment;
   experiment.name = "lengths";
-  experiment.type = "bending-length";
-  experiment.angle = kOverhangAngle;
-  experiment.repeats = 2;
+  experiment.direction = "warp";
+  experiment.width = 0.025;
   return experiment;
 }
 

@@ -43,14 +43,14 @@ PublishedRows published_rows(const ComponentProblem& problem) {
   const auto has = [&](bool overhang) {
     return std::any_of(experiments.begin(), experiments.end(),
                        [&](const ComponentExperiment* experiment) {
-                         return overhangs(experiment->info().type) == overhang;
+                         return experiment->info().test.overhangs == overhang;
                        });
   };
   const bool apart = has(true) && has(false);
   const auto rows_of = [&](bool overhang) {
     return problem.restricted_to([&](size_t e, size_t row) {
       const std::vector<char>& sampled = experiments[e]->path().published_samples;
-      const bool belongs = !apart || overhangs(experiments[e]->info().type) == overhang;
+      const bool belongs = !apart || experiments[e]->info().test.overhangs == overhang;
       return belongs && (sampled.empty() || sampled[row]);
     });
   };

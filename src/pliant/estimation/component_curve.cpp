@@ -3,16 +3,12 @@
 #include <limits>
 
 #include "pliant/experiment/friction_path.h"
-#include "pliant/math/quantiles.h"
 
 namespace pliant {
 namespace {
 
 constexpr int kPoints = 100;
-<<<<<<< HEAD
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-=======
->>>>>>> w-stat
 
 }  // namespace
 
@@ -23,21 +19,12 @@ ComponentCurve component_curve(const std::string& component, const ComponentLaw&
   FrictionPath unloading = loading;
   unloading.turn_at(largest_strain, zero);
 
-  const double normal_quantile = student_quantile_95(std::numeric_limits<double>::infinity());
   ComponentCurve curve;
   curve.component = component;
   for (int i = 0; i <= kPoints; ++i) {
     const double strain = largest_strain * i / kPoints;
     const PathStress load = loading.at(strain);
-<<<<<<< HEAD
     const double half = band ? band(load.gradient).value_or(kNone) : kNone;
-=======
-    const double band =
-        covariance.size() > 0
-            ? normal_quantile *
-                  std::sqrt(std::max(load.gradient.dot(covariance * load.gradient), 0.0))
-            : std::numeric_limits<double>::quiet_NaN();
->>>>>>> w-stat
     curve.strain.push_back(strain);
     curve.load.push_back(load.stress);
     curve.unload.push_back(unloading.at(strain).stress);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
 #include "pliant/estimation/control_points.h"
@@ -15,34 +17,24 @@ namespace {
 constexpr int kNoiseRounds = 5;
 constexpr double kNoiseSettled = 0.01;
 
-template <class Belongs>
-bool all_types(const std::vector<const ComponentExperiment*>& experiments, const Belongs& belongs) {
-  return std::all_of(
-      experiments.begin(), experiments.end(),
-      [&](const ComponentExperiment* experiment) { return belongs(experiment->info().type); });
+using FittedExperiments = std::vector<const ComponentExperiment*>;
+
+bool are_of_one_type(const FittedExperiments& experiments) {
+  return std::ranges::all_of(experiments, [&](const ComponentExperiment* experiment) {
+    return experiment->info().type == experiments.front()->info().type;
+  });
 }
 
-bool only_of(const char* type, const std::vector<const ComponentExperiment*>& experiments) {
-  return all_types(experiments, [&](const std::string& other) { return other == type; });
-}
-
-// The published tests of friction, whose sparse data the published stiffness k1 + k2 |strain| fits.
-// Not strips alone that only load: friction that is not told from stiffness makes that fall.
-bool only_published_tests(const std::vector<const ComponentExperiment*>& experiments) {
-  return all_types(experiments,
-                   [](const std::string& type) {
-                     return type == "hanging-weights" || bends_by_weight(type);
-                   }) &&
-         !all_types(experiments, overhangs);
-}
-
-// The force at which a strip buckles is the same at all distances, so that an offset of the force
-// hides most of a curve; a bending length is one number.
-CurveKind default_stiffness(const std::vector<const ComponentExperiment*>& experiments) {
-  if (only_of("buckling-bend", experiments) || only_of("bending-length", experiments)) {
-    return CurveKind::constant;
-  }
-  return only_published_tests(experiments) ? CurveKind::affine : CurveKind::hermite;
+// A type alone has its own default. Where sparse data of several types come together one of them
+// may ask for the published stiffness k1 + k2 |strain|.
+CurveKind default_stiffness(const FittedExperiments& experiments) {
+  if (are_of_one_type(experiments)) return experiments.front()->info().test.stiffness;
+  const bool sparse = std::ranges::all_of(
+      experiments, [](const auto* experiment) { return experiment->info().test.is_sparse; });
+  const bool published = std::ranges::any_of(experiments, [](const auto* experiment) {
+    return experiment->info().test.stiffness == CurveKind::affine;
+  });
+  return sparse && published ? CurveKind::affine : CurveKind::hermite;
 }
 
 ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
@@ -161,11 +153,11 @@ void refuse_anchors(const Study& study,
   for (const ComponentExperiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;
-    if (experiment->info().type == "buckling-bend") {
+    if (experiment->info().test.has_unknown_zero) {
       throw InputError(
           where, "the published estimator knows no moments of the buckled strip " + name, "path");
     }
-    if (experiment->info().type != "rolled-strip" ||
+    if (!experiment->info().test.is_released ||
         std::count(sampled.begin(), sampled.end(), 1) >= kFewest) {
       continue;
     }
@@ -192,9 +184,9 @@ ComponentPlan plan_component(const Study& study,
   refuse_anchors(study, experiments);
   plan.stiffness =
       model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
-  if (only_of("bending-length", experiments)) {
-    notes.push_back("stiffness of " + component +
-                    " at other curvatures: a bending length determines one number");
+  const std::string_view undetermined = experiments.front()->info().test.undetermined;
+  if (are_of_one_type(experiments) && !undetermined.empty()) {
+    notes.push_back(fmt::format("stiffness of {} {}", component, undetermined));
   }
   const FrictionChoice choice = model.friction.value_or(study.model.friction);
   const bool data_unloads = std::any_of(

@@ -34,14 +34,7 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
 
 std::string unfitted_note(const ExperimentInfo& info) {
   const std::string note = "predicted without any fitting";
-  if (bends_by_weight(info.type)) return note;
-  if (info.type == "buckling-bend") {
-    return note + ": the strip as long as stated, offset and drift of the force from the record";
-  }
-  if (!info.component.starts_with("stretch")) return note + ": friction at rest, no offset";
-  return note +
-         ": rest length as stated, friction at rest, force offset from the rows in which the strip "
-         "is slack";
+  return info.test.unfitted.empty() ? note : fmt::format("{}: {}", note, info.test.unfitted);
 }
 
 void add_experiments(const ComponentWork& work, StudyResult& result) {
@@ -110,7 +103,7 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
 int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
   int count = 0;
   for (const ComponentExperiment* experiment : work.fitted) {
-    if (experiment->info().type != "rolled-strip") continue;
+    if (!experiment->info().test.is_released) continue;
     const MeasuredPath& path = experiment->path();
     for (size_t i = 0; i < path.strain.size(); ++i) {
       const double strain = std::abs(path.strain[i]);

@@ -29,7 +29,7 @@ const std::vector<Candidate>& candidates() {
 bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
   const auto& experiments = problem.experiments();
   const bool shaped = std::any_of(experiments.begin(), experiments.end(),
-                                  [](const auto* e) { return needs_density(e->info().type); });
+                                  [](const auto* e) { return e->info().test.needs_density; });
   return law != FrictionLaw::constant_slope || !shaped;
 }
 

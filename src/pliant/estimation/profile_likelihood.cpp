@@ -4,18 +4,14 @@
 #include <cmath>
 
 #include "pliant/estimation/statistics/profile_limits.h"
-<<<<<<< HEAD
-=======
 #include "pliant/math/quantiles.h"
->>>>>>> w-stat
 
 namespace pliant {
 namespace {
 
-<<<<<<< HEAD
-constexpr double kThreshold = 3.841458820694124;  // 95 % of chi squared with one degree of freedom
-constexpr int kSteps = 8;                         // values on each side of the estimate
-constexpr double kReach = 4;                      // standard errors on each side
+const double kThreshold = chi_square_quantile(0.95, 1);
+constexpr int kSteps = 8;     // values on each side of the estimate
+constexpr double kReach = 4;  // standard errors on each side
 
 // By how much the variance of an unknown exceeds the formula's, where groups of rows disagree by
 // more than the noise of rows: chi squared counts in units of it.
@@ -23,6 +19,12 @@ double squared_excess(const Uncertainty& uncertainty, Eigen::Index index) {
   const double ratio = uncertainty.covariance(index, index) /
                        (uncertainty.formula_sd(index) * uncertainty.formula_sd(index));
   return ratio > 1 ? ratio : 1;
+}
+
+// The square of Student's quantile over that of a known noise.
+double squared_quantile(const Uncertainty& uncertainty, Eigen::Index index) {
+  const double quantile = student_quantile_95(uncertainty.degrees(index));
+  return quantile * quantile / kThreshold;
 }
 
 // The fit with an unknown held at a value, from a fit nearby.
@@ -33,10 +35,6 @@ LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index,
   near.solution.parameters(index) = value;
   return refit(problem, near, stop);
 }
-=======
-constexpr int kSteps = 8;     // values on each side of the estimate
-constexpr double kReach = 4;  // standard errors on each side
->>>>>>> w-stat
 
 }  // namespace
 
@@ -56,7 +54,8 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
   profile.unit = own.unit;
   if (std::isfinite(std_error)) profile.std_error = std_error;
 
-  const double unit = squared_excess(fit.uncertainty, index);
+  const double unit =
+      squared_excess(fit.uncertainty, index) * squared_quantile(fit.uncertainty, index);
   std::vector<std::pair<double, double>> points{{estimate, 0.0}};
   for (const int side : {-1, 1}) {
     LawFit neighbour = best;
@@ -75,11 +74,7 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
     profile.delta_chi2.push_back(rise);
   }
   const ProfileCrossings crossings =
-<<<<<<< HEAD
       profile_crossings(profile.value, profile.delta_chi2, middle, kThreshold);
-=======
-      profile_crossings(profile.value, profile.delta_chi2, middle, chi_square_quantile(0.95, 1));
->>>>>>> w-stat
   profile.lower = crossings.lower;
   profile.upper = crossings.upper;
   return profile;

@@ -22,22 +22,12 @@ StudyResult describe(const Study& study) {
 
 Experiments read_experiments(const Study& study, StudyResult& result) {
   Experiments experiments;
-  std::map<std::string, std::vector<std::string>> left_out;  // names by type
   for (const ExperimentSpec& spec : study.experiments) {
     if (is_sheet(spec, study.model)) continue;
-    if (!is_supported_type(spec.type)) {
-      left_out[spec.type].push_back(spec.name);
-      continue;
-    }
     experiments.push_back(read_experiment(spec, study));
     for (const std::string& warning : experiments.back()->info().warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
     }
-  }
-  for (const auto& [type, names] : left_out) {
-    result.warnings.push_back(
-        fmt::format("{} experiments are left out, this version does not use them yet: {}", type,
-                    fmt::join(names, ", ")));
   }
   return experiments;
 }
@@ -51,7 +41,7 @@ void add_stiffness_of_rolled_strips(const Experiments& experiments,
     return std::any_of(experiments.begin(), experiments.end(), [&](const auto& e) {
       const ExperimentInfo& info = e->info();
       return info.role == ExperimentRole::fit && info.component == component &&
-             bends_by_weight(info.type) && (info.type == "rolled-strip") == rolled;
+             info.test.bends_by_weight && info.test.is_released == rolled;
     });
   };
   for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
@@ -80,28 +70,12 @@ std::vector<std::string> assumptions_of(const Study& study, const Experiments& e
   assumptions.emplace_back(
       "friction depends on the path of strain, not on its speed; no viscosity, no creep");
   for (const auto& experiment : experiments) {
-    if (experiment->info().type == "hanging-weights") {
-      assumptions.push_back(experiment->info().name +
-                            ": the noise is in the lengths, the weights are exact");
-    } else if (measures_profiles(experiment->info().type)) {
+    const ExperimentInfo& info = experiment->info();
+    if (!info.test.assumption.empty()) {
+      assumptions.push_back(fmt::format("{}: {}", info.name, info.test.assumption));
+    } else if (!info.length_noise) {
       assumptions.push_back(
-          experiment->info().name +
-          ": the strip bends in a plane, is clamped level, does not stretch or touch itself, and "
-          "comes to rest quietly; the noise is in the positions, alike in all directions");
-    } else if (experiment->info().type == "bending-length") {
-      assumptions.push_back(experiment->info().name +
-                            ": the strip bends in a plane, lies level up to the edge, does not "
-                            "stretch and is pushed out once; the noise is in the overhangs");
-    } else if (experiment->info().type == "buckling-bend") {
-      assumptions.push_back(
-          experiment->info().name +
-          ": the strip bends in a plane, is clamped level and flat and does not stretch or touch "
-          "itself; it starts straight and free of friction; the zero of the force drifts evenly "
-          "from row to row");
-    } else if (!experiment->info().length_noise) {
-      assumptions.push_back(
-          experiment->info().name +
-          ": the noise is in the forces; none is stated for what drives the path");
+          info.name + ": the noise is in the forces; none is stated for what drives the path");
     }
   }
   if (study.fit.estimator == EstimatorKind::anchor) {

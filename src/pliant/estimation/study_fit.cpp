@@ -4,6 +4,9 @@
 #include <atomic>
 #include <mutex>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/parallel.h"
@@ -14,9 +17,19 @@
 #include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/study_experiments.h"
+#include "pliant/experiment/registry.h"
 
 namespace pliant {
 namespace {
+
+// Types whose experiments tell one component.
+std::vector<std::string_view> names_of_table_tests() {
+  std::vector<std::string_view> names;
+  for (const TestType* type : test_types()) {
+    if (!type->facts.measures_sheets) names.push_back(type->name);
+  }
+  return names;
+}
 
 std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
   std::vector<ComponentWork> works;
@@ -86,10 +99,9 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
   const bool anything = std::any_of(works.begin(), works.end(),
                                     [](const ComponentWork& w) { return !w.fitted.empty(); });
   if (!anything) {
-    throw InputError(
-        {study.file, 0, "experiments"}, "no experiment that this version can fit",
-        "at least one of hanging-weights, tensile-cycles, shear-cycles, pure-bending, cantilever, "
-        "rolled-strip, bending-length, buckling-bend that is not under `validate`");
+    throw InputError({study.file, 0, "experiments"}, "no experiment that this version can fit",
+                     fmt::format("at least one of {} that is not under `validate`",
+                                 fmt::join(names_of_table_tests(), ", ")));
   }
   result.assumptions = assumptions_of(study, experiments);
   const std::vector<std::string> stated = stated_options(study.fit);

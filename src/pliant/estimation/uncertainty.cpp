@@ -25,31 +25,25 @@ bool is_at_bound(const Unknown& unknown, double value) {
   return value - unknown.lower <= gap || unknown.upper - value <= gap;
 }
 
-/// Takes the wider interval of each unknown.
-void take_wider(const ParameterErrors& other, ParameterErrors& errors) {
-  for (Eigen::Index u = 0; u < errors.sd.size(); ++u) {
-    if (!(other.half_width(u) > errors.half_width(u))) continue;
-    errors.sd(u) = other.sd(u);
-    errors.degrees(u) = other.degrees(u);
-    errors.half_width(u) = other.half_width(u);
-    errors.jackknife_sd(u) = other.jackknife_sd(u);
+/// The coarsest groups of rows that are enough to judge by: specimens, cycles, or frames. What
+/// differs between specimens or cycles is in the frames of both alike.
+std::vector<GroupSum> groups_to_leave_out(const Problem& problem,
+                                          const std::vector<GroupSum>& frames) {
+  constexpr std::size_t kEnough = 10;
+  const GroupLabels labels = labels_of(problem);
+  for (const std::vector<int>* clusters : {&labels.specimen, &labels.cycle}) {
+    std::vector<GroupSum> groups = clustered(frames, *clusters);
+    if (groups.size() >= kEnough) return groups;
   }
+  return frames;
 }
 
 ParameterErrors errors_of(const Problem& problem, EstimatingSums sums, const Eigen::VectorXd& unit,
                           const std::vector<ExperimentNoise>& noise) {
   std::vector<double> degrees;
   for (const ExperimentNoise& own : noise) degrees.push_back(own.degrees);
-  ParameterErrors errors = parameter_errors(sums, unit, degrees);
-  const std::vector<GroupSum> frames = sums.groups;
-  const GroupLabels labels = labels_of(problem);
-  for (const std::vector<int>* clusters : {&labels.cycle, &labels.specimen}) {
-    sums.groups = clustered(frames, *clusters);
-    if (sums.groups.size() == frames.size()) continue;
-    take_wider(parameter_errors(sums, unit, degrees), errors);
-  }
-  errors.covariance = raised_to(errors.covariance, errors.sd);
-  return errors;
+  sums.groups = groups_to_leave_out(problem, sums.groups);
+  return parameter_errors(sums, unit, degrees);
 }
 
 /// The parts of a problem by their share of the information on an unknown.

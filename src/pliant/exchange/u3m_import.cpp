@@ -100,7 +100,7 @@ void emit_experiment(YAML::Emitter& yaml, const ImportedTest& imported) {
   };
   yaml << YAML::BeginMap;
   field("name", imported.name);
-  field("type", is_stretch(imported.test) ? "tensile-cycles" : "buckling-bend");
+  field("type", std::string(test_type_of(imported.test).name));
   field("direction", imported.direction);
   if (!is_stretch(imported.test)) {
     field("side", imported.test.kind == U3mTestKind::bend_up ? "up" : "down");

@@ -10,6 +10,8 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
 
 namespace pliant {
 namespace {
@@ -219,6 +221,10 @@ void check_version(const std::optional<Value>& schema, std::vector<std::string>&
 }
 
 }  // namespace
+
+const TestType& test_type_of(const U3mTest& test) {
+  return test.kind == U3mTestKind::stretch ? tensile_cycles_type() : buckling_bend_type();
+}
 
 U3mPhysics read_u3m_physics(const U3mFile& file) {
   const std::optional<Value> found = find_physics(file.physics);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/exchange/u3m_file.h"
+#include "pliant/experiment/test_type.h"
 
 namespace pliant {
 
@@ -27,6 +28,9 @@ struct U3mTest {
   std::optional<std::int64_t> time;  ///< s since 1970-01-01 UTC
   std::vector<U3mSegment> segments;  ///< loading and unloading in turn, as measured
 };
+
+/// The type of test that it is in a study.
+const TestType& test_type_of(const U3mTest& test);
 
 /// The tests along one direction of the fabric.
 struct U3mDirection {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/registry.h"
+
 namespace pliant {
 namespace {
 
@@ -28,7 +30,8 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   info.name = spec.name;
   info.type = spec.type;
   info.direction = spec.direction;
-  info.component = component_of_test(spec.type, spec.direction);
+  info.test = spec.test->type().facts;
+  info.component = component_of_test(info.test, spec.direction);
   info.role = spec.role;
   info.quantity = std::move(quantity);
   for (const SpecimenRows& specimen : data.specimens()) info.specimens.push_back(specimen.name);

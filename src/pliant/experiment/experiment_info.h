@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/experiment/experiment_role.h"
+#include "pliant/experiment/test_facts.h"
 #include "pliant/measurement/data_source.h"
 
 namespace pliant {
@@ -21,6 +22,7 @@ struct MeasuredQuantity {
 struct ExperimentInfo {
   std::string name;
   std::string type;
+  TestFacts test;  ///< what holds of all of its type
   std::string direction;
   std::string component;  ///< strain component that it determines, e.g. stretch.warp
   ExperimentRole role = ExperimentRole::fit;

@@ -15,16 +15,29 @@ enum NuisanceIndex { kOffset, kInitialFriction };
 
 }  // namespace
 
-ImposedStrain::ImposedStrain(const ExperimentSpec& spec, const DataRows& data, StrainRecord record)
+ImposedStrain::ImposedStrain(StrainRecord record, std::vector<Stretch> stretches)
+    : apparatus_(std::move(record.apparatus)) {
+  for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
+  for (Stretch& stretch : stretches) stretch.turn = record.strain_of(stretch.turn);
+  const auto rows = static_cast<int>(strain_.size());
+  measured_ = Eigen::VectorXd::Zero(rows);
+  Specimen specimen;
+  specimen.rows.count = rows;
+  specimen.stretches = std::move(stretches);
+  specimens_.push_back(std::move(specimen));
+}
+
+ImposedStrain::ImposedStrain(const ExperimentSpec& spec, InitialFriction start,
+                             const DataRows& data, StrainRecord record)
     : apparatus_(std::move(record.apparatus)) {
   require_rows(data.specimens(), data, 3);
   for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
   measured_ = Eigen::Map<const Eigen::VectorXd>(record.measured.data(),
                                                 static_cast<int>(record.measured.size()));
   info_ = describe_experiment(spec, data, record.quantity);
-  const bool rested = spec.initial_friction == InitialFriction::rest;
+  const bool rested = start == InitialFriction::rest;
   for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, record, rested);
-  describe_start(spec);
+  describe_start(spec, start);
 }
 
 void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& record,
@@ -56,11 +69,11 @@ void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& r
   specimens_.push_back(std::move(specimen));
 }
 
-void ImposedStrain::describe_start(const ExperimentSpec& spec) {
+void ImposedStrain::describe_start(const ExperimentSpec& spec, InitialFriction start) {
   if (spec.role == ExperimentRole::validate) return;
   info_.handled.push_back(fmt::format("an offset of the {} is estimated along (nuisance parameter)",
                                       info_.quantity.kind));
-  info_.handled.push_back(spec.initial_friction == InitialFriction::rest
+  info_.handled.push_back(start == InitialFriction::rest
                               ? "friction starts at rest"
                               : "the friction state at the first row is unknown and estimated "
                                 "along");
@@ -85,7 +98,8 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
                                      Prediction& prediction) const {
   const auto parameters = prediction.jacobian.cols();
   const int first_index = law.parameter_count() + specimen.first_nuisance;
-  const double offset = nuisance(specimen.first_nuisance + kOffset);
+  const bool ideal = specimen.first_nuisance < 0;
+  const double offset = ideal ? 0 : nuisance(specimen.first_nuisance + kOffset);
   const double ratio = specimen.rested ? 0 : nuisance(specimen.first_nuisance + kInitialFriction);
   const Eigen::VectorXd fixed = Eigen::VectorXd::Zero(parameters);
 

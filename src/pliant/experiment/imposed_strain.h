@@ -6,6 +6,7 @@
 
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/specimen_fields.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
 
@@ -15,7 +16,8 @@ namespace pliant {
 struct StrainRecord {
   std::vector<double> driven;               ///< what it moves at even speed: an angle, a curvature
   std::function<double(double)> strain_of;  ///< strain at a value of it; increasing
-  std::vector<double> measured;             ///< stress, and what the apparatus adds to it
+  std::vector<double> measured;             ///< stress, and what the apparatus adds to it; empty
+                                            ///< of a path that is only predicted
   std::vector<double> apparatus;            ///< known share of the apparatus in `measured`
   MeasuredQuantity quantity;
   std::string offset;  ///< name of the nuisance parameter for an offset of `measured`
@@ -34,18 +36,22 @@ class ImposedStrain : public ComponentExperiment {
 
  protected:
   /// @throws InputError for a specimen of fewer than three rows
-  ImposedStrain(const ExperimentSpec& spec, const DataRows& data, StrainRecord record);
+  ImposedStrain(const ExperimentSpec& spec, InitialFriction start, const DataRows& data,
+                StrainRecord record);
+  /// A path from rest, without measured values.
+  /// @param stretches  of what is driven
+  ImposedStrain(StrainRecord record, std::vector<Stretch> stretches);
 
  private:
   struct Specimen {
     SpecimenRows rows;
     std::vector<Stretch> stretches;  // their turning values are strains
-    int first_nuisance = 0;
+    int first_nuisance = -1;         // none: an ideal apparatus
     bool rested = true;
   };
 
   void add_specimen(const SpecimenRows& rows, const StrainRecord& record, bool rested);
-  void describe_start(const ExperimentSpec& spec);
+  void describe_start(const ExperimentSpec& spec, InitialFriction start);
   void predict_specimen(const Specimen& specimen, const ComponentLaw& law,
                         const Eigen::VectorXd& nuisance, bool with_jacobian,
                         Prediction& prediction) const;

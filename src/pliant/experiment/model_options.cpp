@@ -1,9 +1,12 @@
 #include "pliant/experiment/model_options.h"
 
+#include "pliant/experiment/test_type.h"
+
 namespace pliant {
 
 bool is_sheet(const ExperimentSpec& spec, const ModelOptions& model) {
-  return measures_sheets(spec.type) || (model.strips_as_sheets && spec.type == "tensile-cycles");
+  const TestFacts& facts = spec.test->type().facts;
+  return facts.measures_sheets || (model.strips_as_sheets && facts.may_be_sheet);
 }
 
 }  // namespace pliant

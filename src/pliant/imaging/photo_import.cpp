@@ -10,6 +10,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/cantilever/cantilever_type.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -56,7 +57,7 @@ std::string study_text(const std::vector<std::filesystem::path>& photos,
   yaml << YAML::EndMap;
   yaml << YAML::Key << "experiments" << YAML::Value << YAML::BeginSeq << YAML::BeginMap;
   field("name", experiment_name(options));
-  field("type", "cantilever");
+  field("type", std::string(cantilever_type().name));
   field("direction", options.direction);
   field("data", experiment_name(options) + ".csv");
   if (options.width > 0) field("width", format_quantity(options.width, Dimension::length, kDigits));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/registry.h"
 #include "pliant/report/html.h"
 #include "pliant/report/loop_figure.h"
 #include "pliant/report/number_format.h"
@@ -32,7 +33,7 @@ std::string force_unit(const ResultExperiment& e) {
 std::string_view reference_of(const ResultExperiment& e) {
   if (e.measures_overhangs()) return "mean overhang";
   if (e.measures_lengths()) return "largest extension";
-  return e.type == "buckling-bend" ? "the span of the force" : "peak";
+  return facts_of_test(e.type).has_unknown_zero ? "the span of the force" : "peak";
 }
 
 /// `0.024 of 1.97 N`; buckled strips push a thousandth of that.

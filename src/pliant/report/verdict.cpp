@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/registry.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -87,8 +88,9 @@ std::string_view reference(const Experiments& experiments) {
   if (overhangs > 0) return "peak force, extension or overhang";
   const auto lengths = std::count_if(experiments.begin(), experiments.end(),
                                      [](const auto* e) { return e->measures_lengths(); });
-  const auto spans = std::count_if(experiments.begin(), experiments.end(),
-                                   [](const auto* e) { return e->type == "buckling-bend"; });
+  const auto spans = std::count_if(experiments.begin(), experiments.end(), [](const auto* e) {
+    return facts_of_test(e->type).has_unknown_zero;
+  });
   if (spans == std::ssize(experiments)) return "the span of the force";
   if (lengths == 0) return spans == 0 ? "peak force" : "the peak or span of force";
   return lengths == std::ssize(experiments) ? "the largest extension" : "peak force or extension";

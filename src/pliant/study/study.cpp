@@ -1,17 +1,15 @@
 #include "pliant/study/study.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "pliant/base/assert.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/make_experiment.h"
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/registry.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
@@ -21,13 +19,6 @@ namespace pliant {
 namespace {
 
 constexpr long kMostRows = 1'000'000'000;
-constexpr double kSameAngle = 1e-6;  // rad, of the direction in which a strip is cut
-
-// Defaults of `defaults:`; zero where nothing was said.
-struct Defaults {
-  double length = 0;
-  double width = 0;
-};
 
 // Free texts, but temperature and humidity are quantities that name their unit.
 std::map<std::string, std::string> read_conditions(Fields& fields) {
@@ -43,8 +34,8 @@ std::map<std::string, std::string> read_conditions(Fields& fields) {
   return conditions;
 }
 
-Defaults read_defaults(Fields& fields) {
-  Defaults defaults;
+SpecimenDefaults read_defaults(Fields& fields) {
+  SpecimenDefaults defaults;
   const auto node = fields.optional("defaults");
   if (!node) return defaults;
   Fields inner = node->fields();
@@ -73,208 +64,33 @@ ExcludedRows read_excluded_rows(const Value& node) {
   return rows;
 }
 
-StatedNoise read_noise(const Value& node, const std::string& type) {
+StatedNoise read_noise(const Value& node, const std::vector<Channel>& channels) {
   Fields fields = node.fields();
   StatedNoise noise;
-  if (measures_profiles(type)) {
-    if (auto v = fields.optional("position")) {
-      noise.length = v->positive_quantity(Dimension::length);
+  for (const Channel& channel : channels) {
+    if (auto v = fields.optional(channel.key)) {
+      noise.*channel.stated = v->positive_quantity(channel.dimension);
     }
-    fields.finish();
-    return noise;
   }
-  if (type == "bending-length") {
-    if (auto v = fields.optional("overhang")) {
-      noise.length = v->positive_quantity(Dimension::length);
-    }
-    fields.finish();
-    return noise;
-  }
-  if (type == "pure-bending") {
-    if (auto v = fields.optional("moment")) noise.force = v->positive_quantity(Dimension::force);
-    fields.finish();
-    return noise;
-  }
-  const Dimension force = type == "shear-cycles" ? Dimension::force_per_length : Dimension::force;
-  if (auto v = fields.optional("force")) noise.force = v->positive_quantity(force);
-  if (auto v = fields.optional("length")) noise.length = v->positive_quantity(Dimension::length);
   fields.finish();
   return noise;
 }
 
-const std::vector<std::string>& known_types() {
-  static const std::vector<std::string> types{
-      "hanging-weights", "tensile-cycles", "shear-cycles",  "pure-bending", "bending-length",
-      "cantilever",      "rolled-strip",   "buckling-bend", "session",      "homogeneous",
-      "press",           "indentation",    "image-poses"};
-  return types;
-}
-
-std::string read_type(const Value& value) {
-  const std::vector<std::string>& types = known_types();
-  const std::vector<std::string_view> views(types.begin(), types.end());
-  return value.choice(views);
-}
-
-double read_length(Fields& fields, std::string_view key, double fallback) {
-  if (fallback > 0 && !fields.optional(key)) return fallback;
-  return fields.require(key).positive_quantity(Dimension::length);
-}
-
-// A strip may be cut at any angle; those of weft, bias and warp are these directions.
-void read_cut(const Value& value, ExperimentSpec& spec) {
-  const std::string text = value.text();
-  if (text.find_first_of("0123456789") == std::string::npos) {
-    spec.direction = value.choice({"warp", "weft", "bias"});
-    return;
-  }
-  const double angle = value.quantity_from_zero(Dimension::angle);
-  if (angle >= std::numbers::pi - kSameAngle) {
-    value.fail(quoted_value(text) + " is no angle of a strip", "0 deg to less than 180 deg");
-  }
-  for (const auto& [name, eighths] : {std::pair{"weft", 0}, {"bias", 2}, {"warp", 4}}) {
-    if (std::abs(angle - eighths * std::numbers::pi / 8) < kSameAngle) spec.direction = name;
-  }
-  if (!spec.direction.empty()) return;
-  spec.direction = text;
-  spec.oblique_angle = angle;
-}
-
-void read_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
-  const Value direction = fields.require("direction");
-  if (spec.type == "tensile-cycles") {
-    read_cut(direction, spec);
-  } else {
-    spec.direction = direction.choice({"warp", "weft", "bias"});
-  }
-  spec.length = read_length(fields, "length", defaults.length);
-  spec.width = read_length(fields, "width", defaults.width);
-}
-
-// Of a cantilever and an overhang the data tell the length; the width of a strip that only its
-// weight bends says nothing, and is kept for the record.
-void read_bent_strip(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
-  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-  if (spec.type == "rolled-strip") spec.length = read_length(fields, "length", defaults.length);
-  spec.width = defaults.width;
-  if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
-  if (spec.type == "bending-length") spec.angle = read_overhang_angle(fields);
-  if (spec.type == "cantilever") {
-    if (auto v = fields.optional("density")) {
-      spec.density_is_known = v->choice({"known", "unknown"}) == "known";
-    }
-  }
-}
-
-InitialFriction read_initial_friction(Fields& fields) {
-  const auto v = fields.optional("initial_friction");
-  const bool rest = v && v->choice({"unknown", "rest"}) == "rest";
-  return rest ? InitialFriction::rest : InitialFriction::unknown;
-}
-
-RestLength read_rest_length(Fields& fields, double pretension) {
-  if (auto v = fields.optional("rest_length")) {
-    return v->choice({"known", "unknown"}) == "known" ? RestLength::known : RestLength::unknown;
-  }
-  return pretension > 0 ? RestLength::unknown : RestLength::known;
-}
-
-void read_hanging_weights(Fields& fields, ExperimentSpec& spec) {
-  if (auto v = fields.optional("clip_mass")) {
-    spec.clip_mass = v->quantity_from_zero(Dimension::mass);
-  }
-  if (auto v = fields.optional("rested")) spec.rested = v->flag();
-}
-
-void read_tensile_cycles(Fields& fields, ExperimentSpec& spec) {
-  if (auto v = fields.optional("pretension")) {
-    spec.pretension = v->quantity_from_zero(Dimension::force);
-  }
-  if (auto v = fields.optional("apparatus_friction")) {
-    spec.apparatus_friction = v->quantity_from_zero(Dimension::force);
-  }
-  if (auto v = fields.optional("precondition_cycles")) {
-    spec.precondition_cycles = v->integer(0, 1000);
-  }
-  spec.initial_friction = read_initial_friction(fields);
-  spec.rest_length = read_rest_length(fields, spec.pretension);
-}
-
-void read_shear_cycles(Fields& fields, ExperimentSpec& spec) {
-  if (auto v = fields.optional("transverse_tension")) {
-    spec.transverse_tension = v->quantity_from_zero(Dimension::force_per_length);
-  }
-  spec.initial_friction = read_initial_friction(fields);
-}
-
-// Moments are per width: the size of the specimen is kept for the record.
-void read_pure_bending(Fields& fields, ExperimentSpec& spec) {
-  spec.direction = fields.require("direction").choice({"warp", "weft", "bias"});
-  if (auto v = fields.optional("length")) spec.length = v->positive_quantity(Dimension::length);
-  if (auto v = fields.optional("width")) spec.width = v->positive_quantity(Dimension::length);
-  spec.initial_friction = read_initial_friction(fields);
-}
-
-void read_buckling_bend(Fields& fields, ExperimentSpec& spec) {
-  const bool up = fields.require("side").choice({"down", "up"}) == "up";
-  spec.side = up ? BucklingSide::up : BucklingSide::down;
-  spec.rest_length = read_rest_length(fields, 0);
-}
-
-void read_session_fields(Fields& fields, ExperimentSpec& spec) {
-  if (auto v = fields.optional("objective")) {
-    spec.objective = sheet_objective(
-        v->choice({"clip-forces", "parallel-clip-forces", "axial-clip-forces", "positions"}));
-  }
-  if (auto v = fields.optional("cord_friction")) {
-    spec.cord_friction.unknown = v->text() == "unknown";
-    if (!spec.cord_friction.unknown) {
-      spec.cord_friction.width = v->quantity_from_zero(Dimension::force);
-    }
-  }
-}
-
-// The fields that belong to the type; those of types for later are kept as they are.
-void read_type_fields(Fields& fields, const Defaults& defaults, ExperimentSpec& spec) {
-  if (spec.type == "hanging-weights") {
-    read_strip(fields, defaults, spec);
-    read_hanging_weights(fields, spec);
-  } else if (spec.type == "tensile-cycles") {
-    read_strip(fields, defaults, spec);
-    read_tensile_cycles(fields, spec);
-  } else if (spec.type == "shear-cycles") {
-    read_shear_cycles(fields, spec);
-  } else if (spec.type == "pure-bending") {
-    read_pure_bending(fields, spec);
-  } else if (spec.type == "buckling-bend") {
-    read_strip(fields, defaults, spec);
-    read_buckling_bend(fields, spec);
-  } else if (bends_by_weight(spec.type)) {
-    read_bent_strip(fields, defaults, spec);
-  } else if (measures_sheets(spec.type)) {
-    read_session_fields(fields, spec);
-  } else {
-    for (auto& [key, value] : fields.all()) {
-      if (!value.is_scalar()) continue;
-      if (key != "name" && key != "type" && key != "data") spec.other_fields[key] = value.text();
-    }
-  }
-}
-
-ExperimentSpec read_experiment(const Value& node, const Defaults& defaults,
+ExperimentSpec read_experiment(const Value& node, const SpecimenDefaults& defaults,
                                std::set<std::string>& names) {
   Fields fields = node.fields();
   ExperimentSpec spec;
   spec.where = node.location();
   spec.name = read_experiment_name(fields.require("name"), names);
-  spec.type = read_type(fields.require("type"));
+  const TestType& type = read_test_type(fields.require("type"));
+  spec.type = type.name;
   spec.data = read_data_source(fields.require("data"));
-  read_type_fields(fields, defaults, spec);
+  spec.test = type.read(fields, defaults, spec);
   if (auto v = fields.optional("standard")) spec.standard = v->text();
-  // Of sessions noise is estimated, and a frame is not a row.
-  const bool in_rows = !measures_sheets(spec.type);
+  // Of sheets noise is estimated, and a frame is not a row.
+  const bool in_rows = !type.channels.empty();
   if (auto v = in_rows ? fields.optional("noise") : std::nullopt) {
-    spec.noise = read_noise(*v, spec.type);
+    spec.noise = read_noise(*v, type.channels);
   }
   if (auto v = in_rows ? fields.optional("exclude") : std::nullopt) {
     for (const Value& rows : v->items()) spec.excluded.push_back(read_excluded_rows(rows));
@@ -283,7 +99,7 @@ ExperimentSpec read_experiment(const Value& node, const Defaults& defaults,
   return spec;
 }
 
-std::vector<ExperimentSpec> read_experiments(const Value& list, const Defaults& defaults) {
+std::vector<ExperimentSpec> read_experiments(const Value& list, const SpecimenDefaults& defaults) {
   std::vector<ExperimentSpec> specs;
   std::set<std::string> names;
   for (const Value& node : list.items()) specs.push_back(read_experiment(node, defaults, names));
@@ -428,7 +244,7 @@ FitOptions read_fit(Fields& study) {
 void refuse_oblique_strips_in_one_dimension(const Study& study) {
   if (study.model.strips_as_sheets) return;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (!spec.oblique_angle) continue;
+    if (!spec.test->is_only_sheet()) continue;
     throw InputError({spec.where.file, spec.where.line, spec.where.field + ".direction"},
                      quoted_value(spec.direction) + " has no component of its own in one dimension",
                      "`model: {strips: sheet}`, or warp, weft or bias");
@@ -452,8 +268,11 @@ void apply_validate(const Value& list, Study& study) {
 
 }  // namespace
 
-std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec, const Study& study) {
-  return make_experiment(spec, DataRows(spec.data), study.density, study.model.membrane);
+std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
+                                                     const Study& study) {
+  const TestType& type = spec.test->type();
+  PLIANT_ASSERT(type.make, "the caller asks is_supported_type first");
+  return type.make(spec, DataRows(spec.data), {study.density, study.model.membrane});
 }
 
 Study read_study(const std::filesystem::path& path) {
@@ -469,7 +288,7 @@ Study read_study(const std::filesystem::path& path) {
   }
   study.info = fields.texts("info");
   study.conditions = read_conditions(fields);
-  const Defaults defaults = read_defaults(fields);
+  const SpecimenDefaults defaults = read_defaults(fields);
   study.experiments = read_experiments(fields.require("experiments"), defaults);
   study.model = read_model(fields);
   refuse_oblique_strips_in_one_dimension(study);

@@ -12,6 +12,7 @@
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/model_options.h"
+#include "pliant/experiment/registry.h"
 
 namespace pliant {
 
@@ -57,7 +58,8 @@ Study read_study(const std::filesystem::path& path);
 /// An experiment of a study, its data read.
 /// @throws InputError for files that cannot be read and for unusable data; AssertionError for a
 /// type that is not supported
-std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec, const Study& study);
+std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
+                                                     const Study& study);
 
 /// The study with every default filled in, as a study/1 text that `read_study` reads back.
 /// @param directory  the folder that the text will be stored in; data files are named relative to

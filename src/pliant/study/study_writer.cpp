@@ -1,6 +1,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/test_type.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -45,87 +46,13 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
   return node;
 }
 
-YAML::Node noise_node(const StatedNoise& noise, const std::string& type) {
+YAML::Node noise_node(const StatedNoise& noise, const std::vector<Channel>& channels) {
   YAML::Node node;
-  if (measures_profiles(type)) {
-    node["position"] = exact_quantity(*noise.length, Dimension::length);
-    return node;
+  for (const Channel& channel : channels) {
+    const std::optional<double>& value = noise.*channel.stated;
+    if (value) node[std::string(channel.key)] = exact_quantity(*value, channel.dimension);
   }
-  if (type == "bending-length") {
-    node["overhang"] = exact_quantity(*noise.length, Dimension::length);
-    return node;
-  }
-  if (type == "pure-bending") {
-    node["moment"] = exact_quantity(*noise.force, Dimension::force);
-    return node;
-  }
-  const bool shear = type == "shear-cycles";
-  if (noise.force) {
-    node["force"] =
-        exact_quantity(*noise.force, shear ? Dimension::force_per_length : Dimension::force);
-  }
-  if (noise.length) node["length"] = exact_quantity(*noise.length, Dimension::length);
   return node;
-}
-
-void add_strip(const ExperimentSpec& spec, YAML::Node& node) {
-  node["direction"] = spec.direction;
-  node["length"] = exact_quantity(spec.length, Dimension::length);
-  node["width"] = exact_quantity(spec.width, Dimension::length);
-}
-
-void add_bent_strip(const ExperimentSpec& spec, YAML::Node& node) {
-  node["direction"] = spec.direction;
-  if (spec.length > 0) node["length"] = exact_quantity(spec.length, Dimension::length);
-  if (spec.width > 0) node["width"] = exact_quantity(spec.width, Dimension::length);
-}
-
-void add_initial_friction(const ExperimentSpec& spec, YAML::Node& node) {
-  const bool rest = spec.initial_friction == InitialFriction::rest;
-  node["initial_friction"] = rest ? "rest" : "unknown";
-}
-
-void add_rest_length(const ExperimentSpec& spec, YAML::Node& node) {
-  node["rest_length"] = spec.rest_length == RestLength::known ? "known" : "unknown";
-}
-
-void add_type_fields(const ExperimentSpec& spec, YAML::Node& node) {
-  if (spec.type == "hanging-weights") {
-    add_strip(spec, node);
-    node["clip_mass"] = exact_quantity(spec.clip_mass, Dimension::mass);
-    node["rested"] = spec.rested;
-  } else if (spec.type == "tensile-cycles") {
-    add_strip(spec, node);
-    node["pretension"] = exact_quantity(spec.pretension, Dimension::force);
-    node["apparatus_friction"] = exact_quantity(spec.apparatus_friction, Dimension::force);
-    node["precondition_cycles"] = spec.precondition_cycles;
-    add_rest_length(spec, node);
-    add_initial_friction(spec, node);
-  } else if (spec.type == "shear-cycles") {
-    node["transverse_tension"] =
-        exact_quantity(spec.transverse_tension, Dimension::force_per_length);
-    add_initial_friction(spec, node);
-  } else if (spec.type == "pure-bending") {
-    add_bent_strip(spec, node);
-    add_initial_friction(spec, node);
-  } else if (spec.type == "buckling-bend") {
-    add_strip(spec, node);
-    node["side"] = std::string(name_of(spec.side));
-    add_rest_length(spec, node);
-  } else if (bends_by_weight(spec.type)) {
-    add_bent_strip(spec, node);
-    if (!spec.density_is_known) node["density"] = "unknown";
-    if (spec.angle > 0) node["angle"] = exact_quantity(spec.angle, Dimension::angle);
-  } else if (measures_sheets(spec.type)) {
-    if (spec.objective) node["objective"] = std::string(name_of(*spec.objective));
-    if (spec.cord_friction.unknown) {
-      node["cord_friction"] = "unknown";
-    } else if (spec.cord_friction.width > 0) {
-      node["cord_friction"] = exact_quantity(spec.cord_friction.width, Dimension::force);
-    }
-  } else {
-    for (const auto& [key, value] : spec.other_fields) node[key] = value;
-  }
 }
 
 YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::path& directory) {
@@ -133,10 +60,11 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
   node["name"] = spec.name;
   node["type"] = spec.type;
   node["data"] = data_node(spec.data, directory);
-  add_type_fields(spec, node);
+  if (!spec.direction.empty()) node["direction"] = spec.direction;
+  for (const auto& [key, value] : spec.test->fields()) node[key] = value;
   if (!spec.standard.empty()) node["standard"] = spec.standard;
   if (spec.noise.force || spec.noise.length) {
-    node["noise"] = noise_node(spec.noise, spec.type);
+    node["noise"] = noise_node(spec.noise, spec.test->type().channels);
   }
   for (const ExcludedRows& rows : spec.excluded) {
     YAML::Node excluded;

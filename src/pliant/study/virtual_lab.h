@@ -1,12 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "pliant/base/run_context.h"
-#include "pliant/experiment/lab_experiment.h"
+#include "pliant/experiment/virtual_test.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -18,7 +18,7 @@ struct VirtualLab {
   int specimens = 1;
   double specimen_variation =
       0;  ///< relative standard deviation of every parameter between specimens
-  std::vector<LabExperiment> experiments;
+  std::vector<std::shared_ptr<VirtualTest>> experiments;
   std::vector<std::string> validate;  ///< names or patterns that the study keeps out of the fit
 };
 
@@ -26,12 +26,11 @@ struct VirtualLab {
 /// @throws InputError
 VirtualLab read_lab(const std::filesystem::path& path);
 
-/// Makes the measurements: study.yaml and a CSV or session directory for each experiment (and
-/// specimen), in the formats that `fit` reads. Warnings of sessions go to the context's progress.
+/// Makes the measurements, side by side: study.yaml and the data of each experiment and specimen,
+/// in the formats that `fit` reads. Warnings go to the context's progress.
 /// @return names and contents; the same for the same seed
 /// @throws InputError when a half cycle would have too few rows to find its reversals again;
 /// SolverError when it cannot carry a load
-std::vector<std::pair<std::string, std::string>> make_measurements(const VirtualLab& lab,
-                                                                   const RunContext& context);
+TestFiles make_measurements(const VirtualLab& lab, const RunContext& context);
 
 }  // namespace pliant

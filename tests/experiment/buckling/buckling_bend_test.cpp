@@ -1,12 +1,14 @@
 #include "pliant/experiment/buckling/buckling_bend.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/loop_metrics.h"
 
 #include "io/input_error_of.h"
@@ -42,12 +44,14 @@ BucklingBend measured(Side side, const std::string& distances = "", double densi
   spec.name = "bend";
   spec.type = "buckling-bend";
   spec.direction = "warp";
-  spec.length = 0.02;
-  spec.width = kWidth;
-  spec.side = side;
-  spec.rest_length = RestLength::unknown;
+  auto own = std::make_shared<BucklingBendSpec>();
+  own->length = 0.02;
+  own->width = kWidth;
+  own->side = side;
+  own->rest_length = RestLength::unknown;
+  spec.test = own;
   spec.data.files = {folder.write("bend.csv", rows)};
-  return BucklingBend(spec, density);
+  return BucklingBend(spec, DataRows(spec.data), {density, MembraneMeasure::stvk});
 }
 
 ComponentLaw knit() {

@@ -187,7 +187,8 @@ TEST(HangingWeights, SaysWhatItDidNotKnow) {
   const StudyFolder folder;
   folder.write("w.csv", kCsv);
   const Study study = folder.study(entry());
-  const HangingWeights weightless(study.experiments.front(), 0, MembraneMeasure::stvk);
+  const ExperimentSpec& spec = study.experiments.front();
+  const HangingWeights weightless(spec, DataRows(spec.data), ClothFacts());
   EXPECT_THAT(weightless.info().warnings, Contains(HasSubstr("no density is given")));
   // Lengths in the wrong unit, or the wrong gauge length.
   const auto short_strip = folder.experiment(

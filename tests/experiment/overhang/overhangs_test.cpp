@@ -34,7 +34,7 @@ ComponentLaw elastic(double k) {
 }
 
 std::unique_ptr<ComponentExperiment> readings(const StudyFolder& folder, const std::string& csv,
-                                     const std::string& more = "") {
+                                              const std::string& more = "") {
   folder.write("data.csv", csv);
   return folder.experiment("{name: l, type: bending-length, direction: weft, data: data.csv" +
                            more + "}");
@@ -98,8 +98,8 @@ TEST(Overhangs, TellTheirSpreadAsTheStandardsDo) {
 TEST(Overhangs, NeedTheDensity) {
   const StudyFolder folder;
   folder.write("data.csv", "overhang_mm\n46\n");
-  const Study study =
-      folder.study("{name: l, type: bending-length, direction: warp, data: data.csv}");
+  Study study = folder.study("{name: l, type: bending-length, direction: warp, data: data.csv}");
+  study.density = 0;
   const InputError error =
       input_error_of([&] { read_experiment(study.experiments.front(), study); });
   EXPECT_EQ(error.where().line, 5);

@@ -27,7 +27,7 @@ using test::rolled_strips;
 /// The experiments of a lab on felt, read back from its files.
 class Felt {
  public:
-  explicit Felt(std::vector<LabExperiment> experiments)
+  explicit Felt(const std::vector<test::AnyTest>& experiments)
       : material_(published_bending_material("felt")),
         folder_(measurements_of(test::lab_of(material_, std::move(experiments)))),
         study_(folder_.study()) {
@@ -46,9 +46,9 @@ class Felt {
   std::vector<std::unique_ptr<ComponentExperiment>> experiments_;
 };
 
-LabExperiment rolled_right(std::vector<double> radii) {
+VirtualRolledStrip rolled_right(std::vector<double> radii) {
   for (double& radius : radii) radius = -radius;
-  LabExperiment experiment = rolled_strips(std::move(radii));
+  auto experiment = rolled_strips(std::move(radii));
   experiment.name = "rolls-right";
   return experiment;
 }
@@ -89,7 +89,7 @@ TEST(StripProfiles, LeaveOutTheClamp) {
 }
 
 TEST(StripShapes, HoldEveryMeasuredProfileAndOnePredictedForEachRadius) {
-  LabExperiment rolled = rolled_strips({0.004, 0.01});
+  auto rolled = rolled_strips({0.004, 0.01});
   rolled.repeats = 3;
   const Felt felt({rolled});
   const auto shapes = felt[0].shapes(felt.law(), {});
@@ -134,14 +134,14 @@ TEST(StripShapes, OfACantileverHaveNoPathOfRolling) {
 }
 
 TEST(VirtualProfiles, KeepTheClampFreeOfNoise) {
-  LabExperiment rolled = rolled_strips({0.01});
+  auto rolled = rolled_strips({0.01});
   rolled.instrument.length_noise = 1e-3;
   const auto files = measurements_of(test::lab_of(published_bending_material("felt"), rolled));
   EXPECT_THAT(files.front().second, ::testing::HasSubstr("\n10,1,0,0,0\n"));
 }
 
 TEST(VirtualProfiles, AreTheSameBitsForTheSameSeed) {
-  LabExperiment rolled = rolled_strips({0.005, 0.02});
+  auto rolled = rolled_strips({0.005, 0.02});
   rolled.repeats = 2;
   rolled.instrument.length_noise = 1e-4;
   const VirtualLab lab = test::lab_of(published_bending_material("felt"), rolled);
@@ -150,7 +150,7 @@ TEST(VirtualProfiles, AreTheSameBitsForTheSameSeed) {
 }
 
 TEST(VirtualProfiles, ScatterByTheirNoiseAcrossTheProfile) {
-  LabExperiment rolled = rolled_strips({0.004, 0.01, 0.05});
+  auto rolled = rolled_strips({0.004, 0.01, 0.05});
   rolled.repeats = 3;
   rolled.points = 100;
   rolled.instrument.length_noise = 1e-4;

@@ -151,7 +151,7 @@ ExperimentResult compare_sheet(const SheetTest& test, const FrameShapes& shapes)
   const Session& session = test.session();
   ExperimentResult result;
   result.name = test.name();
-  result.type = "session";
+  result.type = test.info().type;
   result.direction = session.test;
   result.quantity = test.info().quantity;
   Rows rows;

@@ -1,28 +1,40 @@
 #include "pliant/experiment/bending/pure_bending.h"
 
+#include <utility>
+
+#include "pliant/experiment/bending/pure_bending_type.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
 namespace {
 
-StrainRecord read_record(const DataRows& data) {
+StrainRecord record_of(std::vector<double> curvatures) {
   StrainRecord record;
-  record.driven = data.quantity("curvature", Dimension::curvature);
-  record.measured = data.quantity("moment", Dimension::force);
+  record.driven = std::move(curvatures);
   record.strain_of = [](double curvature) { return kStrainPerCurvature * curvature; };
   record.quantity = {"moment_N", "moment per width", "N", 1};
   record.offset = "moment_offset";
+  record.apparatus.assign(record.driven.size(), 0);
+  return record;
+}
+
+StrainRecord read_record(const DataRows& data) {
+  StrainRecord record = record_of(data.quantity("curvature", Dimension::curvature));
+  record.measured = data.quantity("moment", Dimension::force);
   require_change(record.measured, data, "moment");
   require_change(record.driven, data, "curvature");
-  record.apparatus.assign(record.driven.size(), 0);
   return record;
 }
 
 }  // namespace
 
-PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data)
-    : ImposedStrain(spec, data, read_record(data)) {
+PureBending::PureBending(const SampledPath& path)
+    : ImposedStrain(record_of(path.value), path.stretches) {}
+
+PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data, const ClothFacts&)
+    : ImposedStrain(spec, spec_of<PureBendingSpec>(spec).initial_friction, data,
+                    read_record(data)) {
   info_.handled.push_back(
       "the curvature drives the path, one curvature from clamp to clamp; strain is 3 x curvature");
 }

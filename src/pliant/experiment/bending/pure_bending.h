@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/imposed_strain.h"
+#include "pliant/experiment/sampled_path.h"
 
 namespace pliant {
 
@@ -13,7 +13,9 @@ namespace pliant {
 class PureBending : public ImposedStrain {
  public:
   /// @throws InputError for rows that do not change
-  PureBending(const ExperimentSpec& spec, const DataRows& data);
+  PureBending(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// A path of curvatures (1/m) without measured moments.
+  explicit PureBending(const SampledPath& path);
 
   /// Moment per width over curvature.
   std::optional<LoopSeries> loop(const Eigen::VectorXd& moment) const override;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/buckling/clamped_strip.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/material/bending_strain.h"
@@ -14,7 +16,6 @@
 namespace pliant {
 namespace {
 
-constexpr int kElements = 2;          // of half a strip
 constexpr double kLengthShare = 0.1;  // bounds of the strip's length: of the stated one
 
 enum NuisanceIndex { kForceOffset, kForceDrift, kLengthChange };
@@ -46,34 +47,46 @@ struct BucklingBend::Followed {
   Eigen::MatrixXd by_law;  // d force / d parameters of the law; empty unless asked for
 };
 
-BucklingBend::BucklingBend(const ExperimentSpec& spec, const DataRows& data, double density)
-    : weight_(density * kStandardGravity),
-      length_(spec.length),
-      width_(spec.width),
-      side_(spec.side) {
-  require_density(spec, density);
+BucklingBend::BucklingBend(const BucklingStrip& strip, const SampledPath& path)
+    : strip_(strip), weight_(strip.density * kStandardGravity), distance_(path.value) {
+  const auto rows = static_cast<int>(distance_.size());
+  measured_ = Eigen::VectorXd::Zero(rows);
+  Specimen specimen;
+  specimen.rows.count = rows;
+  specimen.stretches = path.stretches;
+  specimens_.push_back(std::move(specimen));
+}
+
+BucklingBend::BucklingBend(const ExperimentSpec& spec, const DataRows& data,
+                           const ClothFacts& cloth)
+    : strip_{spec.test->length, spec.test->width, cloth.density,
+             spec_of<BucklingBendSpec>(spec).side},
+      weight_(cloth.density * kStandardGravity) {
+  const RestLength rest_length = spec_of<BucklingBendSpec>(spec).rest_length;
+  require_density(spec, cloth.density);
   distance_ = data.quantity("distance", Dimension::length);
   const std::vector<double> force = data.quantity("force", Dimension::force);
   require_rows(data.specimens(), data, 3);
   require_positive(distance_, data, "distance");
   require_change(distance_, data, "distance");
   require_change(force, data, "force");
-  require_buckled(distance_, length_, data);
+  require_buckled(distance_, strip_.length, data);
   measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
   info_ = describe_experiment(spec, data, {"force_mN", "force", "mN", 1e3});
-  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, spec);
+  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, spec, rest_length);
   require_return(path_, data);
   info_.handled.push_back(
       "the clamp distance drives the path; the strip starts straight, free of friction");
   info_.handled.push_back(
-      spec.rest_length == RestLength::known
+      rest_length == RestLength::known
           ? "offset and drift of the force are estimated along (nuisance parameters); the strip is "
             "as long as stated"
           : "offset and drift of the force and the strip's length are estimated along (nuisance "
             "parameters)");
 }
 
-void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {
+void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec,
+                                RestLength rest_length) {
   Specimen specimen;
   specimen.rows = rows;
   specimen.first_nuisance = static_cast<int>(nuisance_.size());
@@ -81,9 +94,9 @@ void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& 
                                           static_cast<size_t>(rows.count));
   specimen.stretches =
       monotone_stretches(distances, reversal_threshold(distances, spec.noise.length.value_or(0)));
-  specimen.length_is_known = spec.rest_length == RestLength::known;
+  specimen.length_is_known = rest_length == RestLength::known;
   const size_t number = specimens_.size();
-  add_nuisance(number, rows, spec.rest_length);
+  add_nuisance(number, rows, rest_length);
   read_path(specimen, static_cast<int>(number));
   specimens_.push_back(std::move(specimen));
 }
@@ -100,19 +113,19 @@ void BucklingBend::add_nuisance(size_t number, const SpecimenRows& rows, RestLen
   const auto first = distance_.begin() + rows.first;
   const double longest = *std::max_element(first, first + rows.count);
   nuisance_.push_back({nuisance_name(info_, number, "rest_length_change"), "m", 0,
-                       std::max(-kLengthShare * length_, 1.0001 * longest - length_),
-                       kLengthShare * length_, 0.01 * length_});
+                       std::max(-kLengthShare * strip_.length, 1.0001 * longest - strip_.length),
+                       kLengthShare * strip_.length, 0.01 * strip_.length});
 }
 
 // What the middle of a strip without weight carries: the force on its rise, were it free of force
 // where the force is largest. The material is loaded where the clamps come nearer.
 void BucklingBend::read_path(const Specimen& specimen, int number) {
   const double offset = measured_.segment(specimen.rows.first, specimen.rows.count).maxCoeff();
-  const double wave = 2 * std::numbers::pi / length_;
+  const double wave = 2 * std::numbers::pi / strip_.length;
   const auto load = [&](int row, int) {
-    const double rise = half_rise(length_, distance_[static_cast<size_t>(row)]);
+    const double rise = half_rise(strip_.length, distance_[static_cast<size_t>(row)]);
     return CarriedLoad{kStrainPerCurvature * rise * wave * wave,
-                       (offset - measured_(row)) / width_ * rise, 1};
+                       (offset - measured_(row)) / strip_.width * rise, 1};
   };
   std::vector<Stretch> stretches = specimen.stretches;
   for (Stretch& stretch : stretches) stretch.direction = -stretch.direction;
@@ -122,7 +135,7 @@ void BucklingBend::read_path(const Specimen& specimen, int number) {
 std::optional<BucklingBend::Followed> BucklingBend::follow(const Specimen& specimen,
                                                            const ComponentLaw& law, double length,
                                                            bool with_derivatives) const {
-  ClampedStrip strip(law, weight_, length, side_, kElements);
+  ClampedStrip strip(law, weight_, length, strip_.side, strip_.elements);
   const int count = specimen.rows.count;
   const int parameters = law.parameter_count();
   Followed followed{Eigen::VectorXd(count), Eigen::VectorXd(count),
@@ -146,20 +159,22 @@ bool BucklingBend::predict_specimen(const Specimen& specimen, const ComponentLaw
                                     const Eigen::VectorXd& nuisance, bool with_jacobian,
                                     Prediction& prediction) const {
   const auto own = nuisance.tail(nuisance.size() - specimen.first_nuisance);
-  const double length = length_ + (specimen.length_is_known ? 0 : own(kLengthChange));
+  const double length = strip_.length + (specimen.length_is_known ? 0 : own(kLengthChange));
   const auto followed = follow(specimen, law, length, with_jacobian);
   if (!followed) return false;
   const int first = specimen.rows.first, count = specimen.rows.count;
-  const Eigen::VectorXd share = Eigen::VectorXd::LinSpaced(count, 0, 1);
-  prediction.value.segment(first, count) =
-      (width_ * followed->force + own(kForceDrift) * share).array() + own(kForceOffset);
+  const double last = count - 1;
+  for (int i = 0; i < count; ++i) {
+    prediction.value(first + i) =
+        strip_.width * followed->force(i) + own(kForceOffset) + own(kForceDrift) * i / last;
+  }
   prediction.strain.segment(first, count) = followed->strain;
   for (const Stretch& stretch : specimen.stretches) {
     for (int i = stretch.first; i <= stretch.last; ++i) {
       const int before = std::max(i - 1, stretch.first), after = std::min(i + 1, stretch.last);
       const double way = distance_[static_cast<size_t>(first + after)] -
                          distance_[static_cast<size_t>(first + before)];
-      const double rise = width_ * (followed->force(after) - followed->force(before));
+      const double rise = strip_.width * (followed->force(after) - followed->force(before));
       prediction.length_gain(first + i) = way == 0 ? 0 : std::abs(rise / way);
     }
   }
@@ -167,14 +182,14 @@ bool BucklingBend::predict_specimen(const Specimen& specimen, const ComponentLaw
 
   const int column = law.parameter_count() + specimen.first_nuisance;
   auto rows = prediction.jacobian.middleRows(first, count);
-  rows.leftCols(law.parameter_count()) = width_ * followed->by_law;
+  rows.leftCols(law.parameter_count()) = strip_.width * followed->by_law;
   rows.col(column + kForceOffset).setOnes();
-  rows.col(column + kForceDrift) = share;
+  rows.col(column + kForceDrift) = Eigen::VectorXd::LinSpaced(count, 0, 1);
   if (specimen.length_is_known) return true;
   const double step = 1e-6 * length;
   const auto longer = follow(specimen, law, length + step, false);
   if (!longer) return false;
-  rows.col(column + kLengthChange) = width_ * (longer->force - followed->force) / step;
+  rows.col(column + kLengthChange) = strip_.width * (longer->force - followed->force) / step;
   return true;
 }
 

@@ -1,11 +1,23 @@
 #pragma once
 
+#include "pliant/experiment/buckling/buckling_side.h"
 #include "pliant/experiment/component_experiment.h"
-#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/sampled_path.h"
+#include "pliant/experiment/specimen_fields.h"
+#include "pliant/experiment/test_type.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
 
 namespace pliant {
+
+/// A strip, and how finely it is computed.
+struct BucklingStrip {
+  double length = 0;   ///< between its clamps (m)
+  double width = 0;    ///< m
+  double density = 0;  ///< kg/m^2
+  BucklingSide side = BucklingSide::down;
+  int elements = 2;  ///< of half a strip
+};
 
 /// A strip clamped flat at both ends, whose clamps come nearer and go back: it buckles along
 /// gravity or against it, and the force on a clamp is measured (tension is positive).
@@ -14,9 +26,11 @@ namespace pliant {
 /// strip's length where the study does not know it.
 class BucklingBend : public ComponentExperiment {
  public:
-  /// @param density  kg/m^2
   /// @throws InputError where there is no density, or the data are not those of a buckled strip
-  BucklingBend(const ExperimentSpec& spec, const DataRows& data, double density);
+  BucklingBend(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// A path of the clamps' distance (m) without measured forces; offset and drift of the force are
+  /// its nuisance parameters.
+  BucklingBend(const BucklingStrip& strip, const SampledPath& path);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
@@ -35,7 +49,7 @@ class BucklingBend : public ComponentExperiment {
   };
   struct Followed;
 
-  void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec);
+  void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec, RestLength rest_length);
   void add_nuisance(size_t number, const SpecimenRows& rows, RestLength rest_length);
   void read_path(const Specimen& specimen, int number);
   std::optional<Followed> follow(const Specimen& specimen, const ComponentLaw& law, double length,
@@ -44,10 +58,8 @@ class BucklingBend : public ComponentExperiment {
                         const Eigen::VectorXd& nuisance, bool with_jacobian,
                         Prediction& prediction) const;
 
-  double weight_ = 0;  // N/m^2
-  double length_ = 0;
-  double width_ = 0;
-  BucklingSide side_ = BucklingSide::down;
+  BucklingStrip strip_;
+  double weight_ = 0;             // N/m^2
   std::vector<double> distance_;  // m
   std::vector<Specimen> specimens_;
 };

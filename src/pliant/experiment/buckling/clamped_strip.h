@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/buckling/buckling_side.h"
 #include "pliant/solver/elastica/elastica.h"
 
 namespace pliant {

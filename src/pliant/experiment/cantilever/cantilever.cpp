@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/cantilever/cantilever_type.h"
+
 namespace pliant {
 
-Cantilever::Cantilever(const ExperimentSpec& spec, const DataRows& data, double density)
-    : StripProfiles(spec, data, density, "overhang") {
+Cantilever::Cantilever(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
+    : StripProfiles(spec, data, cloth.density, "overhang") {
+  if (!spec_of<CantileverSpec>(spec).density_is_known) estimate_density(cloth.density);
   for (const ProfileRows& profile : profiles()) {
     if (!(profile.setting > 0)) {
       throw InputError(data.location(profile.first, "overhang"), "is not positive",

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/profile/strip_profiles.h"
+#include "pliant/experiment/test_type.h"
 
 namespace pliant {
 
@@ -9,9 +9,8 @@ namespace pliant {
 /// al. 1990).
 class Cantilever : public StripProfiles {
  public:
-  /// @param density  kg/m^2, > 0
   /// @throws InputError for an overhang that is not positive
-  Cantilever(const ExperimentSpec& spec, const DataRows& data, double density);
+  Cantilever(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
 };
 
 }  // namespace pliant

@@ -19,6 +19,15 @@ std::vector<double> read_weights(const DataRows& data) {
   return weights;
 }
 
+double half_mass(const HangingWeightsSpec& spec, const ClothFacts& cloth) {
+  return cloth.density * (spec.length * spec.width) / 2;
+}
+
+// Of clip and half of the cloth (N).
+double added_weight(const HangingWeightsSpec& spec, const ClothFacts& cloth) {
+  return (spec.clip_mass + half_mass(spec, cloth)) * kStandardGravity;
+}
+
 void require_increasing_steps(const DataRows& data, const std::vector<SpecimenRows>& specimens) {
   const auto steps = data.optional_integers("step");
   if (!steps) return;
@@ -39,9 +48,20 @@ void require_increasing_steps(const DataRows& data, const std::vector<SpecimenRo
 
 }  // namespace
 
-HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data, double density,
-                               MembraneMeasure measure)
-    : geometry_{spec.length, spec.width, measure} {
+HangingWeights::HangingWeights(const HangingWeightsSpec& spec, const std::vector<double>& weights,
+                               const ClothFacts& cloth)
+    : geometry_{spec.length, spec.width, cloth.membrane} {
+  const double added = added_weight(spec, cloth);
+  for (const double weight : weights) force_.push_back(weight + added);
+  starts_rested_.assign(force_.size(), 0);
+  starts_rested_.front() = 1;
+  measured_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(force_.size()));
+}
+
+HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
+                               const ClothFacts& cloth)
+    : HangingWeights(spec_of<HangingWeightsSpec>(spec), read_weights(data), cloth) {
+  const auto& own = spec_of<HangingWeightsSpec>(spec);
   specimens_ = data.specimens();
   const std::vector<double> weights = read_weights(data);
   const std::vector<double> lengths = data.quantity("length", Dimension::length);
@@ -51,12 +71,8 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   require_increasing_steps(data, specimens_);
 
   const auto repeats = data.optional_integers("repeat");
-  const double cloth = density * spec.length * spec.width / 2;
-  const double added = (spec.clip_mass + cloth) * kStandardGravity;
-  for (const double weight : weights) force_.push_back(weight + added);
-  starts_rested_.assign(force_.size(), 0);
   for (const SpecimenRows& s : specimens_) starts_rested_[static_cast<size_t>(s.first)] = 1;
-  if (spec.rested && repeats) {
+  if (own.rested && repeats) {
     for (size_t i = 1; i < force_.size(); ++i) {
       if ((*repeats)[i] != (*repeats)[i - 1]) starts_rested_[i] = 1;
     }
@@ -68,15 +84,15 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   info_.handled.push_back(fmt::format(
       "weights drive the path and count as exact; clip ({:.4g} g) and half of the cloth ({:.4g} g) "
       "add {:.4g} N to each",
-      spec.clip_mass * 1e3, cloth * 1e3, added));
-  if (density == 0) {
+      own.clip_mass * 1e3, half_mass(own, cloth) * 1e3, added_weight(own, cloth)));
+  if (cloth.density == 0) {
     info_.warnings.push_back("no density is given: the cloth's own weight is left out");
   }
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
-  if (*shortest < 0.95 * spec.length) {
+  if (*shortest < 0.95 * own.length) {
     info_.warnings.push_back(
         fmt::format("the shortest length, {}, is far below the gauge length, {}",
-                    millimetres(*shortest), millimetres(spec.length)));
+                    millimetres(*shortest), millimetres(own.length)));
   }
 }
 

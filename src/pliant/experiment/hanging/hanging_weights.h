@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pliant/experiment/component_experiment.h"
-#include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/hanging/hanging_weights_type.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/measurement/data_source.h"
 
@@ -14,9 +14,11 @@ namespace pliant {
 /// from the row before: the first equilibrium met on the way, as a dead weight finds it.
 class HangingWeights : public ComponentExperiment {
  public:
-  /// @param density  of the cloth (kg/m^2); half of its weight hangs from the middle
-  HangingWeights(const ExperimentSpec& spec, const DataRows& data, double density,
-                 MembraneMeasure measure);
+  /// Half of the cloth's own weight hangs from the middle.
+  HangingWeights(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// Weights (N) without measured lengths, hung from a sheet that rested before the first.
+  HangingWeights(const HangingWeightsSpec& spec, const std::vector<double>& weights,
+                 const ClothFacts& cloth);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;

@@ -1,20 +1,30 @@
 #include "pliant/experiment/overhang/overhangs.h"
 
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
 
-Overhangs::Overhangs(const ExperimentSpec& spec, const DataRows& data, double density)
-    : readings_(read_overhangs(data)), weight_(density * kStandardGravity), angle_(spec.angle) {
-  require_density(spec, density);
+Overhangs::Overhangs(OverhangRows rows, double angle, double density, int elements)
+    : readings_(std::move(rows)),
+      weight_(density * kStandardGravity),
+      angle_(angle),
+      elements_(elements) {
   measured_ = Eigen::Map<const Eigen::VectorXd>(
       readings_.overhang.data(), static_cast<Eigen::Index>(readings_.overhang.size()));
+}
+
+Overhangs::Overhangs(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
+    : Overhangs(read_overhangs(data), spec_of<BendingLengthSpec>(spec).angle, cloth.density,
+                DipOptions().elements) {
+  require_density(spec, cloth.density);
   info_ = describe_experiment(spec, data, {"overhang_mm", "length", "mm", 1e3});
   read_path(data, spec);
   info_.handled.push_back(fmt::format(
@@ -58,7 +68,7 @@ std::optional<Prediction> Overhangs::predict(const ComponentLaw& law, const Eige
   prediction.jacobian.resize(rows(), with_jacobian ? law.parameter_count() : 0);
   for (const StripFace face : {StripFace::up, StripFace::down}) {
     if (overhangs_of(readings_, face).empty()) continue;
-    const auto strip = dipping_strip(law, weight_, angle_, {face, with_jacobian});
+    const auto strip = dipping_strip(law, weight_, angle_, {face, with_jacobian, elements_});
     if (!strip) return std::nullopt;
     for (Eigen::Index i = 0; i < rows(); ++i) {
       if (readings_.face[static_cast<size_t>(i)] != face) continue;

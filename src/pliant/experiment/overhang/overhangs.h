@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pliant/experiment/component_experiment.h"
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/overhang/overhang_rows.h"
+#include "pliant/experiment/test_type.h"
 
 namespace pliant {
 
@@ -13,9 +13,11 @@ namespace pliant {
 /// the left; a law that is the same on both sides predicts one overhang.
 class Overhangs : public ComponentExperiment {
  public:
-  /// @param density  kg/m^2, > 0
   /// @throws InputError without a density, and for unusable data
-  Overhangs(const ExperimentSpec& spec, const DataRows& data, double density);
+  Overhangs(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// Faces without measured overhangs.
+  /// @param elements  of the strips' lines
+  Overhangs(OverhangRows rows, double angle, double density, int elements);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
@@ -29,6 +31,7 @@ class Overhangs : public ComponentExperiment {
   OverhangRows readings_;
   double weight_ = 0;  // N/m^2
   double angle_ = 0;   // rad
+  int elements_ = DipOptions().elements;
 };
 
 }  // namespace pliant

@@ -12,7 +12,6 @@
 #include "pliant/experiment/profile/profile_curvature.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/solver/elastica/equilibria.h"
-#include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
 namespace {
@@ -114,10 +113,6 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   measured_ = Eigen::VectorXd::Zero(data.rows());
   profiles_ = read_profiles(data, setting);
   info_ = describe_experiment(spec, data, {"distance_mm", "distance", "mm", 1e3});
-  if (!spec.density_is_known) {
-    nuisance_.push_back({info_.name + ".density", "kg/m^2", density, density / 2, 2 * density,
-                         kDensityChange * density});
-  }
   path_.strain.resize(static_cast<size_t>(data.rows()));
   path_.force = path_.strain;
   path_.factor.assign(path_.strain.size(), 1);
@@ -126,6 +121,11 @@ StripProfiles::StripProfiles(const ExperimentSpec& spec, const DataRows& data, d
   path_.specimen.assign(path_.strain.size(), 0);
   path_.starts_flat.assign(path_.strain.size(), 0);
   path_.published_samples.assign(path_.strain.size(), 1);
+}
+
+void StripProfiles::estimate_density(double density) {
+  nuisance_.push_back({info_.name + ".density", "kg/m^2", density, density / 2, 2 * density,
+                       kDensityChange * density});
 }
 
 void StripProfiles::add_strip(const ProfileRows& rows, double length, double rolled,
@@ -167,22 +167,16 @@ Eigen::VectorXd StripProfiles::unfitted_nuisance(const ComponentLaw&) const {
   return Eigen::VectorXd::Constant(1, nuisance_.front().start);
 }
 
-std::optional<StripProfiles::Hanging> StripProfiles::hang(const Strip& strip,
-                                                          const ComponentLaw& law, double weight,
-                                                          bool with_derivatives) {
-  for (const Elastica* elastica : {&strip.elastica, &strip.finer}) {
-    StripHistory history = elastica->rolled(law, strip.rolled);
-    const auto shape = released(*elastica, law, weight, {}, with_derivatives, history);
-    if (!shape) return std::nullopt;
-    if (!shape->jumps || elastica == &strip.finer) return Hanging{*elastica, history, *shape};
-  }
-  return std::nullopt;
+std::optional<HangingStrip> StripProfiles::hang(const Strip& strip, const ComponentLaw& law,
+                                                double weight, bool with_derivatives) {
+  return hanging_strip({&strip.elastica, &strip.finer}, law, strip.rolled, weight,
+                       with_derivatives);
 }
 
 // Whether the strip, pushed from its shape, stays in another.
-bool StripProfiles::is_ambiguous(const Hanging& hanging, const ComponentLaw& law, double weight) {
-  return equilibria_near(hanging.elastica, law, weight, {}, hanging.history, hanging.shape,
-                         kPushedBy)
+bool StripProfiles::is_ambiguous(const HangingStrip& hanging, const ComponentLaw& law,
+                                 double weight) {
+  return equilibria_near(hanging.line, law, weight, {}, hanging.history, hanging.shape, kPushedBy)
              .size() > 1;
 }
 
@@ -217,12 +211,12 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   parallel_for(static_cast<int>(strips.size()), threads_, [&](int i) {
     if (!found) return;
     const Strip& strip = *strips[static_cast<size_t>(i)];
-    const std::optional<Hanging> hanging = hang(strip, law, weight, with_jacobian);
+    const std::optional<HangingStrip> hanging = hang(strip, law, weight, with_jacobian);
     if (!hanging) {
       found = false;
       return;
     }
-    const StripProfile predicted = hanging->elastica.profile({}, hanging->shape);
+    const StripProfile predicted = hanging->line.profile({}, hanging->shape);
     for (const ProfileRows& measured : strip.profiles) {
       compare(measured, predicted, strip.elastica.line().length(), prediction);
     }
@@ -256,7 +250,7 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
   StripShapes shapes;
   shapes.setting_name = setting_;
   for (const Strip& strip : strips_) {
-    const std::optional<Hanging> hanging = hang(strip, law, weight, false);
+    const std::optional<HangingStrip> hanging = hang(strip, law, weight, false);
     if (!hanging) return std::nullopt;
     const double length = strip.elastica.line().length();
     const double setting = strip.profiles.front().setting;
@@ -264,7 +258,7 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
       shapes.measured.push_back(measured_line(rows, length, weight));
     }
     shapes.predicted.push_back(
-        predicted_line(hanging->elastica.profile({}, hanging->shape), setting, length, weight));
+        predicted_line(hanging->line.profile({}, hanging->shape), setting, length, weight));
     if (is_ambiguous(*hanging, law, weight)) shapes.ambiguous.push_back(setting);
     if (strip.rolled != 0) shapes.bent.push_back(bent_and_released(law, setting, strip.rolled));
   }

@@ -2,6 +2,7 @@
 
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/profile/hanging_strip.h"
 #include "pliant/measurement/profile_rows.h"
 #include "pliant/solver/elastica/elastica.h"
 
@@ -38,20 +39,15 @@ class StripProfiles : public ComponentExperiment {
   /// Adds a profile of a strip of some length.
   /// @throws InputError where the profile has another length
   void add_strip(const ProfileRows& rows, double length, double rolled, const DataRows& data);
+  /// Estimates the density (kg/m^2) along.
+  void estimate_density(double density);
 
   const std::vector<ProfileRows>& profiles() const { return profiles_; }
 
  private:
-  /// How a strip hangs, on the line that it took.
-  struct Hanging {
-    const Elastica& elastica;
-    StripHistory history;
-    StripShape shape;
-  };
-
-  static std::optional<Hanging> hang(const Strip& strip, const ComponentLaw& law, double weight,
-                                     bool with_derivatives);
-  static bool is_ambiguous(const Hanging& hanging, const ComponentLaw& law, double weight);
+  static std::optional<HangingStrip> hang(const Strip& strip, const ComponentLaw& law,
+                                          double weight, bool with_derivatives);
+  static bool is_ambiguous(const HangingStrip& hanging, const ComponentLaw& law, double weight);
   std::vector<const Strip*> slowest_first() const;
   /// Stated, or what the nuisance parameter says (N/m^2).
   double weight_by(const Eigen::VectorXd& nuisance) const;

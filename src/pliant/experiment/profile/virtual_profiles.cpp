@@ -1,12 +1,9 @@
 #include "pliant/experiment/profile/virtual_profiles.h"
 
-#include <vector>
-
 #include <fmt/format.h>
 
-#include "pliant/base/quantity.h"
+#include "pliant/experiment/profile/hanging_strip.h"
 #include "pliant/io/csv_writer.h"
-#include "pliant/solver/elastica/strip_release.h"
 
 namespace pliant {
 namespace {
@@ -14,30 +11,6 @@ namespace {
 // Finer than a fit takes them.
 constexpr int kElements = 48;
 constexpr double kAccuracy = 1e-6;  // of a release (rad)
-
-using Points = std::vector<Eigen::Vector2d>;
-
-Points hanging_strip(const LabExperiment& experiment, const ComponentLaw& law, double density,
-                     double setting) {
-  const bool rolled = experiment.type == "rolled-strip";
-  const double length = rolled ? experiment.length : setting;
-  const Elastica strip(length, kElements);
-  StripHistory history = rolled ? strip.rolled(law, 1 / setting) : strip.rested(law);
-  const auto shape = released(strip, law, density * kStandardGravity, {}, /*derivatives=*/false,
-                              history, kAccuracy);
-  if (!shape) {
-    throw SolverError(fmt::format("virtual experiment {}: the strip at {:.4g} mm finds no "
-                                  "equilibrium; its profile",
-                                  experiment.name, setting * 1e3),
-                      0, 0);
-  }
-  const StripProfile profile = strip.profile({}, *shape);
-  Points points;
-  for (int i = 0; i < experiment.points; ++i) {
-    points.push_back(profile.at(length * i / (experiment.points - 1)).position);
-  }
-  return points;
-}
 
 Eigen::Vector2d seen(const Eigen::Vector2d& point, const Instrument& instrument,
                      RandomStream& random) {
@@ -50,23 +23,45 @@ Eigen::Vector2d seen(const Eigen::Vector2d& point, const Instrument& instrument,
 
 }  // namespace
 
-std::string measure_profiles(const LabExperiment& experiment, const ComponentLaw& law,
-                             double density, RandomStream& random) {
-  const char* setting_column = experiment.type == "rolled-strip" ? "radius_mm" : "overhang_mm";
-  const std::vector<std::string> header{setting_column, "repeat", "point", "x_mm", "y_mm"};
+std::string VirtualProfiles::rows(const ComponentLaw& law, const ClothFacts& cloth,
+                                  RandomStream& random) const {
+  const std::vector<std::string> header{setting_column(), "repeat", "point", "x_mm", "y_mm"};
   CsvWriter csv(header);
-  for (const double setting : experiment.settings) {
-    const Points points = hanging_strip(experiment, law, density, setting);
-    for (int repeat = 1; repeat <= experiment.repeats; ++repeat) {
-      for (int i = 0; i < experiment.points; ++i) {
+  for (const double setting : settings) {
+    const Strip own = strip(setting);
+    const Elastica line(own.length, kElements);
+    const auto hanging = hanging_strip({&line}, law, own.rolled, cloth.density * kStandardGravity,
+                                       /*with_derivatives=*/false, kAccuracy);
+    if (!hanging) {
+      fail(fmt::format("the strip at {:.4g} mm finds no equilibrium; its profile", setting * 1e3));
+    }
+    const StripProfile profile = line.profile({}, hanging->shape);
+    for (int repeat = 1; repeat <= repeats; ++repeat) {
+      for (int i = 0; i < points; ++i) {
         Eigen::Vector2d point = Eigen::Vector2d::Zero();  // the clamp
-        if (i > 0) point = seen(points[static_cast<size_t>(i)], experiment.instrument, random);
+        if (i > 0) {
+          point = seen(profile.at(own.length * i / (points - 1)).position, instrument, random);
+        }
         csv.cell(setting * 1e3).cell(repeat).cell(i).cell(point.x() * 1e3).cell(point.y() * 1e3);
         csv.end_row();
       }
     }
   }
   return csv.text();
+}
+
+WrittenFields VirtualProfiles::study_fields() const {
+  return {{"direction", direction}, {"width", fmt::format("{} m", width)}};
+}
+
+std::string VirtualProfiles::profiles_text() const {
+  return sequence_text(settings, Dimension::length, fmt::format(", {} points a profile", points));
+}
+
+void read_photographs(Fields& fields, VirtualProfiles& test) {
+  if (auto v = fields.optional("points")) test.points = v->integer(5, 1000);
+  read_repeats(fields, test);
+  read_instrument(fields, test);
 }
 
 }  // namespace pliant

@@ -1,21 +1,33 @@
 #pragma once
 
-#include <string>
-
-#include "pliant/base/random.h"
-#include "pliant/experiment/lab_experiment.h"
-#include "pliant/material/component_law.h"
+#include "pliant/experiment/virtual_table.h"
 
 namespace pliant {
 
-/// Photographs the strips of a virtual cantilever or rolled-strip: the table of their profiles.
+/// Strips that hang from a clamp, photographed: the table of their profiles.
 ///
-/// The strips are elasticas of more and shorter elements than those that a fit compares with. Their
-/// points stand evenly along the strip; the first one, the clamp, is free of noise.
-/// @param law      of bending in the test's direction
-/// @param density  kg/m^2, > 0
-/// @throws SolverError when a strip finds no equilibrium
-std::string measure_profiles(const LabExperiment& experiment, const ComponentLaw& law,
-                             double density, RandomStream& random);
+/// Their lines are finer than those that a fit compares with. Their points stand evenly along the
+/// strip; the first one, the clamp, is free of noise.
+struct VirtualProfiles : VirtualTable {
+  int points = 25;  ///< of a profile
+
+  std::string rows(const ComponentLaw& law, const ClothFacts& cloth,
+                   RandomStream& random) const override;
+  WrittenFields study_fields() const override;
+
+ protected:
+  /// A strip that hangs, and how it came to.
+  struct Strip {
+    double length = 0;  // m
+    double rolled = 0;  // curvature that it was bent to (1/m)
+  };
+  virtual Strip strip(double setting) const = 0;
+  /// Column of the setting, of which 1000 are an SI unit.
+  virtual const char* setting_column() const = 0;
+  std::string profiles_text() const;
+};
+
+/// Reads `points`, `repeats` and the instrument.
+void read_photographs(Fields& fields, VirtualProfiles& test);
 
 }  // namespace pliant

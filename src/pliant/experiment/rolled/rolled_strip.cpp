@@ -31,15 +31,15 @@ void require_less_curved(const ProfileRows& profile, double length, const DataRo
 
 }  // namespace
 
-RolledStrip::RolledStrip(const ExperimentSpec& spec, const DataRows& data, double density)
-    : StripProfiles(spec, data, density, "radius") {
+RolledStrip::RolledStrip(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
+    : StripProfiles(spec, data, cloth.density, "radius") {
   for (const ProfileRows& profile : profiles()) {
     if (profile.setting == 0) {
       throw InputError(data.location(profile.first, "radius"), "is zero",
                        "the radius of the cylinder; negative where it turns the strip right");
     }
-    require_less_curved(profile, spec.length, data);
-    add_strip(profile, spec.length, 1 / profile.setting, data);
+    require_less_curved(profile, spec.test->length, data);
+    add_strip(profile, spec.test->length, 1 / profile.setting, data);
   }
   info_.handled.push_back(
       fmt::format("{} profiles: each strip starts flat, is bent to its cylinder and released",

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/profile/strip_profiles.h"
+#include "pliant/experiment/test_type.h"
 
 namespace pliant {
 
@@ -9,9 +9,8 @@ namespace pliant {
 /// 4.3). Each starts flat, is bent to the cylinder's curvature and let go little by little.
 class RolledStrip : public StripProfiles {
  public:
-  /// @param density  kg/m^2, > 0
   /// @throws InputError for a radius of zero, or profiles that are more curved than the cylinder
-  RolledStrip(const ExperimentSpec& spec, const DataRows& data, double density);
+  RolledStrip(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
 };
 
 }  // namespace pliant

@@ -11,6 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/experiment/session/lost_frames.h"
 #include "pliant/experiment/session/make_predictor.h"
+#include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
 
@@ -174,7 +175,8 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
                      CordFriction friction)
     : session_(std::move(session)), objective_(objective), friction_(friction) {
   info_.name = std::move(name);
-  info_.type = "session";
+  info_.type = session_type().name;
+  info_.test = session_type().facts;
   info_.direction = session_.test;
   info_.quantity = objective == SheetObjective::positions
                        ? MeasuredQuantity{"height_mm", "distance", "mm", 1e3}
@@ -372,8 +374,9 @@ std::unique_ptr<Predictor> SheetTest::predictor(const Material& material) const 
 }
 
 SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
-  const SheetObjective objective = spec.objective.value_or(usual_objective(session));
-  if (spec.cord_friction.unknown && objective == SheetObjective::positions) {
+  const auto& own = spec_of<SessionSpec>(spec);
+  const SheetObjective objective = own.objective.value_or(usual_objective(session));
+  if (own.cord_friction.unknown && objective == SheetObjective::positions) {
     throw InputError(
         spec.where,
         fmt::format("positions are compared in {}, which say nothing of the friction of cords",
@@ -381,7 +384,7 @@ SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
         "`cord_friction` where forces are compared");
   }
   try {
-    return {spec.name, std::move(session), objective, spec.cord_friction};
+    return {spec.name, std::move(session), objective, own.cord_friction};
   } catch (const InputError& error) {
     throw InputError(spec.where, error.problem(), error.expected());
   }

@@ -74,7 +74,8 @@ std::vector<Row> thinned(const std::vector<Row>& rows) {
 
 /// The strip's axis in the rest plane, from weft (rad).
 double angle_of(const ExperimentSpec& spec) {
-  if (spec.oblique_angle) return *spec.oblique_angle;
+  const auto& oblique = spec_of<TensileCyclesSpec>(spec).oblique_angle;
+  if (oblique) return *oblique;
   if (spec.direction == "weft") return 0;
   return spec.direction == "warp" ? std::numbers::pi / 2 : std::numbers::pi / 4;
 }
@@ -85,12 +86,13 @@ const char* test_of(const std::string& direction) {
 }
 
 Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, double area_density) {
-  const double edge = model.mesh_edge.value_or(std::min(spec.length, spec.width) / kCells);
+  const double edge =
+      model.mesh_edge.value_or(std::min(spec.test->length, spec.test->width) / kCells);
   const auto nodes = [&](double side) {
     return std::max(static_cast<int>(std::lround(side / edge)), 2) + 1;
   };
-  const int along = nodes(spec.length), across = nodes(spec.width);
-  const TriangleMesh grid = regular_grid(spec.length, spec.width, along, across);
+  const int along = nodes(spec.test->length), across = nodes(spec.test->width);
+  const TriangleMesh grid = regular_grid(spec.test->length, spec.test->width, along, across);
   const Eigen::Rotation2Dd turn(angle_of(spec));
   const Eigen::Matrix2Xd corners = turn.toRotationMatrix() * grid.positions.topRows<2>();
 
@@ -112,12 +114,12 @@ Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, dou
 SessionFrame frame_of(const Session& session, const ExperimentSpec& spec, const Row& row) {
   const double angle = angle_of(spec);
   const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
-  const double stretch = row.length / spec.length;
+  const double stretch = row.length / spec.test->length;
   SessionFrame frame;
   frame.positions =
       session.rest.positions + (stretch - 1) * along * (along.transpose() * session.rest.positions);
   frame.poses.resize(2);
-  frame.poses[1].translation = (row.length - spec.length) * along;
+  frame.poses[1].translation = (row.length - spec.test->length) * along;
   frame.cords.resize(2);
   if (row.used) {
     const Eigen::Vector3d end =
@@ -135,14 +137,14 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
     throw InputError(spec.where, "strips are no sheets of springs: springs lie along weft and warp",
                      "membrane: stvk or soft-constraint, and bending: discrete-shells");
   }
-  const TensileCycles cycles(spec, data, model.membrane);
+  const TensileCycles cycles(spec, data, {area_density, model.membrane});
   StripSheets sheets;
   sheets.warnings = cycles.info().warnings;
   const Eigen::VectorXd offsets = cycles.force_offsets();
   for (int s = 0; s < static_cast<int>(offsets.size()); ++s) {
     std::vector<Row> rows = rows_of(cycles, s, offsets(s));
     const std::size_t measured = rows.size();
-    take_up_slack(rows, spec.length);
+    take_up_slack(rows, spec.test->length);
     Session session = strip_at_rest(spec, model, area_density);
     for (const Row& row : thinned(rows)) {
       session.frames.push_back(frame_of(session, spec, row));

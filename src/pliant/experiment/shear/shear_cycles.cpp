@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
 
 namespace pliant {
 namespace {
@@ -18,32 +20,41 @@ void require_acute(const std::vector<double>& angles, const DataRows& data) {
   }
 }
 
-StrainRecord read_record(const DataRows& data, double transverse_tension) {
+StrainRecord record_of(std::vector<double> angles, double transverse_tension) {
   StrainRecord record;
-  record.driven = data.quantity("angle", Dimension::angle);
-  record.measured = data.quantity("force", Dimension::force_per_length);
+  record.driven = std::move(angles);
   record.strain_of = [](double angle) { return std::sin(angle); };
   record.quantity = {"force_N_per_m", "force per width", "N/m", 1};
   record.offset = "force_offset";
-  require_change(record.measured, data, "force");
-  require_change(record.driven, data, "angle");
-  require_acute(record.driven, data);
   for (const double angle : record.driven) {
     record.apparatus.push_back(transverse_tension * std::tan(angle));
   }
   return record;
 }
 
+StrainRecord read_record(const DataRows& data, double transverse_tension) {
+  StrainRecord record = record_of(data.quantity("angle", Dimension::angle), transverse_tension);
+  record.measured = data.quantity("force", Dimension::force_per_length);
+  require_change(record.measured, data, "force");
+  require_change(record.driven, data, "angle");
+  require_acute(record.driven, data);
+  return record;
+}
+
 }  // namespace
 
-ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data)
-    : ImposedStrain(spec, data, read_record(data, spec.transverse_tension)) {
+ShearCycles::ShearCycles(const SampledPath& path, double transverse_tension)
+    : ImposedStrain(record_of(path.value, transverse_tension), path.stretches) {}
+
+ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts&)
+    : ImposedStrain(spec, spec_of<ShearCyclesSpec>(spec).initial_friction, data,
+                    read_record(data, spec_of<ShearCyclesSpec>(spec).transverse_tension)) {
+  const double tension = spec_of<ShearCyclesSpec>(spec).transverse_tension;
   info_.handled.push_back(
       "the angle drives the path; strain is sin(angle): yarns keep their length");
   info_.handled.push_back(
-      spec.transverse_tension > 0
-          ? fmt::format("the transverse tension, {:.4g} N/m, adds T tan(angle)",
-                        spec.transverse_tension)
+      tension > 0
+          ? fmt::format("the transverse tension, {:.4g} N/m, adds T tan(angle)", tension)
           : "no transverse tension is stated: its share of the force is part of the stiffness");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/imposed_strain.h"
+#include "pliant/experiment/sampled_path.h"
 
 namespace pliant {
 
@@ -12,7 +12,9 @@ namespace pliant {
 /// tan(angle).
 class ShearCycles : public ImposedStrain {
  public:
-  ShearCycles(const ExperimentSpec& spec, const DataRows& data);
+  ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// A path of angles (rad) without measured forces.
+  ShearCycles(const SampledPath& path, double transverse_tension);
 };
 
 }  // namespace pliant

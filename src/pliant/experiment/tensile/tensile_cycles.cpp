@@ -15,17 +15,30 @@ constexpr double kSlackShare = 0.995;  // clamps nearer than this share of the g
 constexpr int kSlackRows = 5;          // rows needed to read the force offset off
 constexpr double kForceOffsetShare = 0.1;  // bounds of nuisance parameters: of the peak force
 constexpr double kRestLengthShare = 0.1;   // and of the gauge length
+
 }  // namespace
 
+TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
+                             std::vector<Stretch> stretches)
+    : geometry_(geometry), length_(std::move(lengths)) {
+  const auto rows = static_cast<int>(length_.size());
+  measured_ = Eigen::VectorXd::Zero(rows);
+  Specimen specimen;
+  specimen.rows.count = rows;
+  specimen.stretches = std::move(stretches);
+  specimens_.push_back(std::move(specimen));
+}
+
 TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
-                             MembraneMeasure measure)
-    : geometry_{spec.length, spec.width, measure}, apparatus_friction_(spec.apparatus_friction) {
+                             const ClothFacts& cloth)
+    : geometry_{spec.test->length, spec.test->width, cloth.membrane},
+      apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
   const std::vector<double> force = data.quantity("force", Dimension::force);
   if (auto length = data.optional_quantity("length", Dimension::length)) {
     length_ = *length;
     require_positive(length_, data, "length");
   } else if (auto extension = data.optional_quantity("extension", Dimension::length)) {
-    for (const double e : *extension) length_.push_back(spec.length + e);
+    for (const double e : *extension) length_.push_back(geometry_.gauge_length + e);
     require_positive(length_, data, "extension");
   } else {
     data.quantity("length", Dimension::length);  // names what is missing
@@ -48,16 +61,17 @@ void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec&
   const double threshold = reversal_threshold(lengths, spec.noise.length.value_or(0));
   specimen.stretches = monotone_stretches(lengths, threshold);
   for (int i = rows.first; i < rows.first + rows.count; ++i) {
-    if (length_[static_cast<size_t>(i)] >= kSlackShare * spec.length) continue;
+    if (length_[static_cast<size_t>(i)] >= kSlackShare * geometry_.gauge_length) continue;
     specimen.slack_force += measured_(i);
     ++specimen.slack_rows;
   }
   if (specimen.slack_rows > 0) specimen.slack_force /= specimen.slack_rows;
   if (specimen.slack_rows < kSlackRows) specimen.slack_force = 0;
 
-  exclude_conditioning(specimen, spec.precondition_cycles);
+  const auto& own = spec_of<TensileCyclesSpec>(spec);
+  exclude_conditioning(specimen, own.precondition_cycles);
   const size_t number = specimens_.size();
-  add_nuisance(specimen, number, spec);
+  add_nuisance(specimen, number, own);
   read_path(specimen, static_cast<int>(number));
   specimens_.push_back(std::move(specimen));
 }
@@ -73,7 +87,7 @@ void TensileCycles::exclude_conditioning(const Specimen& specimen, int cycles) {
   }
 }
 
-void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const ExperimentSpec& spec) {
+void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const TensileCyclesSpec& spec) {
   const auto add = [&](std::string_view name, const char* unit, double start, double lower,
                        double upper, double scale) {
     nuisance_.push_back({nuisance_name(info_, number, name), unit, start, lower, upper, scale});
@@ -108,6 +122,7 @@ void TensileCycles::read_path(const Specimen& specimen, int number) {
 }
 
 void TensileCycles::describe(const ExperimentSpec& spec) {
+  const auto& own = spec_of<TensileCyclesSpec>(spec);
   int slack = 0, turns = 0;
   double overshoot = 0;
   for (const Specimen& specimen : specimens_) {
@@ -131,26 +146,26 @@ void TensileCycles::describe(const ExperimentSpec& spec) {
         "force",
         slack));
   }
-  if (spec.role == ExperimentRole::fit) describe_nuisance(spec);
+  if (spec.role == ExperimentRole::fit) describe_nuisance(own);
   handled.push_back(
       apparatus_friction_ > 0
           ? fmt::format("stated friction of the apparatus, {:.4g} N, is taken off",
                         apparatus_friction_)
           : "friction of the apparatus is not stated: if there is any, it is part of a");
-  if (spec.precondition_cycles > 0) {
+  if (own.precondition_cycles > 0) {
     handled.push_back(
         fmt::format("the first {} cycle(s) condition the specimen: carried along, "
                     "not fitted",
-                    spec.precondition_cycles));
+                    own.precondition_cycles));
   }
-  if (spec.pretension > 0) {
+  if (own.pretension > 0) {
     handled.push_back(fmt::format(
         "the gauge length was set at a pretension of {:.4g} N: the rest length differs from it",
-        spec.pretension));
+        own.pretension));
   }
 }
 
-void TensileCycles::describe_nuisance(const ExperimentSpec& spec) {
+void TensileCycles::describe_nuisance(const TensileCyclesSpec& spec) {
   info_.handled.push_back(
       spec.rest_length == RestLength::unknown
           ? "force offset and rest length are estimated along (nuisance parameters)"

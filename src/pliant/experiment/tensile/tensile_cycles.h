@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pliant/experiment/component_experiment.h"
-#include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/tensile/strip_pull.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
@@ -16,7 +16,10 @@ namespace pliant {
 /// first row and its rest length.
 class TensileCycles : public ComponentExperiment {
  public:
-  TensileCycles(const ExperimentSpec& spec, const DataRows& data, MembraneMeasure measure);
+  TensileCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
+  /// A path of the clamps (m) without measured forces, of a fresh strip in an ideal apparatus.
+  TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
+                std::vector<Stretch> stretches);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
@@ -39,10 +42,10 @@ class TensileCycles : public ComponentExperiment {
 
   void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec);
   void exclude_conditioning(const Specimen& specimen, int cycles);
-  void add_nuisance(Specimen& specimen, size_t number, const ExperimentSpec& spec);
+  void add_nuisance(Specimen& specimen, size_t number, const TensileCyclesSpec& spec);
   void read_path(const Specimen& specimen, int number);
   void describe(const ExperimentSpec& spec);
-  void describe_nuisance(const ExperimentSpec& spec);
+  void describe_nuisance(const TensileCyclesSpec& spec);
 
   UniaxialGeometry geometry_;
   double apparatus_friction_ = 0;

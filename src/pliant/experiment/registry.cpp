@@ -1,0 +1,83 @@
+#include "pliant/experiment/registry.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pliant/base/nearest_name.h"
+#include "pliant/experiment/bending/pure_bending_type.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/cantilever/cantilever_type.h"
+#include "pliant/experiment/hanging/hanging_weights_type.h"
+#include "pliant/experiment/overhang/bending_length_type.h"
+#include "pliant/experiment/rolled/rolled_strip_type.h"
+#include "pliant/experiment/session/session_type.h"
+#include "pliant/experiment/shear/shear_cycles_type.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
+
+namespace pliant {
+namespace {
+
+/// Known to come.
+constexpr std::array kLaterTypes = {"homogeneous", "press", "indentation", "image-poses"};
+
+}  // namespace
+
+std::span<const TestType* const> test_types() {
+  static const std::array types{
+      &hanging_weights_type(), &tensile_cycles_type(), &shear_cycles_type(),
+      &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
+      &bending_length_type(),  &buckling_bend_type(),  &session_type()};
+  return types;
+}
+
+const TestType* find_test_type(std::string_view name) {
+  const auto found = std::ranges::find(test_types(), name, &TestType::name);
+  return found == test_types().end() ? nullptr : *found;
+}
+
+const TestFacts& facts_of_test(std::string_view name) {
+  static const TestFacts nothing;
+  const TestType* type = find_test_type(name);
+  return type ? type->facts : nothing;
+}
+
+const TestType& read_test_type(const Value& value) {
+  std::vector<std::string_view> names;
+  for (const TestType* type : test_types()) names.push_back(type->name);
+  if (value.is_scalar() && std::ranges::find(kLaterTypes, value.text()) != kLaterTypes.end()) {
+    value.fail(quoted_value(value.text()) + " is not there yet",
+               list_of_names(std::vector<std::string>(names.begin(), names.end())));
+  }
+  return *find_test_type(value.choice(names));
+}
+
+std::string component_of_test(const TestFacts& facts, const std::string& direction) {
+  if (!facts.deformation) return "";
+  switch (*facts.deformation) {
+    case Deformation::shear:
+      return "shear";
+    case Deformation::bend:
+      return "bend." + (direction == "bias" ? "diagonal" : direction);
+    case Deformation::stretch:
+      break;
+  }
+  const bool oblique = direction != "warp" && direction != "weft" && direction != "bias";
+  return oblique ? "shear" : "stretch." + direction;
+}
+
+std::string component_of_test(std::string_view type, const std::string& direction) {
+  return component_of_test(facts_of_test(type), direction);
+}
+
+bool is_supported_type(std::string_view type) {
+  const TestType* found = find_test_type(type);
+  return found && found->make;
+}
+
+bool measures_sheets(std::string_view type) { return facts_of_test(type).measures_sheets; }
+bool measures_profiles(std::string_view type) { return facts_of_test(type).measures_profiles; }
+bool overhangs(std::string_view type) { return facts_of_test(type).overhangs; }
+bool bends_by_weight(std::string_view type) { return facts_of_test(type).bends_by_weight; }
+bool needs_density(std::string_view type) { return facts_of_test(type).needs_density; }
+
+}  // namespace pliant

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pliant {
+
+struct TestType;
+
+/// Keys and values of a mapping, as documents write them.
+using WrittenFields = std::vector<std::pair<std::string, std::string>>;
+
+/// What an experiment of a study has beside the fields of all: the specification of its test.
+struct TestSpec {
+  double length = 0;  ///< of the specimen (m); 0 where the test has none or it is not stated
+  double width = 0;
+
+  virtual ~TestSpec() = default;
+  virtual const TestType& type() const = 0;
+  /// The test's own fields, every default filled in.
+  virtual WrittenFields fields() const = 0;
+  /// Whether no component of its own describes it in one dimension.
+  virtual bool is_only_sheet() const { return false; }
+};
+
+}  // namespace pliant

@@ -11,6 +11,7 @@
 
 #include "pliant/base/parallel.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/math/sparse_cholesky.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/dynamic_relaxation.h"

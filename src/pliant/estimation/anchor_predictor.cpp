@@ -21,9 +21,9 @@ class AnchorPredictor : public Predictor {
     const std::vector<Frame> frames = experiment_.frames();
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const auto [first, count, specimen] = frames[f];
-      FrameRows found{experiment_.measured().segment(first, count),
-                      Eigen::MatrixXd(by.empty() ? 0 : count, by.size()),
-                      {}};
+      PredictedFrame found{experiment_.measured().segment(first, count),
+                           Eigen::MatrixXd(by.empty() ? 0 : count, by.size()),
+                           {}};
       for (int i = 0; i < count; ++i) {
         const ForceError error = error_of(law, static_cast<std::size_t>(first + i));
         found.value(i) += error.force + offset;

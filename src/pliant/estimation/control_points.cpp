@@ -137,7 +137,7 @@ GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
   const DataStrains strains = data_strains(problem, even);
   const double rows = effective_rows_of(problem, strains, options, even);
   std::vector<LawFit> fits;  // of one point, of two, ...
-  const auto fit_of = [&](int points) -> std::optional<ModelFit> {
+  const auto fit_of = [&](int points) -> std::optional<FittedModel> {
     if (points == 1) {
       const std::vector<double> first{even ? 0.0 : strains.high};
       fits.push_back(fit_law(problem, shape_of(first, friction, even), options, stop));
@@ -148,8 +148,8 @@ GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
       fits.push_back(fit_law(problem, shape, options, stop, {on_knots(fits.back(), shape)}));
     }
     const LawFit& fit = fits.back();
-    return ModelFit{root_mean_square(problem, fit), free_count(fit.unknowns),
-                    std::max(points - 2, 0), rows};
+    return FittedModel{root_mean_square(problem, fit), free_count(fit.unknowns),
+                       std::max(points - 2, 0), rows};
   };
   const Growth growth = grow_model(1, options.control_points, fit_of, kExact);
   GrownFit grown;

@@ -20,7 +20,7 @@ class StoredRows : public FrameSink {
     if (!unknowns_.empty()) rows_.by.setZero(experiment.rows(), unknown_count);
   }
 
-  void take(int frame, const FrameRows& rows) override {
+  void take(int frame, const PredictedFrame& rows) override {
     const Frame& at = frames_[static_cast<std::size_t>(frame)];
     rows_.value.segment(at.first, at.count) = rows.value;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {

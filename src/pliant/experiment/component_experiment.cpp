@@ -24,7 +24,7 @@ class ComponentPredictor : public Predictor {
     if (!prediction) return false;
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       const auto [first, count, specimen] = frames_[f];
-      FrameRows frame;
+      PredictedFrame frame;
       frame.value = prediction->value.segment(first, count);
       if (!by.empty()) frame.by = prediction->jacobian.middleRows(first, count)(Eigen::all, by);
       if (prediction->length_gain.size() > 0) {

@@ -11,7 +11,7 @@
 namespace pliant {
 
 /// The rows of a frame as they are predicted.
-struct FrameRows {
+struct PredictedFrame {
   Eigen::VectorXd value;             ///< SI
   Eigen::MatrixXd by;                ///< rows x chosen parameters
   Eigen::VectorXd length_gain = {};  ///< |d value / d length|, for noise of the length (m); may be
@@ -22,7 +22,7 @@ struct FrameRows {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  virtual void take(int frame, const FrameRows& rows) = 0;
+  virtual void take(int frame, const PredictedFrame& rows) = 0;
 };
 
 /// How a prediction may work: on how many threads, on which nothing of it depends, and until when.

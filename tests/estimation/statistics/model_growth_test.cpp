@@ -22,7 +22,7 @@ constexpr double kLargestStrain = 0.2;
 constexpr int kMostPoints = 6;
 constexpr int kOthers = 4;  // friction's three and an offset
 
-ModelFit fit_of(double rms, int parameters, int placed = 0, double rows = 100) {
+FittedModel fit_of(double rms, int parameters, int placed = 0, double rows = 100) {
   return {rms, parameters, placed, rows};
 }
 
@@ -54,7 +54,7 @@ TEST(IsWorth, IsNothingBelowTheAccuracy) {
 
 /// Grows with given rms of 1, 2, ... points.
 Growth grow_by(const std::vector<double>& rms) {
-  return grow_model(1, static_cast<int>(rms.size()), [&](int points) -> std::optional<ModelFit> {
+  return grow_model(1, static_cast<int>(rms.size()), [&](int points) -> std::optional<FittedModel> {
     const double value = rms[static_cast<size_t>(points - 1)];
     if (std::isnan(value)) return std::nullopt;
     return fit_of(value, points);
@@ -110,13 +110,13 @@ class StripGrowth {
   }
 
  private:
-  std::optional<ModelFit> fit(int points) {
+  std::optional<FittedModel> fit(int points) {
     knots_ = points == 1   ? std::vector<double>{kLargestStrain}
              : points == 2 ? std::vector<double>{0, kLargestStrain}
                            : split();
     const double rms =
         residual_of(knots_).norm() / std::sqrt(static_cast<double>(measured_.size()));
-    return ModelFit{rms, points + kOthers, std::max(points - 2, 0), effective_rows_};
+    return FittedModel{rms, points + kOthers, std::max(points - 2, 0), effective_rows_};
   }
 
   std::vector<double> split() const {

@@ -12,7 +12,7 @@ constexpr double kPlaceCost = 0.5;
 
 }  // namespace
 
-bool is_worth(const ModelFit& simple, const ModelFit& rich, double accuracy) {
+bool is_worth(const FittedModel& simple, const FittedModel& rich, double accuracy) {
   if (simple.rms <= accuracy || !(rich.rms < (1 - kWorthwhileFall) * simple.rms)) return false;
   const double rows = rich.effective_rows;
   const double spare = rows - rich.parameters;
@@ -28,7 +28,7 @@ Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accurac
   if (!start) return growth;
   growth.points = first;
   growth.steps.push_back({first, *start, true});
-  ModelFit accepted = *start;
+  FittedModel accepted = *start;
   for (int points = first + 1; points <= most && points <= growth.points + 2; ++points) {
     const auto fit = fit_of(points);
     if (!fit) break;

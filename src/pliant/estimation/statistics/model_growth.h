@@ -7,7 +7,7 @@
 namespace pliant {
 
 /// How well a model of some size meets the rows that all models are fitted to.
-struct ModelFit {
+struct FittedModel {
   double rms = 0;             ///< of the weighted residuals (any unit, the same for all models)
   int parameters = 0;         ///< that the fit was free to choose, nuisance parameters included
   int placed = 0;             ///< of them control points whose places the data chose
@@ -29,15 +29,15 @@ struct ModelFit {
 /// fit at hand (a curve with the most points, evenly spaced and fitted linearly, will do), the same
 /// for all fits of one growth.
 /// @param accuracy  an rms below it is as good as any (in the unit of rms)
-bool is_worth(const ModelFit& simple, const ModelFit& rich, double accuracy = 0);
+bool is_worth(const FittedModel& simple, const FittedModel& rich, double accuracy = 0);
 
 /// Fits a model with so many control points; nothing where there is no such model or no fit.
-using FitOfPoints = std::function<std::optional<ModelFit>(int points)>;
+using FitOfPoints = std::function<std::optional<FittedModel>(int points)>;
 
 /// One model that was tried.
 struct GrowthStep {
   int points = 0;
-  ModelFit fit;
+  FittedModel fit;
   bool accepted = false;
 };
 

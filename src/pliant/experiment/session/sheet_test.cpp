@@ -71,7 +71,7 @@ class SessionPredictor : public Predictor {
     for (int frame = 0; frame < test_.frame_count(); ++frame) {
       SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
       add_cord_drags(test_.cords(), widths, by_cords, frame, shape);
-      FrameRows found{test_.predicted(frame, shape), {}, {}};
+      PredictedFrame found{test_.predicted(frame, shape), {}, {}};
       if (!by.empty()) found.by = test_.jacobian(frame, shape)(Eigen::all, columns);
       rows.take(frame, found);
     }

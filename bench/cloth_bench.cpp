@@ -9,7 +9,9 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include "pliant/base/parallel.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/math/sparse_cholesky.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/dynamic_relaxation.h"
@@ -44,7 +46,6 @@ Material cotton() {
 // A sheet that hangs from two of its corners.
 struct HangingSheet {
   TriangleMesh mesh;
-  ParameterList parameters;
   std::unique_ptr<System> system;
 
   HangingSheet(int nodes, double size, bool friction, bool upright = true)
@@ -54,7 +55,7 @@ struct HangingSheet {
     system = std::make_unique<System>(mesh.positions, material.density * vertex_areas(mesh));
     DensityOptions options;
     options.friction = friction;
-    add_cloth(*system, mesh, material, options, parameters);
+    add_cloth(*system, mesh, material, options);
     const Eigen::Vector3d gravity(0, 0, -9.81);
     system->add(std::make_shared<PointForces>(gravity * system->masses().transpose()));
     system->coordinates().prescribe(nodes * (nodes - 1));
@@ -86,7 +87,7 @@ constexpr double kThesisSize = 0.1;
 void BM_HessianAnalytic(benchmark::State& run) {
   const HangingSheet sheet(kThesisNodes, kThesisSize, true);
   const State state = sheet.equilibrium();
-  const Objective objective(*sheet.system, state);
+  const Objective objective(*sheet.system, {state});
   Hessian hessian = sheet.system->make_hessian();
   Eigen::Matrix3Xd gradient;
   for (auto _ : run) {
@@ -140,7 +141,7 @@ void put_columns(const std::vector<int>& rows, int axis, const Eigen::Matrix3Xd&
 void BM_HessianByForwardDifferences(benchmark::State& run) {
   const HangingSheet sheet(kThesisNodes, kThesisSize, true);
   const State state = sheet.equilibrium();
-  const Objective objective(*sheet.system, state);
+  const Objective objective(*sheet.system, {state});
   Hessian hessian = sheet.system->make_hessian();
   const auto groups = uncoupled_groups(hessian.matrix.pattern());
   const Coordinates& coordinates = sheet.system->coordinates();
@@ -217,7 +218,7 @@ void BM_EquilibriumFrom2mmByDynamicRelaxation(benchmark::State& run) {
   Configuration at;
   for (auto _ : run) {
     at = problem.start.configuration;
-    summary = relax(Objective(*problem.sheet.system, problem.start), {.tolerance = tolerance},
+    summary = relax(Objective(*problem.sheet.system, {problem.start}), {.tolerance = tolerance},
                     hessian, at);
   }
   if (!summary.converged) run.SkipWithError("not converged");
@@ -240,15 +241,16 @@ struct SensitivityProblem {
     State state = sheet.equilibrium();
     state.history.setZero();  // friction loaded from the rest shape: every parameter matters
     Eigen::Matrix3Xd gradient;
-    Objective(*sheet.system, state)
+    Objective(*sheet.system, {state})
         .linearize(state.configuration, Curvature::exact, gradient, hessian);
-    const int count = sheet.system->parameter_count();
+    const std::vector<int> by = sheet.system->all_parameters();
+    const auto count = std::ssize(by);
     Eigen::MatrixXd by_parameter = Eigen::MatrixXd::Zero(3 * sheet.system->points(), count);
-    sheet.system->add_force_sensitivity(state.configuration, state,
+    sheet.system->add_force_sensitivity(state.configuration, {state}, by,
                                         Eigen::MatrixXd::Zero(state.history.size(), count),
                                         by_parameter);
     forces.resize(sheet.system->coordinates().unknowns(), count);
-    for (int p = 0; p < count; ++p) {
+    for (Eigen::Index p = 0; p < count; ++p) {
       const Eigen::Matrix3Xd column = by_parameter.col(p).reshaped(3, sheet.system->points());
       forces.col(p) = sheet.system->coordinates().reduce(state.configuration, column);
     }
@@ -339,19 +341,20 @@ BENCHMARK(BM_SensitivitiesByConjugateGradients)
 // threads.
 void BM_Step29k(benchmark::State& run) {
   const HangingSheet sheet(121, 1, run.range(1) != 0, false);
-  sheet.system->set_threads(static_cast<int>(run.range(3)));
   TimeStepOptions options;
   options.step = static_cast<double>(run.range(0)) * 1e-3;
   options.solve = run.range(2) != 0 ? StepSolve::converged : StepSolve::linearized;
   TimeStepper stepper(*sheet.system, options);
   State state = sheet.system->initial_state();
   double linear = 0, newton = 0;
-  for (auto _ : run) {
-    const StepSummary step = stepper.advance(state);
-    if (!step.converged) run.SkipWithError("not converged");
-    linear += step.linear_iterations;
-    newton += step.newton_iterations;
-  }
+  with_threads(static_cast<int>(run.range(3)), [&] {
+    for (auto _ : run) {
+      const StepSummary step = stepper.advance(state);
+      if (!step.converged) run.SkipWithError("not converged");
+      linear += step.linear_iterations;
+      newton += step.newton_iterations;
+    }
+  });
   run.counters["linear_iterations"] = linear / static_cast<double>(run.iterations());
   run.counters["newton_iterations"] = newton / static_cast<double>(run.iterations());
 }

@@ -2,6 +2,7 @@
 # name, in pliant_library(). docs/dependencies.md says what each is for.
 
 find_package(Threads QUIET)
+find_package(TBB QUIET)
 find_package(PkgConfig QUIET)
 find_package(fmt QUIET)
 find_package(yaml-cpp QUIET)

@@ -32,21 +32,24 @@ Material unsheared_cotton() {
 struct WeightedSheet : test::ClothSheet {
   std::vector<int> held = row_at(kLength), clip = row_at(0);
   std::vector<double> weights;
-  std::shared_ptr<PointForces> load;
 
   WeightedSheet(const TriangleMesh& sheet, const std::vector<double>& hung)
       : ClothSheet(sheet, unsheared_cotton()), weights(hung) {
     prescribe(held);
     system.coordinates().add_clip(clip, false);
-    load = std::make_shared<PointForces>(Eigen::Matrix3Xd::Zero(3, system.points()));
-    system.add(load);
-    system.add_drive([this](double time, Configuration&) {
-      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, system.points());
-      const double weight = weights.at(static_cast<size_t>(std::lround(time)) - 1);
-      for (const int i : clip) forces(1, i) = -weight / static_cast<double>(clip.size());
-      load->set_forces(forces);
-    });
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(system.points());
+    shares(clip).setConstant(1.0 / static_cast<double>(clip.size()));
+    system.add(std::make_shared<PointForces>(0, shares));
     system.finish();
+  }
+
+  Schedule schedule() const {
+    return [this](double time) {
+      Controls controls;
+      controls.vectors =
+          Eigen::Vector3d(0, -weights.at(static_cast<size_t>(std::lround(time)) - 1), 0);
+      return controls;
+    };
   }
 };
 
@@ -70,9 +73,10 @@ TEST_P(HangingWeights3d, HasTheLengthsOfTheOneDimensionalModelOverTheWholePath) 
   WeightedSheet sheet(regular_grid(kWidth, kLength, 5, 5, GetParam()), weights);
   StaticPathOptions options;
   options.newton.tolerance = 1e-10;
-  options.sensitivities = true;
+  options.schedule = sheet.schedule();
+  options.by = sheet.system.all_parameters();
   StaticPath path(sheet.system, options);
-  const auto& names = sheet.parameters.names;
+  const auto& names = sheet.system.parameters().names;
   const auto first = std::find(names.begin(), names.end(), "stretch.warp.k1") - names.begin();
   ASSERT_LT(first, std::ssize(names));
   for (Eigen::Index i = 0; i < std::ssize(weights); ++i) {

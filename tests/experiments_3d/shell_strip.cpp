@@ -1,6 +1,7 @@
 #include "experiments_3d/shell_strip.h"
 
 #include <cmath>
+#include <memory>
 
 #include "pliant/base/quantity.h"
 #include "pliant/geometry/hinges.h"
@@ -8,6 +9,7 @@
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/mechanics/element_potential.h"
+#include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/static_path.h"
 
 #include "support/cloth_sheet.h"
@@ -18,7 +20,7 @@ namespace pliant::test {
 /// moments that act on hinges from outside.
 class FadingMoment : public ParametricDensity {
  public:
-  void set_share(double share) { share_ = share; }
+  explicit FadingMoment(double share) : share_(share) {}
 
   int history_size() const override { return 0; }
   void add(const Samples& samples, const StepTime&, Response& response) const override {
@@ -26,12 +28,14 @@ class FadingMoment : public ParametricDensity {
     response.stress.col(0) -= share_;
   }
   void advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const override {}
-  Eigen::VectorXd parameters() const override { return {}; }
-  void set_parameters(const Eigen::VectorXd&) override {}
+  Eigen::VectorXd parameters() const override { return Eigen::VectorXd::Constant(1, share_); }
+  std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& share) const override {
+    return std::make_unique<FadingMoment>(share(0));
+  }
   void differentiate(const Samples&, int, int, int, SampleDerivatives&) const override {}
 
  private:
-  double share_ = 0;
+  double share_;
 };
 
 namespace {
@@ -69,10 +73,8 @@ ShellStrip::ShellStrip(const StripGrid& grid, const Material& material, double c
     : grid_(grid),
       mesh_(regular_grid(grid.width, grid.rows * grid.cell(), grid.columns + 1, grid.rows + 1)),
       system_(bent_positions(curvature), material.density * vertex_areas(mesh_)) {
-  ParameterList parameters;
-  add_cloth(system_, mesh_, material, {}, parameters);
-  weight_ = std::make_shared<PointForces>(weight());
-  system_.add(weight_);
+  add_cloth(system_, mesh_, material, {});
+  system_.add(std::make_shared<PointForces>(0, system_.masses()));
   hold(*law_of(material, "bend.warp"), curvature);
   for (const int number : {0, 1}) {
     for (const int vertex : row(number)) system_.coordinates().prescribe(vertex);
@@ -133,8 +135,9 @@ void ShellStrip::hold(const ComponentLaw& law, double curvature) {
     const double moment = bent - hanging_moment(positions, number);
     stencils.add(hinge.vertices, {0, hinge.height, 0}, moment * hinge.area);
   }
-  held_ = std::make_shared<FadingMoment>();
-  system_.add(std::make_shared<ElementPotential<DiscreteShells>>(stencils, held_));
+  const std::vector<int> place = system_.add_parameters({"share"}, Eigen::VectorXd::Zero(1));
+  system_.add(std::make_shared<ElementPotential<DiscreteShells>>(
+      stencils, std::make_shared<FadingMoment>(0), place));
 }
 
 std::vector<double> ShellStrip::places() const {
@@ -146,25 +149,39 @@ std::vector<double> ShellStrip::places() const {
 }
 
 std::vector<Eigen::Vector2d> ShellStrip::released(int steps) {
-  system_.add_drive([this](double time, Configuration&) { held_->set_share(1 - time); });
-  return follow(steps);
+  return follow(steps, [](double time) { return Loads{1 - time, 1}; });
 }
 
 std::vector<Eigen::Vector2d> ShellStrip::loaded(int steps) {
-  system_.add_drive([this](double time, Configuration&) { weight_->set_forces(time * weight()); });
-  return follow(steps);
+  return follow(steps, [](double time) { return Loads{0, time}; });
 }
 
-std::vector<Eigen::Vector2d> ShellStrip::follow(int steps) {
+std::vector<Eigen::Vector2d> ShellStrip::follow(int steps,
+                                                const std::function<Loads(double)>& loads) {
   system_.finish();
+  const std::vector<double>& given = system_.parameters().values;
+  Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(given.data(), std::ssize(given));
   StaticPathOptions options;
   options.newton.tolerance = 1e-10;      // N; a vertex weighs some 1e-6 N
   options.newton.max_iterations = 2000;  // a strip that swings down is far from where it was
-  StaticPath path(system_, options);
-  for (int step = 1; step <= steps; ++step) path.step(static_cast<double>(step) / steps);
+  State state = system_.initial_state();
+  for (int step = 1; step <= steps; ++step) {
+    const double time = static_cast<double>(step) / steps;
+    const Loads now = loads(time);
+    values(values.size() - 1) = now.moment;
+    options.parameters = system_.with(values);
+    options.schedule = [&](double) {
+      Controls controls;
+      controls.vectors = Eigen::Vector3d(0, -now.weight * kStandardGravity, 0);
+      return controls;
+    };
+    StaticPath path(system_, options, state);
+    path.step(time);
+    state = path.state();
+  }
   std::vector<Eigen::Vector2d> points;
   for (int number = 1; number < row_count(); ++number) {
-    points.push_back(middle(path.state().configuration.positions, number));
+    points.push_back(middle(state.configuration.positions, number));
   }
   return points;
 }

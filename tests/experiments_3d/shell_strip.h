@@ -1,18 +1,15 @@
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "pliant/geometry/triangle_mesh.h"
 #include "pliant/material/material.h"
-#include "pliant/mechanics/point_forces.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant::test {
-
-class FadingMoment;
 
 /// A cloth whose hinges across a strip along warp bend as `bending` says, and whose strips do
 /// nothing else: its diagonals hardly bend. Otherwise vertices would move out of the cylinder
@@ -60,13 +57,15 @@ class ShellStrip {
   Eigen::Matrix3Xd weight() const;
   double hanging_moment(const Eigen::Matrix3Xd& positions, int number) const;
   void hold(const ComponentLaw& law, double curvature);
-  std::vector<Eigen::Vector2d> follow(int steps);
+  /// Shares of the moments of the first shape and of the weight.
+  struct Loads {
+    double moment = 0, weight = 0;
+  };
+  std::vector<Eigen::Vector2d> follow(int steps, const std::function<Loads(double)>& loads);
 
   StripGrid grid_;
   TriangleMesh mesh_;
   System system_;
-  std::shared_ptr<PointForces> weight_;
-  std::shared_ptr<FadingMoment> held_;
 };
 
 }  // namespace pliant::test

@@ -331,7 +331,7 @@ TEST_P(DensityLaws, KeepTheirPointsApart) {
 /// parameters), in statics.
 class QuasiStaticStep {
  public:
-  QuasiStaticStep(ParametricDensity& law, const test::LaneState& state, int lane)
+  QuasiStaticStep(const ParametricDensity& law, const test::LaneState& state, int lane)
       : law_(law), state_(state), lane_(lane) {}
 
   Eigen::VectorXd arguments() const {
@@ -349,17 +349,15 @@ class QuasiStaticStep {
   }
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
-    const Eigen::VectorXd parameters_before = law_.parameters();
+    const auto law = law_.with_parameters(x.tail(parameters()));
     test::LaneState state = state_;
     state.strain.row(lane_) = x.head(kStrains).transpose().array();
     state.last.row(lane_) = x.segment(kStrains, kStrains).transpose().array();
     state.history.row(lane_) = x.segment(2 * kStrains, history()).transpose().array();
-    law_.set_parameters(x.tail(parameters()));
     Eigen::VectorXd result(kStrains + history());
-    result.head(kStrains) = test::response_of(law_, state).stress.row(lane_).transpose().matrix();
-    test::advance(law_, state);
+    result.head(kStrains) = test::response_of(*law, state).stress.row(lane_).transpose().matrix();
+    test::advance(*law, state);
     result.tail(history()) = state.history.row(lane_).transpose().matrix();
-    law_.set_parameters(parameters_before);
     return result;
   }
 
@@ -381,7 +379,7 @@ class QuasiStaticStep {
   Eigen::Index history() const { return law_.history_size(); }
   Eigen::Index parameters() const { return law_.parameters().size(); }
 
-  ParametricDensity& law_;
+  const ParametricDensity& law_;
   test::LaneState state_;
   int lane_;
 };
@@ -405,12 +403,12 @@ TEST_P(DensityLaws, StateTheDerivativesThatAPathNeeds) {
 
 TEST_P(DensityLaws, TakeTheParametersThatTheyAreGiven) {
   RandomStream random(24);
-  const std::unique_ptr<Density> law = GetParam().draw(random), other = GetParam().draw(random);
-  auto* parametric = dynamic_cast<ParametricDensity*>(law.get());
+  const std::unique_ptr<Density> first = GetParam().draw(random), other = GetParam().draw(random);
+  const auto* parametric = dynamic_cast<const ParametricDensity*>(first.get());
   if (!parametric) return;
   const Eigen::VectorXd parameters = dynamic_cast<ParametricDensity&>(*other).parameters();
-  parametric->set_parameters(parameters);
-  EXPECT_EQ(parametric->parameters(), parameters);
+  const auto law = parametric->with_parameters(parameters);
+  EXPECT_EQ(law->parameters(), parameters);
   if (GetParam().name == "SumWithLinearizedFriction") return;  // whose addend has none
   const test::LaneState state = draw_state(random, *law);
   const Response response = test::response_of(*law, state);

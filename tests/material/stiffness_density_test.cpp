@@ -37,14 +37,14 @@ TEST(StiffnessDensity, HasTheEnergyStressAndTangentOfItsCurve) {
   expect_curve(ScalarCurve::hermite({0.05, 0.1}, {80, 60}, true), random);
 }
 
-TEST(StiffnessDensity, FollowsNewParameters) {
+TEST(StiffnessDensity, WithOtherParametersFollowsThem) {
   RandomStream random(2);
   const ScalarCurve curve = ScalarCurve::hermite({0, 0.1, 0.2}, {80, 60, 150}, true);
-  StiffnessDensity density(0, ScalarCurve::hermite({0, 0.1, 0.2}, {1, 2, 3}, true));
-  density.set_parameters(Eigen::Vector3d(80, 60, 150));
+  const auto density = StiffnessDensity(0, ScalarCurve::hermite({0, 0.1, 0.2}, {1, 2, 3}, true))
+                           .with_parameters(Eigen::Vector3d(80, 60, 150));
   test::LaneState state(1, 0);
   for (double& x : state.strain.reshaped()) x = random.uniform(-0.3, 0.3);
-  const Response response = test::response_of(density, state);
+  const Response response = test::response_of(*density, state);
   for (int i = 0; i < kLanes; ++i) {
     const double x = state.strain(i, 0);
     EXPECT_NEAR(response.stress(i, 0), curve.value(x) * x, 1e-11);

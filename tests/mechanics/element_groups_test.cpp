@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/base/parallel.h"
+
 #include "support/cloth_systems.h"
 #include "support/evaluate_system.h"
 
@@ -38,7 +40,7 @@ void expect_disjoint(const std::vector<ElementGroups::Group>& wave,
 
 TEST(ElementGroups, HoldEveryBatchOnce) {
   std::vector<int> visits(kBatches, 0);
-  const int sum = ElementGroups(kBatches, touch_clip).sum<int>(1, [&](int batch) {
+  const int sum = ElementGroups(kBatches, touch_clip).sum<int>([&](int batch) {
     ++visits[static_cast<size_t>(batch)];
     return batch;
   });
@@ -70,21 +72,22 @@ Evaluated evaluated_by(int threads) {
   system.coordinates().add_clip({0, 1, 2, 1500, 1501}, false);
   system.coordinates().prescribe(100);
   system.finish();
-  system.set_threads(threads);
   State state = system.initial_state();
   RandomStream random(1);
   const Eigen::VectorXd shake = Eigen::VectorXd::NullaryExpr(
       system.coordinates().unknowns(), [&] { return random.uniform(-1e-4, 1e-4); });
   const Configuration at = system.coordinates().moved(state.configuration, shake);
   Evaluated result;
-  result.energy = test::energy_of(system, at, state);
-  result.gradient = test::gradient_of(system, at, state);
-  Hessian hessian = system.make_hessian();
-  Derivatives derivatives;
-  derivatives.hessian = &hessian;
-  system.evaluate(at, state, {}, Curvature::convex, derivatives);
-  result.row_sums = hessian.matrix * Eigen::VectorXd::Ones(system.coordinates().unknowns());
-  result.work = system.advance_history(at, state, {}, result.history);
+  with_threads(threads, [&] {
+    result.energy = test::energy_of(system, at, state);
+    result.gradient = test::gradient_of(system, at, state);
+    Hessian hessian = system.make_hessian();
+    Derivatives derivatives;
+    derivatives.hessian = &hessian;
+    system.evaluate(at, {state}, Curvature::convex, derivatives);
+    result.row_sums = hessian.matrix * Eigen::VectorXd::Ones(system.coordinates().unknowns());
+    result.work = system.advance_history(at, {state}, result.history);
+  });
   return result;
 }
 

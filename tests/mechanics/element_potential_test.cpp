@@ -109,7 +109,9 @@ ElementSystem element_system(const std::string& header, const Stencils<Measure>&
   result.system =
       std::make_unique<System>(mesh.positions, Eigen::VectorXd::Ones(mesh.vertex_count()));
   result.system->add(potential);
-  result.system->set_parameter_count(count + 1);
+  Eigen::VectorXd values(count + 1);
+  values << 0, result.law->parameters().reverse();
+  result.system->add_parameters(std::vector<std::string>(static_cast<size_t>(count) + 1), values);
   if (held) {
     result.system->coordinates().prescribe(7);
     result.system->coordinates().add_clip({0, 5, 11}, false);
@@ -214,7 +216,7 @@ TEST(ElementPotential, PutsItsStiffnessThroughClipsAndPastHeldPoints) {
     Hessian hessian = system.make_hessian();
     Derivatives derivatives;
     derivatives.hessian = &hessian;
-    system.evaluate(at, from, kTime, Curvature::exact, derivatives);
+    system.evaluate(at, {.from = from, .time = kTime}, Curvature::exact, derivatives);
     const Eigen::MatrixXd expected =
         jacobian.transpose() * test::hessian_of(whole, free_points, as_free, kTime) * jacobian;
     EXPECT_LT((test::dense(hessian.matrix) - expected).norm(), 1e-9 * expected.norm())
@@ -282,7 +284,7 @@ TEST(ElementPotential, AddsToWhatIsThere) {
     Derivatives derivatives;
     derivatives.energy = {5, 7};
     derivatives.gradient = &gradient;
-    s.system->evaluate(at, from, kTime, Curvature::exact, derivatives);
+    s.system->evaluate(at, {.from = from, .time = kTime}, Curvature::exact, derivatives);
     const Energy energy = test::energy_of(*s.system, at, from, kTime);
     EXPECT_DOUBLE_EQ(derivatives.energy.stored, 5 + energy.stored);
     EXPECT_DOUBLE_EQ(derivatives.energy.work, 7 + energy.work);
@@ -414,8 +416,7 @@ TEST(ElementPotential, TakesItsParametersFromTheirPlaces) {
   for (const ElementSystem& s : registry()) {
     const Eigen::Index count = s.law->parameters().size();
     Eigen::VectorXd all = Eigen::VectorXd::LinSpaced(count + 1, 100, 100 + double(count));
-    s.system->set_parameters(all);
-    EXPECT_EQ(s.law->parameters(), all.tail(count).reverse()) << s.header;
+    EXPECT_EQ(s.system->with(all).law(0)->parameters(), all.tail(count).reverse()) << s.header;
   }
 }
 
@@ -436,7 +437,7 @@ struct Path {
 TEST(ElementPotential, CarriesTheSensitivityOfAPath) {
   RandomStream random(10);
   for (const ElementSystem& s : registry()) {
-    System& system = *s.system;
+    const System& system = *s.system;
     const Eigen::Index own = s.law->parameters().size(), all = own + 1;
     Eigen::VectorXd parameters(all);
     parameters << 0, s.law->parameters().reverse();
@@ -452,30 +453,29 @@ TEST(ElementPotential, CarriesTheSensitivityOfAPath) {
     }
 
     const VectorFunction last_force = [&](const Eigen::VectorXd& p) -> Eigen::VectorXd {
-      system.set_parameters(p);
+      const Parameters laws = system.with(p);
       State state = start;
       for (size_t k = 0; k + 1 < path.points.size(); ++k) {
-        test::accept(system, state, path.point(k, p - parameters));
+        test::accept(system, state, path.point(k, p - parameters), {}, laws);
       }
-      return test::gradient_of(system, path.point(path.points.size() - 1, p - parameters), state)
-          .reshaped();
+      const Configuration last = path.point(path.points.size() - 1, p - parameters);
+      return test::gradient_of(system, last, state, {}, laws).reshaped();
     };
 
-    system.set_parameters(parameters);
+    const std::vector<int> by = system.all_parameters();
     State state = start;
     Eigen::MatrixXd history = Eigen::MatrixXd::Zero(state.history.size(), all);
     for (size_t k = 0; k + 1 < path.points.size(); ++k) {
-      system.advance_sensitivity(path.points[k], state, path.by_parameter, history);
+      system.advance_sensitivity(path.points[k], {state}, by, path.by_parameter, history);
       test::accept(system, state, path.points[k]);
     }
     const Configuration& end = path.points.back();
     Eigen::MatrixXd stated = test::hessian_of(system, end, state) * path.by_parameter;
-    system.add_force_sensitivity(end, state, history, stated);
+    system.add_force_sensitivity(end, {state}, by, history, stated);
 
     const Eigen::VectorXd scale = 1e-3 * parameters.cwiseAbs().cwiseMax(1e-3);
     const DerivativeCheck check = check_derivatives(last_force, stated, parameters, scale);
     EXPECT_LT(check.error, 1e-6) << s.header << ": " << check.describe();
-    system.set_parameters(parameters);
   }
 }
 

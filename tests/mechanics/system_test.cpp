@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/assert.h"
+#include "pliant/base/parallel.h"
 #include "pliant/math/check_derivatives.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
@@ -36,16 +37,67 @@ TEST(System, NeedsAMassForEachPoint) {
   EXPECT_THROW(System(points_in_a_row(3), Eigen::VectorXd::Ones(2)), AssertionError);
 }
 
-TEST(System, AppliesItsDrivesInTheirOrder) {
+TEST(System, IsConstantOnceFinished) {
   System system(points_in_a_row(2), Eigen::VectorXd::Ones(2));
+  system.finish();
+  EXPECT_THROW(system.add(std::make_shared<PointForces>(points_in_a_row(2))), AssertionError);
+  EXPECT_THROW(system.add_parameters({"k"}, Eigen::VectorXd::Ones(1)), AssertionError);
+}
+
+TEST(Controls, PutWhatTheyNameAndLeaveTheRest) {
+  System system(points_in_a_row(3), Eigen::VectorXd::Ones(3));
   system.coordinates().prescribe(1);
-  system.add_drive([](double time, Configuration& at) { at.positions(0, 1) = time; });
-  system.add_drive([](double, Configuration& at) { at.positions(1, 1) = 2 * at.positions(0, 1); });
+  system.coordinates().prescribe_axis(2, 1);
   system.finish();
   Configuration at = system.initial_state().configuration;
-  system.drive(3, at);
-  EXPECT_EQ(at.positions.col(1), Eigen::Vector3d(3, 6, 0));
+  Controls controls;
+  controls.places = {{1, {3, 6, 1}}, {2, {7, 8, 9}, {false, true, false}}};
+  system.coordinates().apply(controls, at);
   EXPECT_EQ(at.positions.col(0), Eigen::Vector3d::Zero());
+  EXPECT_EQ(at.positions.col(1), Eigen::Vector3d(3, 6, 1));
+  EXPECT_EQ(at.positions.col(2), Eigen::Vector3d(0.2, 8, 0));
+}
+
+/// What an evaluation and a step of the cloth give with some of its parameters scaled.
+Eigen::VectorXd all_of(const System& system, const Configuration& at, double scale) {
+  const std::vector<double>& given = system.parameters().values;
+  const Eigen::VectorXd values =
+      scale * Eigen::Map<const Eigen::VectorXd>(given.data(), std::ssize(given));
+  const Parameters parameters = system.with(values);
+  State state = system.initial_state(parameters);
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, system.points());
+  Hessian hessian = system.make_hessian();
+  Derivatives derivatives{{}, &gradient, &hessian};
+  system.evaluate(at, {state, parameters}, Curvature::exact, derivatives);
+  Eigen::VectorXd history;
+  const double work = system.advance_history(at, {state, parameters}, history);
+  const std::vector<int> by = system.all_parameters();
+  Eigen::MatrixXd by_parameter = Eigen::MatrixXd::Zero(3 * system.points(), std::ssize(by));
+  system.add_force_sensitivity(at, {state, parameters}, by,
+                               Eigen::MatrixXd::Zero(history.size(), std::ssize(by)), by_parameter);
+  const Eigen::VectorXd rows =
+      hessian.matrix * Eigen::VectorXd::Ones(system.coordinates().unknowns());
+  Eigen::VectorXd all(1 + gradient.size() + rows.size() + history.size() + by_parameter.size());
+  all << work, gradient.reshaped(), rows, history, by_parameter.reshaped();
+  return all;
+}
+
+TEST(System, ServesManyThreadsWithDifferentParametersToTheBitsOfOne) {
+  auto cloth = test::cloth_system(test::jittered_grid(0.3, 0.3, 21, 21, 1), test::uneven_cotton());
+  cloth.system->coordinates().add_clip({0, 1, 2}, false);
+  cloth.system->finish();
+  const System& system = *cloth.system;
+  RandomStream random(1);
+  const Configuration at{test::shaken(system.initial_state().configuration.positions, random, 1e-3),
+                         system.initial_state().configuration.clips};
+  constexpr int kSets = 24;
+  std::vector<Eigen::VectorXd> one(kSets), many(kSets);
+  const auto scale = [](int i) { return 1 + 0.01 * i; };
+  for (int i = 0; i < kSets; ++i) one[static_cast<size_t>(i)] = all_of(system, at, scale(i));
+  parallel_for(kSets, 4,
+               [&](int i) { many[static_cast<size_t>(i)] = all_of(system, at, scale(i)); });
+  EXPECT_NE(one.front(), one.back());
+  for (size_t i = 0; i < kSets; ++i) EXPECT_EQ(many[i], one[i]) << i;
 }
 
 TEST(System, KnowsWhereThePartsOfItsHistoryAre) {
@@ -163,11 +215,30 @@ TEST(Cord, WithoutLengthIsStiffAtItsEnd) {
   EXPECT_EQ(test::hessian_of(hung.system, at, state), 10 * Eigen::Matrix3d::Identity());
 }
 
-TEST(Cord, FollowsItsEnd) {
-  const HungPoint hung(0.2);
-  hung.cord->move_end({0.3, 0, 0});
-  EXPECT_TRUE(hung.cord->force(hung.system.initial_state().configuration)
-                  .isApprox(Eigen::Vector3d(1, 0, 0)));
+TEST(Cord, FollowsItsEndWhereControlsNameIt) {
+  const Cord cord(0, 10, 0.2, {0, 0, 0.5}, 1);
+  const Configuration at{Eigen::Matrix3Xd::Zero(3, 1), {}};
+  Controls controls;
+  controls.vectors = Eigen::Matrix3Xd::Zero(3, 2);
+  controls.vectors(0, 1) = 0.3;
+  EXPECT_TRUE(cord.force(at, controls).isApprox(Eigen::Vector3d(1, 0, 0)));
+  EXPECT_TRUE(cord.force(at).isApprox(Eigen::Vector3d(0, 0, 3)));
+}
+
+TEST(PointForces, ShareAForceThatComesFromOutside) {
+  System system(points_in_a_row(3), Eigen::VectorXd::Ones(3));
+  system.add(std::make_shared<PointForces>(0, Eigen::Vector3d(0, 1, 2)));
+  system.finish();
+  const State state = system.initial_state();
+  Controls controls;
+  controls.vectors = Eigen::Vector3d(3, 4, 5);
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, 3);
+  Derivatives derivatives{{}, &gradient, nullptr};
+  system.evaluate(state.configuration, {.from = state, .controls = controls}, Curvature::exact,
+                  derivatives);
+  EXPECT_EQ(gradient, -Eigen::Vector3d(3, 4, 5) * Eigen::RowVector3d(0, 1, 2));
+  EXPECT_DOUBLE_EQ(derivatives.energy.stored, -3 * 0.1 - 6 * 0.2);
+  EXPECT_EQ(test::gradient_of(system, state.configuration, state).norm(), 0);
 }
 
 }  // namespace

@@ -41,10 +41,9 @@ TEST(VertexFields, OfASecondClothStandAtItsOwnVertices) {
   Eigen::Matrix3Xd positions(3, 18);
   positions << mesh.positions, stretched.positions;
   System system(positions, Eigen::VectorXd::Ones(18));
-  ParameterList parameters;
   std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
-  add_cloth(system, mesh, 0, test::frictional_cotton(), all, {}, parameters);
-  const Cloth second = add_cloth(system, mesh, 9, test::frictional_cotton(), all, {}, parameters);
+  add_cloth(system, mesh, 0, test::frictional_cotton(), all, {});
+  const Cloth second = add_cloth(system, mesh, 9, test::frictional_cotton(), all, {});
   system.finish();
   const auto fields = vertex_fields(system, system.initial_state(), second.shown, 9, 9);
   EXPECT_TRUE(fields.at("strain.stretch.warp").isApproxToConstant((1.44 - 1) / 2, 1e-12));

@@ -55,8 +55,7 @@ TEST(AirDrag, TakesTheEnergyThatItSaysItTakes) {
   TimeStepper stepper = sheet.stepper({1.2, 1.2, Eigen::Vector3d::Zero()});
   const auto energy = [&] {
     Derivatives derivatives;
-    sheet.system.evaluate(sheet.state.configuration, sheet.state, {}, Curvature::exact,
-                          derivatives);
+    sheet.system.evaluate(sheet.state.configuration, {sheet.state}, Curvature::exact, derivatives);
     return derivatives.energy.stored +
            sheet.state.velocities.colwise().squaredNorm().dot(sheet.system.masses()) / 2;
   };

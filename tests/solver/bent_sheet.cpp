@@ -37,8 +37,7 @@ class RolledCloth {
         material_(material),
         system_(on_cylinder(patch_.mesh, cylinder),
                 Eigen::VectorXd::Zero(patch_.mesh.vertex_count())) {
-    ParameterList parameters;
-    cloth_ = add_cloth(system_, patch_.mesh, material, {}, parameters);
+    cloth_ = add_cloth(system_, patch_.mesh, material, {});
     for (int i = 0; i < system_.points(); ++i) {
       if (patch_.depths[static_cast<size_t>(i)] < 2) system_.coordinates().prescribe(i);
     }

@@ -21,19 +21,20 @@ double distance(const Configuration& a, const Configuration& b) {
   return (a.positions - b.positions).colwise().norm().maxCoeff();
 }
 
-Configuration equilibrium_by_newton(const System& system, State state) {
+Configuration equilibrium_by_newton(const System& system, State state,
+                                    const Controls& controls = kNoControls) {
   NewtonOptions options;
   options.tolerance = kTolerance;
-  EXPECT_TRUE(StaticSolver(system, options).find_equilibrium(state).converged);
+  EXPECT_TRUE(StaticSolver(system, options).find_equilibrium(state, controls).converged);
   return state.configuration;
 }
 
 RelaxationSummary relax_to(double tolerance, const System& system, const State& state,
-                           Configuration& at) {
+                           Configuration& at, const Controls& controls = kNoControls) {
   RelaxationOptions options;
   options.tolerance = tolerance;
   Hessian hessian = system.make_hessian();
-  return relax(Objective(system, state), options, hessian, at);
+  return relax(Objective(system, {.from = state, .controls = controls}), options, hessian, at);
 }
 
 /// A sheet that is held at two corners, its vertices moved by up to 2 mm.
@@ -70,7 +71,7 @@ TEST(DynamicRelaxation, FindsTheEquilibriumThatNewtonsMethodFinds) {
   const Configuration expected = equilibrium_by_newton(sheet.system, state);
   // The tolerance over the softest stiffness, that of bending: 1e-3 N m / (0.1 m)^2.
   EXPECT_LT(distance(at, expected), 1e-6);
-  EXPECT_NEAR(summary.energy.total(), Objective(sheet.system, state).energy(expected).total(),
+  EXPECT_NEAR(summary.energy.total(), Objective(sheet.system, {state}).energy(expected).total(),
               1e-12);
 }
 
@@ -97,28 +98,27 @@ TEST(DynamicRelaxation, FollowsAReversalOfFriction) {
   const std::vector<int> low = sheet.row_at(0), high = sheet.row_at(0.2);
   sheet.prescribe(high);
   sheet.system.coordinates().add_clip(low, false);
-  const auto load = std::make_shared<PointForces>(Eigen::Matrix3Xd::Zero(3, sheet.system.points()));
-  sheet.system.add(load);
-  sheet.system.add_drive([&](double time, Configuration&) {
-    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, sheet.system.points());
-    for (const int i : low) forces(1, i) = -time / static_cast<double>(low.size());
-    load->set_forces(forces);
-  });
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(sheet.system.points());
+  shares(low).setConstant(1.0 / static_cast<double>(low.size()));
+  sheet.system.add(std::make_shared<PointForces>(0, shares));
   sheet.system.finish();
+  Controls load;
+  const auto pull = [&](double force) -> const Controls& {
+    load.vectors = Eigen::Vector3d(0, -force, 0);
+    return load;
+  };
 
   State state = sheet.system.initial_state();
   NewtonOptions options;
   options.tolerance = kTolerance;
   StaticSolver solver(sheet.system, options);
-  for (state.time = 0.5; state.time <= 1.5; state.time += 0.5) {
-    ASSERT_TRUE(solver.find_equilibrium(state).converged);
+  for (const double force : {0.5, 1.0, 1.5}) {
+    ASSERT_TRUE(solver.find_equilibrium(state, pull(force)).converged);
     solver.accept(state);
   }
-  state.time = 0.7;
-  sheet.system.drive(state.time, state.configuration);
   Configuration at = state.configuration;
-  EXPECT_TRUE(relax_to(kTolerance, sheet.system, state, at).converged);
-  EXPECT_LT(distance(at, equilibrium_by_newton(sheet.system, state)), 1e-7);
+  EXPECT_TRUE(relax_to(kTolerance, sheet.system, state, at, pull(0.7)).converged);
+  EXPECT_LT(distance(at, equilibrium_by_newton(sheet.system, state, pull(0.7))), 1e-7);
 }
 
 TEST(DynamicRelaxation, TurnsFreeClips) {
@@ -148,7 +148,7 @@ TEST(DynamicRelaxation, NotConvergingIsAResult) {
   RelaxationOptions options;
   options.max_iterations = 25;
   Hessian hessian = sheet.system.make_hessian();
-  const Objective objective(sheet.system, state);
+  const Objective objective(sheet.system, {state});
   const RelaxationSummary summary = relax(objective, options, hessian, at);
   EXPECT_FALSE(summary.converged);
   EXPECT_EQ(summary.iterations, 25);
@@ -164,7 +164,7 @@ TEST(DynamicRelaxation, StopsWhenAsked) {
   StopFlag flag;
   flag.request();
   Hessian hessian = sheet.system.make_hessian();
-  EXPECT_THROW(relax(Objective(sheet.system, state), {}, hessian, at, flag.token()), Interrupted);
+  EXPECT_THROW(relax(Objective(sheet.system, {state}), {}, hessian, at, flag.token()), Interrupted);
 }
 
 }  // namespace

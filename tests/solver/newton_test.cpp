@@ -38,7 +38,7 @@ struct PulledRod {
 TEST(Newton, TheLargestForceCountsTheMomentOnAClipOverItsRadius) {
   const PulledRod rod(M_PI / 6);
   const State state = rod.system.initial_state();
-  const Eigen::Matrix3Xd gradient = Objective(rod.system, state).gradient(state.configuration);
+  const Eigen::Matrix3Xd gradient = Objective(rod.system, {state}).gradient(state.configuration);
   EXPECT_EQ(gradient.rowwise().sum().norm(), 0);
   EXPECT_NEAR(largest_force(rod.system.coordinates(), state.configuration, gradient),
               2 * PulledRod::kForce * std::sin(M_PI / 6), 1e-15);

@@ -44,11 +44,17 @@ Eigen::Matrix3Xd on_cylinder(const Eigen::Matrix3Xd& flat, double curvature) {
 State roll_up(double curvature) {
   ClothSheet sheet(strip(), creasing_cloth());
   for (int i = 0; i < sheet.system.points(); ++i) sheet.system.coordinates().prescribe(i);
-  sheet.system.add_drive([&](double time, Configuration& at) {
-    at.positions = on_cylinder(sheet.mesh.positions, time);
-  });
   sheet.system.finish();
-  StaticPath path(sheet.system);
+  StaticPathOptions options;
+  options.schedule = [&](double time) {
+    const Eigen::Matrix3Xd positions = on_cylinder(sheet.mesh.positions, time);
+    Controls controls;
+    for (int i = 0; i < sheet.system.points(); ++i) {
+      controls.places.push_back({i, positions.col(i)});
+    }
+    return controls;
+  };
+  StaticPath path(sheet.system, options);
   constexpr int kSteps = 10;  // hinges follow less than half a turn a step
   for (int i = 1; i <= kSteps; ++i) path.step(curvature * i / kSteps);
   return path.state();

@@ -25,22 +25,21 @@ TEST(StaticEquilibrium, AStretchedStripPullsWithTheForceOfItsMaterial) {
   const std::vector<int> low = sheet.row_at(0), high = sheet.row_at(kLength);
   sheet.prescribe(low);
   sheet.prescribe(high);
-  sheet.system.add_drive([&](double time, Configuration& configuration) {
-    for (const int i : high) configuration.positions(1, i) = kLength * (1 + time);
-  });
   sheet.system.finish();
 
   State state = sheet.system.initial_state();
-  state.time = kStretch - 1;
+  Controls controls;
+  controls.places = sheet.places(high);
+  for (Controls::Place& place : controls.places) place.position.y() *= kStretch;
   NewtonOptions options;
   options.tolerance = 1e-11;
   StaticSolver solver(sheet.system, options);
-  ASSERT_TRUE(solver.find_equilibrium(state).converged);
+  ASSERT_TRUE(solver.find_equilibrium(state, controls).converged);
 
   // Uniform stretch: StVK without coupling has no sideways stress.
   const double strain = (kStretch * kStretch - 1) / 2;
   const double expected = kWidth * 100 * strain * kStretch;
-  const Eigen::Matrix3Xd forces = Objective(sheet.system, state).gradient(state.configuration);
+  const Eigen::Matrix3Xd forces = Objective(sheet.system, {state}).gradient(state.configuration);
   EXPECT_NEAR(sum_over(forces, high).y(), expected, 1e-9);  // points times tolerance
   EXPECT_NEAR(sum_over(forces, low).y(), -expected, 1e-9);
   for (int i = 0; i < sheet.system.points(); ++i) {
@@ -78,7 +77,7 @@ TEST(StaticEquilibrium, AFreeClipOnCordsIsInBalanceOfForceAndTorque) {
   const Eigen::Matrix3Xd& x = state.configuration.positions;
 
   // All that acts on the strip from outside: what holds it, its weight and the cords.
-  const Eigen::Matrix3Xd gradient = Objective(strip.system, state).gradient(state.configuration);
+  const Eigen::Matrix3Xd gradient = Objective(strip.system, {state}).gradient(state.configuration);
   Eigen::Matrix3Xd outside = strip.weight();
   for (const int i : strip.held) outside.col(i) += gradient.col(i);
   double pull = 0;
@@ -115,23 +114,21 @@ TEST(StaticEquilibrium, ASheetMovedRigidlyByItsClampsFeelsNoForce) {
   const int clips[] = {sheet.system.coordinates().add_clip(sheet.row_at(0), true),
                        sheet.system.coordinates().add_clip(sheet.row_at(0.1), true)};
   const Eigen::Vector3d places[] = {{0.05, 0, 0}, {0.05, 0.1, 0}};
-  Pose motion;
-  sheet.system.add_drive([&](double time, Configuration& configuration) {
-    motion.rotation = Eigen::AngleAxisd(2 * time, Eigen::Vector3d(1, 2, 2).normalized());
-    motion.translation = time * Eigen::Vector3d(0.3, -0.1, 0.2);
-    for (int k = 0; k < 2; ++k) {
-      const Pose pose{motion.rotation, motion.apply(places[k])};
-      sheet.system.coordinates().place_clip(clips[k], pose, configuration);
-    }
-  });
   sheet.system.finish();
 
   State state = sheet.system.initial_state();
   NewtonOptions options;
   options.tolerance = 1e-10;
   StaticSolver solver(sheet.system, options);
-  for (state.time = 0.1; state.time < 1; state.time += 0.1) {
-    ASSERT_TRUE(solver.find_equilibrium(state).converged) << state.time;
+  for (double time = 0.1; time < 1; time += 0.1) {
+    const Pose motion{
+        Eigen::Quaterniond(Eigen::AngleAxisd(2 * time, Eigen::Vector3d(1, 2, 2).normalized())),
+        time * Eigen::Vector3d(0.3, -0.1, 0.2)};
+    Controls controls;
+    for (int k = 0; k < 2; ++k) {
+      controls.poses.push_back({clips[k], {motion.rotation, motion.apply(places[k])}});
+    }
+    ASSERT_TRUE(solver.find_equilibrium(state, controls).converged) << time;
     solver.accept(state);
     for (int i = 0; i < sheet.system.points(); ++i) {
       const Eigen::Vector3d expected = motion.apply(sheet.mesh.positions.col(i));

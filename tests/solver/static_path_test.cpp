@@ -31,24 +31,34 @@ struct LoadedSheet : ClothSheet {
   static constexpr double kHeight = 0.08;
   std::vector<int> held = row_at(kHeight), clip = row_at(0);
   std::vector<double> loads{1, 2.5, 1.2, 0.4, 1.5};
-  std::shared_ptr<PointForces> pull;
 
   explicit LoadedSheet(const Material& material,
                        const TriangleMesh& sheet = regular_grid(0.06, kHeight, 4, 5))
       : ClothSheet(sheet, material) {
     prescribe(held);
     system.coordinates().add_clip(clip, false);
-    pull = std::make_shared<PointForces>(Eigen::Matrix3Xd::Zero(3, system.points()));
-    system.add(pull);
+    Eigen::VectorXd pulled = Eigen::VectorXd::Zero(system.points());
+    pulled(clip).setOnes();
+    system.add(std::make_shared<PointForces>(0, pulled));
     system.add(std::make_shared<Cord>(clip.back(), 5, 0.02, Eigen::Vector3d(0.08, -0.02, 0.01)));
     add_gravity();
-    system.add_drive([this](double time, Configuration& at) {
-      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, system.points());
-      for (const int i : clip) forces.col(i) = load(time) * Eigen::Vector3d(0.03, -0.1, -0.02);
-      pull->set_forces(forces);
-      for (const int i : held) at.positions(1, i) = kHeight + 0.002 * load(time);
-    });
     system.finish();
+  }
+
+  Controls controls(double time) const {
+    Controls controls;
+    controls.vectors = load(time) * Eigen::Vector3d(0.03, -0.1, -0.02);
+    controls.places = places(held);
+    for (Controls::Place& place : controls.places) {
+      place.position.y() = kHeight + 0.002 * load(time);
+    }
+    return controls;
+  }
+  StaticPathOptions options() const {
+    StaticPathOptions options;
+    options.newton = tight();
+    options.schedule = [this](double time) { return controls(time); };
+    return options;
   }
 
   double load(double time) const {
@@ -63,11 +73,10 @@ struct Walk {
   std::vector<PathEquilibrium> points;
 };
 
-Walk walk(LoadedSheet& sheet, const Eigen::VectorXd& parameters, bool sensitivities) {
-  sheet.system.set_parameters(parameters);
-  StaticPathOptions options;
-  options.newton = tight();
-  options.sensitivities = sensitivities;
+Walk walk(const LoadedSheet& sheet, const Eigen::VectorXd& parameters, bool sensitivities) {
+  StaticPathOptions options = sheet.options();
+  options.parameters = sheet.system.with(parameters);
+  if (sensitivities) options.by = sheet.system.all_parameters();
   StaticPath path(sheet.system, options);
   Walk walk;
   for (size_t i = 1; i <= sheet.loads.size(); ++i) {
@@ -89,9 +98,14 @@ Material growing_cotton() {
   return material;
 }
 
-void expect_derivatives(LoadedSheet& sheet) {
-  const Eigen::VectorXd parameters = Eigen::Map<const Eigen::VectorXd>(
-      sheet.parameters.values.data(), std::ssize(sheet.parameters.values));
+Eigen::VectorXd values_of(const System& system) {
+  const std::vector<double>& values = system.parameters().values;
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+void expect_derivatives(const LoadedSheet& sheet) {
+  const Eigen::VectorXd parameters = values_of(sheet.system);
+  const std::vector<std::string>& names = sheet.system.parameters().names;
   const Walk at = walk(sheet, parameters, true);
   for (Eigen::Index k = 0; k < parameters.size(); ++k) {
     // Truncation costs about 1e-7 of a derivative at this change.
@@ -107,22 +121,19 @@ void expect_derivatives(LoadedSheet& sheet) {
       const double f_error = (at.points[i].by_parameter.forces.col(k) - f).norm();
       // What rounding leaves of the paths, over the change: the tolerance over the stiffness of
       // bending, and what that makes of the membrane's forces.
-      EXPECT_LT(x_error, 1e-5 * x.norm() + 1e-12 / change) << sheet.parameters.names[k] << " " << i;
-      EXPECT_LT(f_error, 1e-5 * f.norm() + 5e-12 / change) << sheet.parameters.names[k] << " " << i;
+      EXPECT_LT(x_error, 1e-5 * x.norm() + 1e-12 / change) << names[k] << " " << i;
+      EXPECT_LT(f_error, 1e-5 * f.norm() + 5e-12 / change) << names[k] << " " << i;
     }
   }
 }
 
 TEST(StaticPath, GoesTheSameWayFromGuessesNearIt) {
   LoadedSheet sheet(growing_cotton());
-  const Walk plain = walk(sheet,
-                          Eigen::Map<const Eigen::VectorXd>(sheet.parameters.values.data(),
-                                                            std::ssize(sheet.parameters.values)),
-                          false);
-  StaticPath path(sheet.system, {.newton = tight()});
+  const Walk plain = walk(sheet, values_of(sheet.system), false);
+  StaticPath path(sheet.system, sheet.options());
   for (size_t i = 0; i < sheet.loads.size(); ++i) {
     Configuration guess = path.state().configuration;
-    sheet.system.drive(static_cast<double>(i + 1), guess);
+    sheet.system.coordinates().apply(sheet.controls(static_cast<double>(i + 1)), guess);
     for (int p = 0; p < sheet.system.points(); ++p) {
       if (sheet.system.coordinates().is_free(p)) guess.positions(2, p) += 1e-5;
     }
@@ -157,9 +168,8 @@ TEST(StaticPath, SensitivitiesBeginWithThoseOfAStrainedStart) {
 
 TEST(StaticPath, SensitivitiesFollowSubsteps) {
   LoadedSheet sheet(test::cotton());
-  StaticPathOptions options;
-  options.newton = tight();
-  options.sensitivities = true;
+  StaticPathOptions options = sheet.options();
+  options.by = sheet.system.all_parameters();
   StaticPath coarse(sheet.system, options);
   for (const double time : {0.5, 1.0, 1.5, 2.0}) coarse.step(time);
   options.substeps = 2;
@@ -174,7 +184,7 @@ TEST(StaticPath, SensitivitiesFollowSubsteps) {
 TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
   LoadedSheet sheet(test::cotton());
   sheet.loads = {1, 3, 1};
-  StaticPath path(sheet.system, {tight()});
+  StaticPath path(sheet.system, sheet.options());
   path.step(1);
   const Configuration loading = path.state().configuration;
   EXPECT_GT(path.step(2).work, 0);
@@ -185,8 +195,7 @@ TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
 
 TEST(StaticPath, AStepThatDoesNotConvergeIsHalved) {
   LoadedSheet sheet(test::linear_cloth(100, 30, 1e-4));
-  StaticPathOptions options;
-  options.newton = tight();
+  StaticPathOptions options = sheet.options();
   StaticPath whole(sheet.system, options);
   whole.step(1);
   const State start = whole.state();
@@ -210,8 +219,8 @@ TEST(StaticPath, AStepThatDoesNotConvergeIsHalved) {
 
 TEST(StaticPath, GivesUpWithTheTimeAndTheResidual) {
   LoadedSheet sheet(test::linear_cloth(100, 30, 1e-4));
-  StaticPathOptions options;
-  options.newton.max_iterations = 1;
+  StaticPathOptions options = sheet.options();
+  options.newton = {.max_iterations = 1};
   options.max_halvings = 2;
   StaticPath path(sheet.system, options);
   try {
@@ -230,17 +239,20 @@ TEST(StaticPath, SensitivityOfAnUnstableEquilibriumIsRefused) {
   const std::vector<int> low = sheet.row_at(0), high = sheet.row_at(0.1);
   sheet.prescribe(low);
   sheet.prescribe(high);
-  sheet.system.add_drive([&](double time, Configuration& at) {
-    for (int i = 0; i < at.positions.cols(); ++i) {
-      at.positions(1, i) = (1 - 0.1 * time) * sheet.mesh.positions(1, i);
-    }
-  });
   sheet.system.finish();
   StaticPathOptions options;
-  StaticPath(sheet.system, options).step(1);
-  options.sensitivities = true;
+  options.schedule = [&](double time) {
+    Controls controls;
+    controls.places = sheet.places(high);
+    for (Controls::Place& place : controls.places) place.position.y() *= 1 - 0.1 * time;
+    return controls;
+  };
+  Configuration shorter{sheet.mesh.positions, {}};
+  shorter.positions.row(1) *= 0.9;
+  StaticPath(sheet.system, options).step(1, shorter);
+  options.by = sheet.system.all_parameters();
   StaticPath path(sheet.system, options);
-  EXPECT_THROW(path.step(1), SolverError);
+  EXPECT_THROW(path.step(1, shorter), SolverError);
   EXPECT_EQ(path.state().time, 0);
 }
 
@@ -256,7 +268,7 @@ TEST(StaticPath, AClipOnItsOwnLineOfPointsHasSensitivities) {
   sheet.system.finish();
   StaticPathOptions options;
   options.newton = tight();
-  options.sensitivities = true;
+  options.by = sheet.system.all_parameters();
   StaticPath path(sheet.system, options);
   const PathEquilibrium point = path.step(1);
 
@@ -265,7 +277,7 @@ TEST(StaticPath, AClipOnItsOwnLineOfPointsHasSensitivities) {
   const double s = length / 0.1;
   const double by_stiffness = -0.1 * (s * s * s - s) / (100 * (3 * s * s - 1));
   EXPECT_GT(s, 1.02);
-  const auto& names = sheet.parameters.names;
+  const auto& names = sheet.system.parameters().names;
   const auto warp = std::find(names.begin(), names.end(), "stretch.warp.k") - names.begin();
   ASSERT_LT(warp, std::ssize(names));
   EXPECT_NEAR(point.by_parameter.positions(3 * low[0] + 1, warp), -by_stiffness,

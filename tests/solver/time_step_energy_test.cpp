@@ -23,7 +23,7 @@ double kinetic_energy(const System& system, const State& state) {
 }
 
 double stored_energy(const System& system, const State& state) {
-  return Objective(system, state).energy(state.configuration).stored;
+  return Objective(system, {state}).energy(state.configuration).stored;
 }
 
 /// A sheet of cotton, let go from the horizontal at two corners.

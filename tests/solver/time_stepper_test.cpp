@@ -129,15 +129,18 @@ TEST(TimeStepper, PointsAndClipsFollowTheirDrives) {
     return Pose{Eigen::Quaterniond(Eigen::AngleAxisd(3 * time, Eigen::Vector3d::UnitX())),
                 Eigen::Vector3d(0.05, -0.1 * time, time)};
   };
-  sheet.system.add_drive([&](double time, Configuration& at) {
-    for (const int i : high) at.positions.col(i) = high_at(time, i);
-    sheet.system.coordinates().place_clip(clip, pose_at(time), at);
-  });
   sheet.add_gravity();
   sheet.system.finish();
 
   constexpr double kStep = 0.005;
-  TimeStepper stepper(sheet.system, converged_steps(kStep, 1e-6));
+  TimeStepOptions options = converged_steps(kStep, 1e-6);
+  options.schedule = [&](double time) {
+    Controls controls;
+    for (const int i : high) controls.places.push_back({i, high_at(time, i)});
+    controls.poses.push_back({clip, pose_at(time)});
+    return controls;
+  };
+  TimeStepper stepper(sheet.system, options);
   State state = sheet.system.initial_state();
   for (int step = 0; step < 20; ++step) {
     const Eigen::Matrix3Xd before = state.configuration.positions;
@@ -159,14 +162,18 @@ TEST(TimeStepper, AnAxisFollowsItsDriveWhileTheOthersAreFree) {
   const std::vector<int> row = sheet.row_at(0.1);
   for (const int i : row) sheet.system.coordinates().prescribe_axis(i, 2);
   const auto height_at = [](double time) { return 2 * time; };
-  sheet.system.add_drive([&](double time, Configuration& at) {
-    for (const int i : row) at.positions(2, i) = height_at(time);
-  });
   sheet.add_gravity(-Eigen::Vector3d::UnitX());
   sheet.system.finish();
   for (const StepSolve solve : {StepSolve::linearized, StepSolve::converged}) {
     TimeStepOptions options = converged_steps(0.005, 1e-6);
     options.solve = solve;
+    options.schedule = [&](double time) {
+      Controls controls;
+      for (const int i : row) {
+        controls.places.push_back({i, {0, 0, height_at(time)}, {false, false, true}});
+      }
+      return controls;
+    };
     const State state = advanced(sheet.system, options, sheet.system.initial_state(), 20);
     for (const int i : row) {
       EXPECT_EQ(state.configuration.positions(2, i), height_at(state.time));

@@ -55,11 +55,10 @@ inline Material cotton() {
 struct ClothSheet {
   TriangleMesh mesh;
   System system;
-  ParameterList parameters;
 
   ClothSheet(const TriangleMesh& of, const Material& material, const DensityOptions& options = {})
       : mesh(of), system(of.positions, material.density * vertex_areas(of)) {
-    add_cloth(system, mesh, material, options, parameters);
+    add_cloth(system, mesh, material, options);
   }
 
   /// The weight of all points, along -z or along another direction.
@@ -76,6 +75,12 @@ struct ClothSheet {
       if (std::abs(mesh.positions(1, i) - v) < 1e-9) row.push_back(i);
     }
     return row;
+  }
+  /// Where points are at rest, for controls that hold them.
+  std::vector<Controls::Place> places(const std::vector<int>& points) const {
+    std::vector<Controls::Place> places;
+    for (const int point : points) places.push_back({point, mesh.positions.col(point)});
+    return places;
   }
   void prescribe(const std::vector<int>& points) {
     for (const int point : points) system.coordinates().prescribe(point);

@@ -72,15 +72,14 @@ inline TriangleMesh jittered_grid(double width, double height, int nodes_u, int 
 struct ClothSystem {
   TriangleMesh mesh;
   std::unique_ptr<System> system;
-  ParameterList parameters;
   Cloth cloth;
 };
 
 inline ClothSystem cloth_system(const TriangleMesh& mesh, const Material& material,
                                 const DensityOptions& options = {}) {
-  ClothSystem result{mesh, nullptr, {}, {}};
+  ClothSystem result{mesh, nullptr, {}};
   result.system = std::make_unique<System>(mesh.positions, material.density * vertex_areas(mesh));
-  result.cloth = add_cloth(*result.system, mesh, material, options, result.parameters);
+  result.cloth = add_cloth(*result.system, mesh, material, options);
   return result;
 }
 

@@ -9,19 +9,22 @@
 namespace pliant::test {
 
 inline Energy energy_of(const System& system, const Configuration& at, const State& from,
-                        const StepTime& time = {}) {
+                        const StepTime& time = {}, const Parameters& parameters = kAsBuilt) {
   Derivatives derivatives;
-  system.evaluate(at, from, time, Curvature::exact, derivatives);
+  system.evaluate(at, {.from = from, .parameters = parameters, .time = time}, Curvature::exact,
+                  derivatives);
   return derivatives.energy;
 }
 
 /// dE / d points (N).
 inline Eigen::Matrix3Xd gradient_of(const System& system, const Configuration& at,
-                                    const State& from, const StepTime& time = {}) {
+                                    const State& from, const StepTime& time = {},
+                                    const Parameters& parameters = kAsBuilt) {
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, system.points());
   Derivatives derivatives;
   derivatives.gradient = &gradient;
-  system.evaluate(at, from, time, Curvature::exact, derivatives);
+  system.evaluate(at, {.from = from, .parameters = parameters, .time = time}, Curvature::exact,
+                  derivatives);
   return gradient;
 }
 
@@ -44,7 +47,7 @@ inline Eigen::MatrixXd hessian_of(const System& system, const Configuration& at,
   Derivatives derivatives;
   derivatives.gradient = &gradient;
   derivatives.hessian = &hessian;
-  system.evaluate(at, from, time, curvature, derivatives);
+  system.evaluate(at, {.from = from, .time = time}, curvature, derivatives);
   if (curvature == Curvature::exact) {
     system.coordinates().add_rotation_terms(at, gradient, hessian.matrix);
   }
@@ -54,9 +57,10 @@ inline Eigen::MatrixXd hessian_of(const System& system, const Configuration& at,
 /// Ends a step at `at`.
 /// @return the work done against friction and damping (J)
 inline double accept(const System& system, State& state, const Configuration& at,
-                     const StepTime& time = {}) {
+                     const StepTime& time = {}, const Parameters& parameters = kAsBuilt) {
   Eigen::VectorXd history;
-  const double work = system.advance_history(at, state, time, history);
+  const double work =
+      system.advance_history(at, {.from = state, .parameters = parameters, .time = time}, history);
   state.history = std::move(history);
   state.configuration = at;
   return work;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include <Eigen/Core>
 
 #include "pliant/math/block_matrix.h"
@@ -25,6 +27,13 @@ class LinearSolver {
 
   /// @param x  the starting guess of an iterative solver, then the solution
   virtual LinearSummary solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const = 0;
+
+  /// Solutions for all columns of b.
+  virtual Eigen::MatrixXd solve_all(const Eigen::MatrixXd& b) const = 0;
+
+  /// A solver of the same kind for matrices of the same pattern, which shares what was found out
+  /// about that; it has no factor yet.
+  virtual std::unique_ptr<LinearSolver> another() const = 0;
 };
 
 }  // namespace pliant

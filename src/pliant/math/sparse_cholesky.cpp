@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "pliant/math/supernodes.h"
+
 namespace pliant {
 namespace {
 
@@ -37,41 +39,74 @@ void extend_add(const Eigen::MatrixXd& left, const std::vector<int>& rows, Eigen
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(const BlockMatrix& matrix)
-    : symbolic_(matrix.pattern()),
-      entries_(symbolic_.supernodes.size()),
-      children_(symbolic_.supernodes.size()),
-      parent_rows_(symbolic_.supernodes.size()),
-      panels_(symbolic_.supernodes.size()),
-      left_(symbolic_.supernodes.size()) {
-  const BlockPattern& pattern = matrix.pattern();
-  const std::vector<std::size_t> node_of = nodes_of_columns(symbolic_);
-  for (int i = 0; i < pattern.size(); ++i) {
-    for (int k = pattern.row_begin(i); k < pattern.row_end(i); ++k) {
-      const int p = symbolic_.place[static_cast<std::size_t>(i)];
-      const int q = symbolic_.place[static_cast<std::size_t>(pattern.column(k))];
-      const std::size_t s = node_of[static_cast<std::size_t>(std::min(p, q))];
-      const Supernode& node = symbolic_.supernodes[s];
-      entries_[s].push_back(
-          {k, row_in_front(node, std::max(p, q)), std::min(p, q) - node.first, q > p});
+struct SparseCholesky::Analysis {
+  /// A block of the matrix in the front of a supernode.
+  struct Entry {
+    int block = 0, row = 0, column = 0;  // of the matrix; block row and column of the front
+    bool transposed = false;
+  };
+
+  SymbolicFactor symbolic;
+  std::vector<std::vector<Entry>> entries;    // of each supernode
+  std::vector<std::vector<int>> children;     // of each supernode
+  std::vector<std::vector<int>> parent_rows;  // in the parent's front, of each of `rows`
+
+  explicit Analysis(const BlockPattern& pattern)
+      : symbolic(pattern),
+        entries(symbolic.supernodes.size()),
+        children(symbolic.supernodes.size()),
+        parent_rows(symbolic.supernodes.size()) {
+    place_entries(pattern);
+    for (std::size_t s = 0; s < symbolic.supernodes.size(); ++s) {
+      const Supernode& node = symbolic.supernodes[s];
+      if (node.parent < 0) continue;
+      const auto parent = static_cast<std::size_t>(node.parent);
+      children[parent].push_back(static_cast<int>(s));
+      for (const int row : node.rows) {
+        parent_rows[s].push_back(row_in_front(symbolic.supernodes[parent], row));
+      }
     }
   }
-  for (std::size_t s = 0; s < symbolic_.supernodes.size(); ++s) {
-    const Supernode& node = symbolic_.supernodes[s];
-    panels_[s].resize(3 * node.size(), 3 * node.columns);
-    if (node.parent < 0) continue;
-    const auto parent = static_cast<std::size_t>(node.parent);
-    children_[parent].push_back(static_cast<int>(s));
-    for (const int row : node.rows) {
-      parent_rows_[s].push_back(row_in_front(symbolic_.supernodes[parent], row));
+
+ private:
+  void place_entries(const BlockPattern& pattern) {
+    const std::vector<std::size_t> node_of = nodes_of_columns(symbolic);
+    for (int i = 0; i < pattern.size(); ++i) {
+      for (int k = pattern.row_begin(i); k < pattern.row_end(i); ++k) {
+        const int p = symbolic.place[static_cast<std::size_t>(i)];
+        const int q = symbolic.place[static_cast<std::size_t>(pattern.column(k))];
+        const std::size_t s = node_of[static_cast<std::size_t>(std::min(p, q))];
+        const Supernode& node = symbolic.supernodes[s];
+        entries[s].push_back(
+            {k, row_in_front(node, std::max(p, q)), std::min(p, q) - node.first, q > p});
+      }
     }
+  }
+};
+
+SparseCholesky::SparseCholesky(const BlockMatrix& matrix)
+    : SparseCholesky(std::make_shared<const Analysis>(matrix.pattern())) {}
+
+SparseCholesky::SparseCholesky(std::shared_ptr<const Analysis> analysis)
+    : analysis_(std::move(analysis)),
+      panels_(analysis_->symbolic.supernodes.size()),
+      left_(panels_.size()) {
+  for (std::size_t s = 0; s < panels_.size(); ++s) {
+    const Supernode& node = analysis_->symbolic.supernodes[s];
+    panels_[s].resize(3 * node.size(), 3 * node.columns);
   }
 }
 
+SparseCholesky::~SparseCholesky() = default;
+
+std::unique_ptr<LinearSolver> SparseCholesky::another() const {
+  return std::unique_ptr<LinearSolver>(new SparseCholesky(analysis_));
+}
+
 void SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front) {
-  const Eigen::Index size = 3 * symbolic_.supernodes[node].size();
+  const Eigen::Index size = 3 * analysis_->symbolic.supernodes[node].size();
   front.setZero(size, size);
-  for (const Entry& entry : entries_[node]) {
+  for (const Analysis::Entry& entry : analysis_->entries[node]) {
     auto place = front.block<3, 3>(3 * entry.row, 3 * entry.column);
     if (entry.transposed) {
       place = matrix.block(entry.block).transpose();
@@ -79,9 +114,9 @@ void SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node, Eigen::
       place = matrix.block(entry.block);
     }
   }
-  for (const int child : children_[node]) {
+  for (const int child : analysis_->children[node]) {
     const auto c = static_cast<std::size_t>(child);
-    extend_add(left_[c], parent_rows_[c], front);
+    extend_add(left_[c], analysis_->parent_rows[c], front);
     left_[c].resize(0, 0);
   }
 }
@@ -111,20 +146,20 @@ bool SparseCholesky::factorize(const BlockMatrix& matrix) {
 void SparseCholesky::substitute(Eigen::MatrixXd& x) const {
   const auto rows_below = [&](std::size_t s) {
     std::vector<Eigen::Index> rows;
-    for (const int row : symbolic_.supernodes[s].rows) {
+    for (const int row : analysis_->symbolic.supernodes[s].rows) {
       for (int a = 0; a < 3; ++a) rows.push_back(3 * row + a);
     }
     return rows;
   };
   for (std::size_t s = 0; s < panels_.size(); ++s) {
     const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
-    auto part = x.middleRows(3 * symbolic_.supernodes[s].first, own);
+    auto part = x.middleRows(3 * analysis_->symbolic.supernodes[s].first, own);
     panels_[s].topRows(own).triangularView<Eigen::Lower>().solveInPlace(part);
     if (below > 0) x(rows_below(s), Eigen::all) -= panels_[s].bottomRows(below) * part;
   }
   for (std::size_t s = panels_.size(); s-- > 0;) {
     const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
-    auto part = x.middleRows(3 * symbolic_.supernodes[s].first, own);
+    auto part = x.middleRows(3 * analysis_->symbolic.supernodes[s].first, own);
     if (below > 0) {
       const Eigen::MatrixXd known = x(rows_below(s), Eigen::all);
       part.noalias() -= panels_[s].bottomRows(below).transpose() * known;
@@ -135,15 +170,15 @@ void SparseCholesky::substitute(Eigen::MatrixXd& x) const {
 
 Eigen::MatrixXd SparseCholesky::solve_all(const Eigen::MatrixXd& b) const {
   Eigen::MatrixXd eliminated(b.rows(), b.cols());
-  for (std::size_t i = 0; i < symbolic_.place.size(); ++i) {
-    eliminated.middleRows<3>(3 * symbolic_.place[i]) =
+  for (std::size_t i = 0; i < analysis_->symbolic.place.size(); ++i) {
+    eliminated.middleRows<3>(3 * analysis_->symbolic.place[i]) =
         b.middleRows<3>(static_cast<Eigen::Index>(3 * i));
   }
   substitute(eliminated);
   Eigen::MatrixXd x(b.rows(), b.cols());
-  for (std::size_t i = 0; i < symbolic_.place.size(); ++i) {
+  for (std::size_t i = 0; i < analysis_->symbolic.place.size(); ++i) {
     x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) =
-        eliminated.middleRows<3>(3 * symbolic_.place[i]);
+        eliminated.middleRows<3>(3 * analysis_->symbolic.place[i]);
   }
   return x;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "pliant/math/linear_solver.h"
-#include "pliant/math/supernodes.h"
 
 namespace pliant {
 
@@ -19,28 +19,23 @@ namespace pliant {
 class SparseCholesky : public LinearSolver {
  public:
   explicit SparseCholesky(const BlockMatrix& matrix);
+  ~SparseCholesky() override;
 
   bool factorize(const BlockMatrix& matrix) override;
   LinearSummary solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override;
-  /// Solutions for all columns of b.
-  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& b) const override;
+  std::unique_ptr<LinearSolver> another() const override;
 
  private:
-  /// A block of the matrix in the front of a supernode.
-  struct Entry {
-    int block = 0, row = 0, column = 0;  // of the matrix; block row and column of the front
-    bool transposed = false;
-  };
+  struct Analysis;  // of the pattern: constant, and shared
 
+  explicit SparseCholesky(std::shared_ptr<const Analysis> analysis);
   void gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front);
   void substitute(Eigen::MatrixXd& x) const;
 
-  SymbolicFactor symbolic_;
-  std::vector<std::vector<Entry>> entries_;    // of each supernode
-  std::vector<std::vector<int>> children_;     // of each supernode
-  std::vector<std::vector<int>> parent_rows_;  // in the parent's front, of each of `rows`
-  std::vector<Eigen::MatrixXd> panels_;        // the factor's columns
-  std::vector<Eigen::MatrixXd> left_;          // for the parent; empty once it has taken it
+  std::shared_ptr<const Analysis> analysis_;
+  std::vector<Eigen::MatrixXd> panels_;  // of each supernode: the factor's columns
+  std::vector<Eigen::MatrixXd> left_;    // for the parent; empty once it has taken it
 };
 
 }  // namespace pliant

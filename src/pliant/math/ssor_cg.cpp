@@ -226,4 +226,18 @@ LinearSummary SsorCg::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const 
   return summary;
 }
 
+Eigen::MatrixXd SsorCg::solve_all(const Eigen::MatrixXd& b) const {
+  Eigen::MatrixXd all(b.rows(), b.cols());
+  for (Eigen::Index k = 0; k < b.cols(); ++k) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.rows());
+    solve(b.col(k), x);
+    all.col(k) = x;
+  }
+  return all;
+}
+
+std::unique_ptr<LinearSolver> SsorCg::another() const {
+  return std::make_unique<SsorCg>(*matrix_, options_);
+}
+
 }  // namespace pliant

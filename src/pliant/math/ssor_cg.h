@@ -26,6 +26,8 @@ class SsorCg : public LinearSolver {
   /// Notices a diagonal block that is not positive definite, not more; `solve` notices the rest.
   bool factorize(const BlockMatrix& matrix) override;
   LinearSummary solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override;
+  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& b) const override;
+  std::unique_ptr<LinearSolver> another() const override;
 
  private:
   struct Scaled;  // the matrix C^-1 K C^-T with C C^T = the diagonal blocks

@@ -29,21 +29,18 @@ struct Law {
 using LawOf = std::function<Law(const std::vector<std::string>& components)>;
 
 Law make_law(const Material& material, const std::vector<std::string>& components,
-             const DensityOptions& options, ParameterList& parameters) {
+             const DensityOptions& options, System& system) {
   Law law;
-  std::vector<std::string> history;
+  std::vector<std::string> parameters, history;
   for (size_t i = 0; i < components.size(); ++i) {
     const AddedNames added =
         add_component(material, components[i], static_cast<int>(i), options, *law.sum);
-    for (const std::string& name : added.parameters) {
-      law.places.push_back(static_cast<int>(parameters.names.size()));
-      parameters.names.push_back(name);
-    }
+    parameters.insert(parameters.end(), added.parameters.begin(), added.parameters.end());
     law.field_names.push_back("strain." + components[i]);
     history.insert(history.end(), added.history.begin(), added.history.end());
   }
   law.field_names.insert(law.field_names.end(), history.begin(), history.end());
-  for (const double value : law.sum->parameters()) parameters.values.push_back(value);
+  law.places = system.add_parameters(parameters, law.sum->parameters());
   return law;
 }
 
@@ -164,11 +161,10 @@ Eigen::VectorXd vertex_areas(const TriangleMesh& mesh) {
 }
 
 Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
-                const std::vector<int>& triangles, const DensityOptions& options,
-                ParameterList& parameters) {
+                const std::vector<int>& triangles, const DensityOptions& options) {
   Cloth cloth;
   const LawOf law = [&](const std::vector<std::string>& components) {
-    return make_law(material, components, options, parameters);
+    return make_law(material, components, options, system);
   };
   const std::optional<GridSprings> springs =
       needs_grid(material) ? std::optional(grid_springs(part_of(mesh, triangles))) : std::nullopt;
@@ -195,15 +191,14 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
   } else {
     add_shells(system, mesh, first_point, material, triangles, law, cloth);
   }
-  system.set_parameter_count(static_cast<int>(parameters.names.size()));
   return cloth;
 }
 
 Cloth add_cloth(System& system, const TriangleMesh& mesh, const Material& material,
-                const DensityOptions& options, ParameterList& parameters) {
+                const DensityOptions& options) {
   std::vector<int> all(static_cast<size_t>(mesh.triangle_count()));
   std::iota(all.begin(), all.end(), 0);
-  return add_cloth(system, mesh, 0, material, all, options, parameters);
+  return add_cloth(system, mesh, 0, material, all, options);
 }
 
 }  // namespace pliant

@@ -11,12 +11,6 @@
 
 namespace pliant {
 
-/// The parameters of all materials of a system, in the order of its parameter vector.
-struct ParameterList {
-  std::vector<std::string> names;
-  std::vector<double> values;
-};
-
 /// A part of a cloth's potential that can be shown.
 struct ShownPotential {
   std::shared_ptr<const Potential> potential;
@@ -36,22 +30,20 @@ bool needs_grid(const Material& material);
 /// Rest area of each vertex, a third of its triangles' (m^2).
 Eigen::VectorXd vertex_areas(const TriangleMesh& mesh);
 
-/// Adds the elasticity, friction and damping of a material to a system.
+/// Adds the elasticity, friction and damping of a material to a system, and its parameters to those
+/// of the system.
 ///
 /// The system may hold more than one cloth, and a cloth more than one material: each call covers
 /// some triangles. A hinge between two materials belongs to that of its first triangle.
 /// @param first_point  the system's point that is the mesh's vertex 0
 /// @param triangles    those made of the material, increasing
-/// @param parameters   gets the material's parameters; their place there is that in the system's
-///                     parameter vector
 /// @throws AssertionError when a component that is needed has no stiffness, and for springs on a
 ///         mesh that is no grid
 Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
-                const std::vector<int>& triangles, const DensityOptions& options,
-                ParameterList& parameters);
+                const std::vector<int>& triangles, const DensityOptions& options);
 
 /// The same for a mesh of one material.
 Cloth add_cloth(System& system, const TriangleMesh& mesh, const Material& material,
-                const DensityOptions& options, ParameterList& parameters);
+                const DensityOptions& options);
 
 }  // namespace pliant

@@ -252,4 +252,16 @@ void Coordinates::place_clip(int clip, const Pose& pose, Configuration& configur
   }
 }
 
+void Coordinates::apply(const Controls& controls, Configuration& configuration) const {
+  for (const Controls::Place& place : controls.places) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!place.axes[static_cast<size_t>(axis)]) continue;
+      configuration.positions(axis, place.point) = place.position(axis);
+    }
+  }
+  for (const Controls::ClipPose& clip : controls.poses) {
+    place_clip(clip.clip, clip.pose, configuration);
+  }
+}
+
 }  // namespace pliant

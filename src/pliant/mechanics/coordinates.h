@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "pliant/math/block_matrix.h"
+#include "pliant/mechanics/controls.h"
 #include "pliant/mechanics/state.h"
 
 namespace pliant {
@@ -88,6 +89,9 @@ class Coordinates {
 
   /// Puts a clip, with its points, into a pose.
   void place_clip(int clip, const Pose& pose, Configuration& configuration) const;
+
+  /// Puts what is prescribed where the controls say.
+  void apply(const Controls& controls, Configuration& configuration) const;
 
  private:
   struct Clip {

@@ -10,12 +10,14 @@ class Cord : public Potential {
  public:
   /// @param stiffness  N/m, > 0
   /// @param length     of the slack cord (m), >= 0
-  Cord(int point, double stiffness, double length, const Eigen::Vector3d& end);
+  /// @param end        where it is fixed, m
+  /// @param control    the number of its end among the vectors of the controls; -1: it stays
+  Cord(int point, double stiffness, double length, const Eigen::Vector3d& end, int control = -1);
 
-  void move_end(const Eigen::Vector3d& end) { end_ = end; }
   int point() const { return point_; }
   /// Force on the point (N).
-  Eigen::Vector3d force(const Configuration& configuration) const;
+  Eigen::Vector3d force(const Configuration& configuration,
+                        const Controls& controls = kNoControls) const;
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
@@ -25,6 +27,7 @@ class Cord : public Potential {
   int point_;
   double stiffness_, length_;
   Eigen::Vector3d end_;
+  int control_;
 };
 
 }  // namespace pliant

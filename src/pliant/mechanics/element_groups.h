@@ -26,11 +26,11 @@ class ElementGroups {
 
   /// The sum of work(batch) over all batches.
   template <class Value, class Work>
-  Value sum(int threads, const Work& work) const {
+  Value sum(const Work& work) const {
     Value total{};
     for (const std::vector<Group>& wave : waves_) {
       std::vector<Value> parts(wave.size());
-      parallel_for(static_cast<int>(wave.size()), threads, [&](int i) {
+      parallel_for(static_cast<int>(wave.size()), [&](int i) {
         const Group& group = wave[static_cast<size_t>(i)];
         Value part{};
         for (int batch = group.begin; batch < group.end; ++batch) part += work(batch);

@@ -76,7 +76,7 @@ struct ElementPotential<Measure>::Batch {
 
 template <class Measure>
 ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
-                                            std::shared_ptr<ParametricDensity> density,
+                                            std::shared_ptr<const ParametricDensity> density,
                                             std::vector<int> parameter_places,
                                             std::vector<std::string> field_names)
     : points_(stencils.points),
@@ -85,7 +85,6 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
       count_(static_cast<int>(stencils.points.size())),
       density_(std::move(density)),
       parameter_places_(std::move(parameter_places)),
-      parameter_columns_(parameter_places_),
       field_names_(std::move(field_names)) {
   PLIANT_ASSERT(count_ > 0, "a potential of elements has at least one");
   PLIANT_ASSERT(
@@ -180,15 +179,15 @@ typename ElementPotential<Measure>::Rests ElementPotential<Measure>::rests_near(
 
 template <class Measure>
 void ElementPotential<Measure>::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  derivatives.energy += groups_.sum<Energy>(
-      at.threads, [&](int batch) { return evaluate_batch(batch, at, derivatives); });
+  derivatives.energy +=
+      groups_.sum<Energy>([&](int batch) { return evaluate_batch(batch, at, derivatives); });
 }
 
 template <class Measure>
 Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at,
                                                  const Derivatives& derivatives) const {
   Batch elements(*this, batch, at.configuration, at.history);
-  density_->add(elements.samples, at.time, elements.response);
+  law_at(at).add(elements.samples, at.time, elements.response);
   if (derivatives.gradient) {
     LanePositions<Measure> forces;
     elements.kernel.gradient(elements.response, elements.size, forces);
@@ -251,12 +250,11 @@ Eigen::Index ElementPotential<Measure>::history_size() const {
 }
 
 template <class Measure>
-Eigen::VectorXd ElementPotential<Measure>::initial_history(
-    const Configuration& configuration) const {
+Eigen::VectorXd ElementPotential<Measure>::initial_history(const Evaluation& at) const {
   constexpr int m = Measure::kStrains;
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(history_size());
   Eigen::VectorXd history(history_size());
-  advance({configuration, at_rest.data(), {}}, history.data());
+  advance({at.configuration, at_rest.data(), at.law}, history.data());
   for (int batch = 0; batch < batches(); ++batch) {
     double* own = history.data() + Eigen::Index(kLanes) * columns() * batch;
     MutableLaneView(own + kLanes * m, kLanes, m) = MutableLaneView(own, kLanes, m);
@@ -267,37 +265,35 @@ Eigen::VectorXd ElementPotential<Measure>::initial_history(
 template <class Measure>
 double ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
   constexpr int m = Measure::kStrains;
-  return groups_.sum<double>(at.threads, [&](int batch) {
+  const ParametricDensity& law = law_at(at);
+  return groups_.sum<double>([&](int batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
     double* own = next + Eigen::Index(kLanes) * columns() * batch;
     MutableLaneView(own, kLanes, m) = elements.strain;
     MutableLaneView(own + kLanes * m, kLanes, m) = elements.samples.last;
     Lane work = Lane::Zero();
-    density_->advance(elements.samples, at.time,
-                      MutableLaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m), work);
+    law.advance(elements.samples, at.time,
+                MutableLaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m), work);
     return (elements.size * work).sum();
   });
 }
 
 template <class Measure>
-void ElementPotential<Measure>::set_parameters(const Eigen::VectorXd& all) {
-  if (parameter_places_.empty()) return;
-  density_->set_parameters(all(parameter_places_));
+std::shared_ptr<const ParametricDensity> ElementPotential<Measure>::law(
+    const Eigen::VectorXd& all) const {
+  if (parameter_places_.empty()) return density_;
+  return density_->with_parameters(all(parameter_places_));
 }
 
 template <class Measure>
-void ElementPotential<Measure>::differentiate_by(const std::vector<int>& column_of) {
-  for (size_t k = 0; k < parameter_places_.size(); ++k) {
-    parameter_columns_[k] = column_of[static_cast<size_t>(parameter_places_[k])];
+std::vector<int> ElementPotential<Measure>::columns_of_parameters(
+    const std::vector<int>& by) const {
+  std::vector<int> columns;
+  for (const int place : parameter_places_) {
+    const auto found = std::ranges::find(by, place);
+    columns.push_back(found == by.end() ? -1 : static_cast<int>(found - by.begin()));
   }
-}
-
-// Without own parameters and without memory, stress changes with the strain alone.
-template <class Measure>
-bool ElementPotential<Measure>::depends_on_parameters() const {
-  return density_->history_size() > 0 ||
-         std::any_of(parameter_columns_.begin(), parameter_columns_.end(),
-                     [](int column) { return column >= 0; });
+  return columns;
 }
 
 namespace {
@@ -359,21 +355,24 @@ void add_own_parameters(const LaneDerivatives::Entries& by_parameter,
 // the other: strains, the strains before, what the density keeps.
 template <class Measure>
 void ElementPotential<Measure>::add_force_sensitivity(
-    const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
+    const Evaluation& at, const std::vector<int>& by, const Eigen::MatrixXd& history_by_parameter,
     Eigen::MatrixXd& gradient_by_parameter) const {
-  if (!depends_on_parameters()) return;
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size();
+  const std::vector<int> own_columns = columns_of_parameters(by);
+  const bool has_own = std::ranges::any_of(own_columns, [](int column) { return column >= 0; });
+  // Without own parameters and without memory, stress changes with the strain alone.
+  if (own == 0 && !has_own) return;
   const auto parameters = static_cast<int>(density_->parameters().size());
   for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    const LaneDerivatives d(*density_, elements.samples, parameters);
+    const LaneDerivatives d(law_at(at), elements.samples, parameters);
     for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
       const LaneView history(
           history_by_parameter.col(k).data() + Eigen::Index(kLanes) * columns() * batch, kLanes,
           columns());
       Response response(m);
-      add_own_parameters(d.stress_by_parameter, parameter_columns_, k, response.stress);
+      add_own_parameters(d.stress_by_parameter, own_columns, k, response.stress);
       add_product(d.stress_by_last, history.leftCols(m), response.stress);
       add_product(d.stress_by_history, history.rightCols(own), response.stress);
       LanePositions<Measure> forces;
@@ -385,15 +384,17 @@ void ElementPotential<Measure>::add_force_sensitivity(
 
 template <class Measure>
 void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
+                                                    const std::vector<int>& by,
                                                     const Eigen::MatrixXd& positions_by_parameter,
                                                     Eigen::MatrixXd& history_by_parameter) const {
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size();
   if (own == 0) return;  // nothing depends on the strains of an elastic material's steps
+  const std::vector<int> own_columns = columns_of_parameters(by);
   const auto parameters = static_cast<int>(density_->parameters().size());
   for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    const LaneDerivatives d(*density_, elements.samples, parameters);
+    const LaneDerivatives d(law_at(at), elements.samples, parameters);
     const auto gradients = strain_gradients(elements);
     for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
       const LanePositions<Measure> motion = gather(batch, positions_by_parameter.col(k).data());
@@ -406,7 +407,7 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
           columns());
       const Eigen::Array<double, kLanes, m> last = history.leftCols(m);
       Eigen::ArrayXXd next = Eigen::ArrayXXd::Zero(kLanes, own);
-      add_own_parameters(d.next_by_parameter, parameter_columns_, k, next);
+      add_own_parameters(d.next_by_parameter, own_columns, k, next);
       add_product(d.next_by_strain, strain, next);
       add_product(d.next_by_last, last, next);
       add_product(d.next_by_history, history.rightCols(own), next);

@@ -22,7 +22,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   /// @param density           a law of Measure::kStrains strains
   /// @param parameter_places  where each parameter of the density stands among the system's
   /// @param field_names       of the strains, then of the density's history; empty for no output
-  ElementPotential(const Stencils<Measure>& stencils, std::shared_ptr<ParametricDensity> density,
+  ElementPotential(const Stencils<Measure>& stencils,
+                   std::shared_ptr<const ParametricDensity> density,
                    std::vector<int> parameter_places = {},
                    std::vector<std::string> field_names = {});
 
@@ -31,14 +32,15 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 
   Eigen::Index history_size() const override;
-  Eigen::VectorXd initial_history(const Configuration& configuration) const override;
+  Eigen::VectorXd initial_history(const Evaluation& at) const override;
   double advance(const Evaluation& at, double* next) const override;
 
-  void set_parameters(const Eigen::VectorXd& all) override;
-  void differentiate_by(const std::vector<int>& column_of) override;
-  void add_force_sensitivity(const Evaluation& at, const Eigen::MatrixXd& history_by_parameter,
+  std::shared_ptr<const ParametricDensity> law(const Eigen::VectorXd& all) const override;
+  void add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
+                             const Eigen::MatrixXd& history_by_parameter,
                              Eigen::MatrixXd& gradient_by_parameter) const override;
-  void advance_sensitivity(const Evaluation& at, const Eigen::MatrixXd& positions_by_parameter,
+  void advance_sensitivity(const Evaluation& at, const std::vector<int>& by,
+                           const Eigen::MatrixXd& positions_by_parameter,
                            Eigen::MatrixXd& history_by_parameter) const override;
 
   std::vector<std::string> field_names() const override { return field_names_; }
@@ -50,7 +52,11 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   using Rests = std::array<typename Measure::Rest, kLanes>;
   struct Batch;  // eight stencils, evaluated
 
-  bool depends_on_parameters() const;
+  const ParametricDensity& law_at(const Evaluation& at) const {
+    return at.law ? *at.law : *density_;
+  }
+  /// For each parameter of the law its column among `by`; -1: none.
+  std::vector<int> columns_of_parameters(const std::vector<int>& by) const;
   int batches() const { return static_cast<int>(points_.size()) / kLanes; }
   int columns() const { return 2 * Measure::kStrains + density_->history_size(); }
   /// Vectors of all points, one after the other, in the order of a batch; and back, added.
@@ -67,9 +73,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::vector<typename Measure::Rest> rests_;
   std::vector<double> sizes_;  // zero for those that fill up
   int count_ = 0;              // without those that fill up
-  std::shared_ptr<ParametricDensity> density_;
+  std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;
-  std::vector<int> parameter_columns_;  // of the derivatives; -1: none
   std::vector<std::string> field_names_;
   std::vector<int> entries_;  // of each pair of each stencil: see bind
   ElementGroups groups_;      // of batches

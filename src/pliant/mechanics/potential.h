@@ -7,6 +7,7 @@
 
 #include "pliant/material/density/density.h"
 #include "pliant/math/block_matrix.h"
+#include "pliant/mechanics/controls.h"
 #include "pliant/mechanics/coordinates.h"
 
 namespace pliant {
@@ -31,13 +32,14 @@ enum class Curvature {
   convex,  ///< a positive semidefinite stand-in, element by element
 };
 
-/// Where a potential is evaluated.
+/// Where a potential is evaluated, and under what.
 struct Evaluation {
   const Configuration& configuration;
-  const double* history = nullptr;  ///< of the potential, at the last accepted step
-  StepTime time;
+  const double* history = nullptr;         ///< of the potential, at the last accepted step
+  const ParametricDensity* law = nullptr;  ///< of the potential; null: the one that it has itself
+  const Controls& controls = kNoControls;
+  StepTime time = {};
   Curvature curvature = Curvature::exact;
-  int threads = 1;  ///< at most; the results do not depend on it
 };
 
 /// Second derivatives in a system's generalised coordinates (N/m).
@@ -56,7 +58,7 @@ struct Derivatives {
 /// An energy of the points of a system: elasticity, friction, gravity, inertia of a time step, ...
 ///
 /// It may keep a history, numbers that change at accepted steps only; the system's State holds
-/// them.
+/// them. Once bound it is constant, and evaluated by several threads at once.
 class Potential {
  public:
   virtual ~Potential() = default;
@@ -75,11 +77,11 @@ class Potential {
 class HistoryPotential : public Potential {
  public:
   virtual Eigen::Index history_size() const = 0;
-  /// The history of a body that was brought from its rest shape to this configuration, each strain
+  /// The history of a body that was brought from its rest shape to `at.configuration`, each strain
   /// on the straight way, and stands still.
-  virtual Eigen::VectorXd initial_history(const Configuration& configuration) const = 0;
+  virtual Eigen::VectorXd initial_history(const Evaluation& at) const = 0;
   /// The history after a step that is accepted at `at.positions`.
-  /// @param next  `history_size()` numbers
+  /// @param next  `history_size()` numbers; not `at.history`
   /// @return the work done during the step against friction and damping (J)
   virtual double advance(const Evaluation& at, double* next) const = 0;
 };

@@ -1,5 +1,7 @@
 #include "pliant/mechanics/system.h"
 
+#include <numeric>
+
 #include "pliant/base/assert.h"
 
 namespace pliant {
@@ -12,11 +14,26 @@ System::System(Eigen::Matrix3Xd positions, Eigen::VectorXd masses)
 }
 
 void System::add(std::shared_ptr<Potential> potential) {
-  Part part{potential, dynamic_cast<const HistoryPotential*>(potential.get()),
-            dynamic_cast<ParametricPotential*>(potential.get()), history_size_, 0};
+  PLIANT_ASSERT(!pattern_, "a system is constant once finished");
+  Part part{potential,
+            dynamic_cast<const HistoryPotential*>(potential.get()),
+            dynamic_cast<const ParametricPotential*>(potential.get()),
+            parts_.size(),
+            history_size_,
+            0};
   if (part.with_history) part.history_size = part.with_history->history_size();
   history_size_ += part.history_size;
   parts_.push_back(std::move(part));
+}
+
+std::vector<int> System::add_parameters(const std::vector<std::string>& names,
+                                        const Eigen::VectorXd& values) {
+  PLIANT_ASSERT(!pattern_, "a system is constant once finished");
+  std::vector<int> places(names.size());
+  std::iota(places.begin(), places.end(), static_cast<int>(parameters_.names.size()));
+  parameters_.names.insert(parameters_.names.end(), names.begin(), names.end());
+  parameters_.values.insert(parameters_.values.end(), values.begin(), values.end());
+  return places;
 }
 
 void System::finish() {
@@ -31,7 +48,21 @@ void System::finish() {
   for (const Part& part : parts_) part.potential->bind(coordinates_, *pattern_);
 }
 
-State System::initial_state() const {
+std::vector<int> System::all_parameters() const {
+  std::vector<int> all(parameters_.names.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+Parameters System::with(const Eigen::VectorXd& values) const {
+  Parameters parameters;
+  for (const Part& part : parts_) {
+    parameters.laws.push_back(part.parametric ? part.parametric->law(values) : nullptr);
+  }
+  return parameters;
+}
+
+State System::initial_state(const Parameters& parameters) const {
   State state;
   state.configuration = initial_;
   state.velocities = Eigen::Matrix3Xd::Zero(3, points());
@@ -39,13 +70,9 @@ State System::initial_state() const {
   for (const Part& part : parts_) {
     if (!part.with_history) continue;
     state.history.segment(part.first_history, part.history_size) =
-        part.with_history->initial_history(initial_);
+        part.with_history->initial_history({initial_, nullptr, parameters.law(part.number)});
   }
   return state;
-}
-
-void System::drive(double time, Configuration& configuration) const {
-  for (const Drive& drive : drives_) drive(time, configuration);
 }
 
 const double* System::history_of(const Potential& potential, const State& state) const {
@@ -58,67 +85,47 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
-void System::evaluate(const Configuration& at, const State& from, const StepTime& time,
-                      Curvature curvature, Derivatives& derivatives) const {
+void System::evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
+                      Derivatives& derivatives) const {
   for (const Part& part : parts_) {
-    part.potential->evaluate(evaluation(part, at, from, time, curvature), derivatives);
+    part.potential->evaluate(evaluation(part, at, under, curvature), derivatives);
   }
 }
 
-double System::advance_history(const Configuration& at, const State& from, const StepTime& time,
+double System::advance_history(const Configuration& at, const Conditions& under,
                                Eigen::VectorXd& history) const {
   history.resize(history_size_);
   double work = 0;
   for (const Part& part : parts_) {
     if (!part.with_history) continue;
-    work += part.with_history->advance(evaluation(part, at, from, time, Curvature::exact),
+    work += part.with_history->advance(evaluation(part, at, under),
                                        history.data() + part.first_history);
   }
   return work;
 }
 
-void System::set_parameters(const Eigen::VectorXd& values) {
-  for (const Part& part : parts_) {
-    if (part.parametric) part.parametric->set_parameters(values);
-  }
-}
-
-void System::set_parameter_count(int count) {
-  parameter_count_ = count;
-  derivative_count_ = count;
-}
-
-void System::differentiate_by(const std::vector<int>& parameters) {
-  std::vector<int> column_of(static_cast<size_t>(parameter_count_), -1);
-  derivative_count_ = static_cast<int>(parameters.size());
-  for (int k = 0; k < derivative_count_; ++k) {
-    column_of[static_cast<size_t>(parameters[static_cast<size_t>(k)])] = k;
-  }
-  for (const Part& part : parts_) {
-    if (part.parametric) part.parametric->differentiate_by(column_of);
-  }
-}
-
-void System::add_force_sensitivity(const Configuration& at, const State& from,
+void System::add_force_sensitivity(const Configuration& at, const Conditions& under,
+                                   const std::vector<int>& by,
                                    const Eigen::MatrixXd& history_by_parameter,
                                    Eigen::MatrixXd& gradient_by_parameter) const {
   for (const Part& part : parts_) {
     if (!part.parametric) continue;
     part.parametric->add_force_sensitivity(
-        evaluation(part, at, from, {}, Curvature::exact),
+        evaluation(part, at, under), by,
         history_by_parameter.middleRows(part.first_history, part.history_size),
         gradient_by_parameter);
   }
 }
 
-void System::advance_sensitivity(const Configuration& at, const State& from,
+void System::advance_sensitivity(const Configuration& at, const Conditions& under,
+                                 const std::vector<int>& by,
                                  const Eigen::MatrixXd& positions_by_parameter,
                                  Eigen::MatrixXd& history_by_parameter) const {
   for (const Part& part : parts_) {
     if (!part.parametric) continue;
     Eigen::MatrixXd own = history_by_parameter.middleRows(part.first_history, part.history_size);
-    part.parametric->advance_sensitivity(evaluation(part, at, from, {}, Curvature::exact),
-                                         positions_by_parameter, own);
+    part.parametric->advance_sensitivity(evaluation(part, at, under), by, positions_by_parameter,
+                                         own);
     history_by_parameter.middleRows(part.first_history, part.history_size) = own;
   }
 }

@@ -1,6 +1,7 @@
 #include "pliant/scene/scene_system.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/material/fill.h"
@@ -101,6 +102,7 @@ class SceneBuilder {
     add_materials();
     add_forces();
     result_.system->finish();
+    set_schedule();
     result_.start = result_.system->initial_state();
     set_velocities();
     return std::move(result_);
@@ -192,12 +194,12 @@ class SceneBuilder {
     }
     if (!pin.motion) return;
     const Eigen::Matrix3Xd start = positions_(Eigen::all, points);
-    system().add_drive(
-        [points, axes, start, motion = *pin.motion](double time, Configuration& configuration) {
-          const Pose pose = pose_at(motion, time);
+    drives_.push_back(
+        [points, start, motion = *pin.motion, axes = pin.directions](Controls& controls) {
+          const Pose pose = pose_at(motion, controls.time);
           for (size_t i = 0; i < points.size(); ++i) {
-            const Eigen::Vector3d place = pose.apply(start.col(static_cast<Eigen::Index>(i)));
-            for (const int axis : axes) configuration.positions(axis, points[i]) = place(axis);
+            controls.places.push_back(
+                {points[i], pose.apply(start.col(static_cast<Eigen::Index>(i))), axes});
           }
         });
   }
@@ -222,37 +224,38 @@ class SceneBuilder {
     const int number = system().coordinates().add_clip(points, !clip.free);
     if (clip.motion) {
       const Eigen::Vector3d origin = positions_(Eigen::all, points).rowwise().mean();
-      system().add_drive([this_system = &system(), number, origin, motion = *clip.motion](
-                             double time, Configuration& configuration) {
-        const Pose moved = pose_at(motion, time);
-        this_system->coordinates().place_clip(number, {moved.rotation, moved.apply(origin)},
-                                              configuration);
+      drives_.push_back([number, origin, motion = *clip.motion](Controls& controls) {
+        const Pose moved = pose_at(motion, controls.time);
+        controls.poses.push_back({number, {moved.rotation, moved.apply(origin)}});
       });
     }
     for (size_t i = 0; i < clip.cords.size(); ++i) add_cord(clip.cords[i], pulled[i]);
   }
 
   void add_cord(const SceneCord& cord, int point) {
-    if (!cord.force) {
+    const int control = vectors_++;
+    if (cord.force) {
+      system().add(
+          std::make_shared<PointForces>(control, Eigen::VectorXd::Unit(positions_.cols(), point)));
+    } else {
       const CordSpring& spring = cord.spring;
-      const auto potential =
-          std::make_shared<Cord>(point, spring.stiffness, spring.length, value_at(spring.end, 0));
-      system().add(potential);
-      system().add_drive([potential, end = spring.end](double time, Configuration&) {
-        potential->move_end(value_at(end, time));
-      });
-      return;
+      system().add(std::make_shared<Cord>(point, spring.stiffness, spring.length,
+                                          value_at(spring.end, 0), control));
     }
-    const auto at = [point, points = positions_.cols()](const Eigen::Vector3d& force) {
-      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, points);
-      forces.col(point) = force;
-      return forces;
+    drives_.push_back(
+        [control, vector = cord.force ? *cord.force : cord.spring.end](Controls& controls) {
+          controls.vectors.col(control) = value_at(vector, controls.time);
+        });
+  }
+
+  void set_schedule() {
+    result_.schedule = [drives = std::move(drives_), vectors = vectors_](double time) {
+      Controls controls;
+      controls.time = time;
+      controls.vectors.resize(3, vectors);
+      for (const auto& drive : drives) drive(controls);
+      return controls;
     };
-    const auto potential = std::make_shared<PointForces>(at(value_at(*cord.force, 0)));
-    system().add(potential);
-    system().add_drive([potential, at, force = *cord.force](double time, Configuration&) {
-      potential->set_forces(at(value_at(force, time)));
-    });
   }
 
   void add_materials() {
@@ -265,7 +268,7 @@ class SceneBuilder {
         options.damping_fraction =
             scene_.damping_fraction.value_or(region.material.damping_fraction.value_or(0));
         Cloth cloth = add_cloth(system(), piece.mesh, piece.first_point, region.material,
-                                region.triangles, options, result_.parameters);
+                                region.triangles, options);
         piece.shown.insert(piece.shown.end(), cloth.shown.begin(), cloth.shown.end());
         result_.warnings.insert(result_.warnings.end(), cloth.warnings.begin(),
                                 cloth.warnings.end());
@@ -315,6 +318,8 @@ class SceneBuilder {
   Eigen::Matrix3Xd positions_;
   Eigen::VectorXd masses_;
   int next_attachment_ = 0;
+  std::vector<std::function<void(Controls&)>> drives_;  // each sets its part at `time`
+  int vectors_ = 0;                                     // of the controls
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct SceneSystem {
   std::vector<ClothPiece> cloths;
   Eigen::Matrix3Xi faces;  ///< of all cloths, as points of the system
   int vertices = 0;        ///< of all cloths
-  ParameterList parameters;
+  Schedule schedule;       ///< what comes from outside
   State start;
   std::vector<std::string> warnings;  ///< for the user
 };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/parallel.h"
 #include "pliant/solver/static_path.h"
 #include "pliant/solver/time_stepper.h"
 
@@ -36,8 +37,9 @@ double default_tolerance(const System& system) {
   return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
-TimeStepOptions time_step_options(const Scene& scene) {
+TimeStepOptions time_step_options(const Scene& scene, const SceneSystem& built) {
   TimeStepOptions options;
+  options.schedule = built.schedule;
   options.step = scene.time.step;
   options.integrator = scene.time.integrator;
   options.solve = scene.time.solution;
@@ -57,7 +59,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
  public:
   TimeSteps(const Scene& scene, const SceneSystem& built)
       : adaptive_(scene.time.adaptive),
-        stepper_(*built.system, time_step_options(scene), built.faces),
+        stepper_(*built.system, time_step_options(scene, built), built.faces),
         step_(scene.time.step) {}
 
   StepResult advance(State& state) override {
@@ -107,7 +109,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
 class Simulation::Equilibria : public Simulation::Stepper {
  public:
   Equilibria(const Scene& scene, const SceneSystem& built)
-      : path_(*built.system, options(scene), built.start), step_(scene.time.step) {}
+      : path_(*built.system, options(scene, built), built.start), step_(scene.time.step) {}
 
   StepResult advance(State& state) override {
     path_.go_on_from(state);
@@ -117,8 +119,9 @@ class Simulation::Equilibria : public Simulation::Stepper {
   }
 
  private:
-  static StaticPathOptions options(const Scene& scene) {
+  static StaticPathOptions options(const Scene& scene, const SceneSystem& built) {
     StaticPathOptions options;
+    options.schedule = built.schedule;
     options.newton.tolerance = scene.time.tolerance.value();
     return options;
   }
@@ -128,8 +131,7 @@ class Simulation::Equilibria : public Simulation::Stepper {
 };
 
 Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler, int threads)
-    : scene_(scene), built_(build_scene(scene, filler)) {
-  built_.system->set_threads(threads);
+    : scene_(scene), threads_(threads), built_(build_scene(scene, filler)) {
   if (!scene_.time.tolerance) scene_.time.tolerance = default_tolerance(*built_.system);
   if (scene_.time.kind == SimulationKind::dynamic) {
     stepper_ = std::make_unique<TimeSteps>(scene_, built_);
@@ -149,7 +151,9 @@ void Simulation::record_frame() {
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, built_.system->points());
   Derivatives derivatives;
   derivatives.gradient = &gradient;
-  built_.system->evaluate(now_.state.configuration, now_.state, {}, Curvature::exact, derivatives);
+  const Controls controls = built_.schedule(now_.state.time);
+  built_.system->evaluate(now_.state.configuration, {.from = now_.state, .controls = controls},
+                          Curvature::exact, derivatives);
   record_energy(derivatives.energy.stored);
   record_clips(gradient);
 }
@@ -181,7 +185,8 @@ void Simulation::record_clips(const Eigen::Matrix3Xd& gradient) {
 
 void Simulation::advance() {
   const double begin = seconds_now();
-  const StepResult result = stepper_->advance(now_.state);
+  StepResult result;
+  with_threads(threads_, [&] { result = stepper_->advance(now_.state); });
   ++now_.steps;
   // Not a sum of steps, which would drift.
   now_.state.time = now_.steps * scene_.time.step;

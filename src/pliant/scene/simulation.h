@@ -8,9 +8,9 @@
 
 namespace pliant {
 
-/// Where the energy of a system is at one time (J). Without drives, and as far as a step's
-/// equations are solved, the total never grows (but for what backward Euler gains while it
-/// buckles).
+/// Where the energy of a system is at one time (J). Where nothing is moved from outside, and as far
+/// as a step's equations are solved, the total never grows (but for what backward Euler gains while
+/// it buckles).
 struct EnergyRow {
   double time = 0;
   double kinetic = 0;
@@ -84,6 +84,7 @@ class Simulation {
   void record_clips(const Eigen::Matrix3Xd& gradient);
 
   Scene scene_;
+  int threads_;
   SceneSystem built_;
   std::unique_ptr<Stepper> stepper_;
   SimulationState now_;

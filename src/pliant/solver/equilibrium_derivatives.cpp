@@ -35,26 +35,26 @@ Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at
 }  // namespace
 
 std::optional<Curvature> factorize_at(const Objective& objective, const Configuration& at,
-                                      Eigen::Matrix3Xd& gradient, Hessian& hessian,
-                                      LinearSolver& solver) {
+                                      Eigen::Matrix3Xd& gradient, Workspace& workspace) {
   for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
-    objective.linearize(at, curvature, gradient, hessian);
-    if (solver.factorize(hessian.matrix)) return curvature;
+    objective.linearize(at, curvature, gradient, workspace.hessian);
+    if (workspace.solver->factorize(workspace.hessian.matrix)) return curvature;
   }
   return std::nullopt;
 }
 
 EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
                                                  const Configuration& at,
+                                                 const std::vector<int>& by,
                                                  const Eigen::MatrixXd& history_by_parameter,
-                                                 const SparseCholesky& solver, bool with_forces) {
+                                                 const LinearSolver& solver, bool with_forces) {
   const System& system = objective.system();
   const Coordinates& coordinates = system.coordinates();
-  const Eigen::Index rows = 3 * system.points(), columns = system.derivative_count();
+  const Eigen::Index rows = 3 * system.points(), columns = std::ssize(by);
   EquilibriumDerivatives result;
   result.forces.setZero(rows, columns);
   result.positions.resize(rows, columns);
-  system.add_force_sensitivity(at, objective.from(), history_by_parameter, result.forces);
+  system.add_force_sensitivity(at, objective.conditions(), by, history_by_parameter, result.forces);
   Eigen::MatrixXd reduced(coordinates.unknowns(), columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
     reduced.col(k) = -coordinates.reduce(at, by_points(result.forces, k));

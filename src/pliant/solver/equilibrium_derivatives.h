@@ -1,15 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
-#include "pliant/math/sparse_cholesky.h"
 #include "pliant/solver/objective.h"
+#include "pliant/solver/workspace.h"
 
 namespace pliant {
 
-/// How an equilibrium changes with the parameters of its system: 3 points x chosen parameters.
+/// How an equilibrium changes with the parameters of its system: 3 points x parameters.
 struct EquilibriumDerivatives {
   Eigen::MatrixXd positions;  ///< (dF/dx) dx/dp = -dF/dp ([T] Eq. 3.7)
   Eigen::MatrixXd forces;     ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8)
@@ -20,18 +21,19 @@ struct EquilibriumDerivatives {
 /// @param gradient  gets dE / d points (N)
 /// @return which was factorised; nothing where neither could be
 std::optional<Curvature> factorize_at(const Objective& objective, const Configuration& at,
-                                      Eigen::Matrix3Xd& gradient, Hessian& hessian,
-                                      LinearSolver& solver);
+                                      Eigen::Matrix3Xd& gradient, Workspace& workspace);
 
-/// Derivatives of an equilibrium by the parameters that its system differentiates by.
+/// Derivatives of an equilibrium by some of the parameters of its system.
+/// @param by                    parameters of the system
 /// @param history_by_parameter  of what its potentials remember; rows of the whole history
 /// @param solver                with the Hessian at the equilibrium, factorised
 /// @param with_forces           whether those of the forces are wanted; they cost two evaluations a
 ///                              parameter
 EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
                                                  const Configuration& at,
+                                                 const std::vector<int>& by,
                                                  const Eigen::MatrixXd& history_by_parameter,
-                                                 const SparseCholesky& solver,
+                                                 const LinearSolver& solver,
                                                  bool with_forces = true);
 
 }  // namespace pliant

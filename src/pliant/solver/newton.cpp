@@ -95,19 +95,19 @@ bool solve(const LinearSolver& solver, const Eigen::VectorXd& force, Eigen::Vect
 
 // Newton's step with a new Hessian; nothing where no shift makes it positive definite.
 std::optional<Eigen::VectorXd> fresh_step(const Objective& objective, const NewtonOptions& options,
-                                          LinearSolver& solver, Hessian& hessian,
-                                          const Configuration& at, const Eigen::VectorXd& force,
-                                          NewtonSummary& summary) {
+                                          Workspace& workspace, const Configuration& at,
+                                          const Eigen::VectorXd& force, NewtonSummary& summary) {
+  auto& [hessian, solver] = workspace;
   Eigen::Matrix3Xd gradient;
   Eigen::VectorXd step;
   if (options.curvature == Curvature::exact) {
     objective.linearize(at, Curvature::exact, gradient, hessian);
     ++summary.factorizations;
-    if (solver.factorize(hessian.matrix) && solve(solver, force, step, summary)) return step;
+    if (solver->factorize(hessian.matrix) && solve(*solver, force, step, summary)) return step;
   }
   objective.linearize(at, Curvature::convex, gradient, hessian);
-  if (!factorize_shifted(hessian.matrix, solver, summary.factorizations)) return std::nullopt;
-  solve(solver, force, step, summary);
+  if (!factorize_shifted(hessian.matrix, *solver, summary.factorizations)) return std::nullopt;
+  solve(*solver, force, step, summary);
   return step;
 }
 
@@ -119,7 +119,7 @@ double largest_force(const Coordinates& coordinates, const Configuration& at,
 }
 
 NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
-                       LinearSolver& solver, Hessian& hessian, Configuration& at) {
+                       Workspace& workspace, Configuration& at) {
   constexpr double kFast = 0.8;  // fall of the forces with which an old factor is worth keeping
   const Coordinates& coordinates = objective.system().coordinates();
   NewtonSummary summary;
@@ -147,11 +147,11 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
         options.reuse_factor && has_factor && summary.residual < kFast * last_residual;
     last_residual = summary.residual;
     if (reuse) {
-      solve(solver, force, step, summary);
+      solve(*workspace.solver, force, step, summary);
       if (descend()) continue;
     }
     std::optional<Eigen::VectorXd> fresh =
-        fresh_step(objective, options, solver, hessian, at, force, summary);
+        fresh_step(objective, options, workspace, at, force, summary);
     if (!fresh) return summary;
     has_factor = true;
     step = std::move(*fresh);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pliant/base/progress.h"
-#include "pliant/math/linear_solver.h"
 #include "pliant/solver/objective.h"
+#include "pliant/solver/workspace.h"
 
 namespace pliant {
 
@@ -38,6 +38,6 @@ double largest_force(const Coordinates& coordinates, const Configuration& at,
 /// @param at  where to begin, then the minimum
 /// @throws Interrupted when a stop was requested
 NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
-                       LinearSolver& solver, Hessian& hessian, Configuration& at);
+                       Workspace& workspace, Configuration& at);
 
 }  // namespace pliant

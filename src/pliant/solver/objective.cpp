@@ -4,8 +4,8 @@ namespace pliant {
 
 void Objective::evaluate(const Configuration& at, Curvature curvature,
                          Derivatives& derivatives) const {
-  system_.evaluate(at, from_, time_, curvature, derivatives);
-  const Evaluation own{at, nullptr, time_, curvature};
+  system_.evaluate(at, under_, curvature, derivatives);
+  const Evaluation own{.configuration = at, .time = under_.time, .curvature = curvature};
   for (const Potential* potential : of_step_) potential->evaluate(own, derivatives);
 }
 

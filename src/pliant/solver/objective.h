@@ -6,19 +6,17 @@
 
 namespace pliant {
 
-/// What an equilibrium or a time step minimises over the unknowns of a system: its potentials with
-/// what they remember, and those that the step adds (inertia, drag).
+/// What an equilibrium or a time step minimises over the unknowns of a system: its potentials under
+/// some conditions, and those that the step adds (inertia, drag).
 class Objective {
  public:
-  Objective(const System& system, const State& from, const StepTime& time = {})
-      : system_(system), from_(from), time_(time) {}
+  Objective(const System& system, const Conditions& under) : system_(system), under_(under) {}
 
   /// `potential` outlives the objective.
   void add(const Potential& potential) { of_step_.push_back(&potential); }
 
   const System& system() const { return system_; }
-  const State& from() const { return from_; }
-  const StepTime& time() const { return time_; }
+  const Conditions& conditions() const { return under_; }
 
   Energy energy(const Configuration& at) const;
   /// dE / d points, N; on prescribed points the force that holds them.
@@ -33,8 +31,7 @@ class Objective {
   void evaluate(const Configuration& at, Curvature curvature, Derivatives& derivatives) const;
 
   const System& system_;
-  const State& from_;
-  StepTime time_;
+  Conditions under_;
   std::vector<const Potential*> of_step_;
 };
 

@@ -3,20 +3,17 @@
 namespace pliant {
 
 StaticSolver::StaticSolver(const System& system, const NewtonOptions& options)
-    : system_(system),
-      options_(options),
-      hessian_(system.make_hessian()),
-      solver_(hessian_.matrix) {}
+    : system_(system), options_(options), workspace_(system) {}
 
-NewtonSummary StaticSolver::find_equilibrium(State& state) {
-  system_.drive(state.time, state.configuration);
-  const Objective objective(system_, state);
-  return minimize(objective, options_, solver_, hessian_, state.configuration);
+NewtonSummary StaticSolver::find_equilibrium(State& state, const Controls& controls) {
+  system_.coordinates().apply(controls, state.configuration);
+  const Objective objective(system_, {.from = state, .controls = controls});
+  return minimize(objective, options_, workspace_, state.configuration);
 }
 
 double StaticSolver::accept(State& state) const {
   Eigen::VectorXd history;
-  const double work = system_.advance_history(state.configuration, state, {}, history);
+  const double work = system_.advance_history(state.configuration, {state}, history);
   state.history = std::move(history);
   return work;
 }

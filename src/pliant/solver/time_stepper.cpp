@@ -12,9 +12,13 @@ namespace pliant {
 namespace {
 
 // Newton's method gains nothing from exact steps: it corrects them in the next.
-double linear_tolerance(const TimeStepOptions& options) {
+Workspace iterative(const System& system, const TimeStepOptions& options) {
   constexpr double kOfNewtonStep = 1e-2;
-  return options.solve == StepSolve::linearized ? options.linear_tolerance : kOfNewtonStep;
+  const bool linearized = options.solve == StepSolve::linearized;
+  const SsorCg::Options how{.tolerance = linearized ? options.linear_tolerance : kOfNewtonStep};
+  Hessian hessian = system.make_hessian();
+  auto solver = std::make_unique<SsorCg>(hessian.matrix, how);
+  return {std::move(hessian), std::move(solver)};
 }
 
 // The change of the unknowns if everything kept its velocity: where the search for the step begins.
@@ -61,9 +65,7 @@ TimeStepper::TimeStepper(const System& system, const TimeStepOptions& options,
     : system_(system),
       options_(options),
       faces_(std::move(faces)),
-      hessian_(system.make_hessian()),
-      solver_(std::make_unique<SsorCg>(hessian_.matrix,
-                                       SsorCg::Options{.tolerance = linear_tolerance(options)})) {
+      workspace_(iterative(system, options)) {
   PLIANT_ASSERT(options.step > 0, "a time step takes time");
   for (int i = 0; i < system.points(); ++i) {
     PLIANT_ASSERT(system.masses()(i) > 0 || !system.coordinates().is_free(i),
@@ -77,13 +79,13 @@ StepSummary TimeStepper::linear_step(const Objective& objective, Eigen::VectorXd
                                      Configuration& at) {
   const Coordinates& coordinates = system_.coordinates();
   Eigen::Matrix3Xd gradient;
-  objective.linearize(at, Curvature::convex, gradient, hessian_);
+  objective.linearize(at, Curvature::convex, gradient, workspace_.hessian);
   StepSummary summary;
-  if (!solver_->factorize(hessian_.matrix)) {
+  if (!workspace_.solver->factorize(workspace_.hessian.matrix)) {
     summary.converged = false;
     return summary;
   }
-  const LinearSummary linear = solver_->solve(-coordinates.reduce(at, gradient), change);
+  const LinearSummary linear = workspace_.solver->solve(-coordinates.reduce(at, gradient), change);
   summary.linear_iterations = linear.iterations;
   summary.converged = linear.converged;
   summary.residual = linear.residual;
@@ -95,13 +97,16 @@ StepSummary TimeStepper::advance(State& state, double step) {
   const Scheme scheme(options_.integrator, step, state);
   const double time = state.time + step;
   Configuration at = state.configuration;
-  system_.drive(time, at);
+  const Controls controls = options_.schedule ? options_.schedule(time) : kNoControls;
+  system_.coordinates().apply(controls, at);
 
   const Eigen::Matrix3Xd start = scheme.mix(state.configuration.positions, state.last_positions);
   const Eigen::Matrix3Xd velocities = scheme.mix(state.velocities, state.last_velocities);
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
                              start + scheme.time * velocities);
-  Objective objective(system_, state, {1 / scheme.time, scheme.now, scheme.earlier});
+  const Conditions under{
+      .from = state, .controls = controls, .time = {1 / scheme.time, scheme.now, scheme.earlier}};
+  Objective objective(system_, under);
   objective.add(inertia);
   std::optional<AirDrag> drag;
   if (options_.air) {
@@ -117,7 +122,7 @@ StepSummary TimeStepper::advance(State& state, double step) {
     NewtonOptions newton;
     newton.tolerance = options_.tolerance;
     at = system_.coordinates().moved(at, guess);
-    const NewtonSummary solved = minimize(objective, newton, *solver_, hessian_, at);
+    const NewtonSummary solved = minimize(objective, newton, workspace_, at);
     summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual, 0};
   }
   if (!at.positions.allFinite()) {
@@ -128,7 +133,7 @@ StepSummary TimeStepper::advance(State& state, double step) {
   State next;
   next.time = time;
   next.velocities = (at.positions - start) / scheme.time;
-  summary.work = system_.advance_history(at, state, objective.time(), next.history);
+  summary.work = system_.advance_history(at, under, next.history);
   if (drag) summary.work += drag->work(state.configuration, at);
   next.last_step = step;
   next.last_positions = std::move(state.configuration.positions);

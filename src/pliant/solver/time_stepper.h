@@ -1,9 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
-#include "pliant/math/linear_solver.h"
 #include "pliant/mechanics/air_drag.h"
 #include "pliant/solver/integration.h"
 #include "pliant/solver/newton.h"
@@ -17,6 +15,7 @@ struct TimeStepOptions {
   double tolerance = 1e-5;         ///< largest force left by a converged step (N)
   double linear_tolerance = 1e-4;  ///< relative, of the equations of a linearised step
   std::optional<Air> air;          ///< vacuum when absent
+  Schedule schedule = {};          ///< what comes from outside; nothing where empty
 };
 
 /// How a time step went.
@@ -53,8 +52,7 @@ class TimeStepper {
   const System& system_;
   TimeStepOptions options_;
   Eigen::Matrix3Xi faces_;
-  Hessian hessian_;
-  std::unique_ptr<LinearSolver> solver_;
+  Workspace workspace_;
 };
 
 }  // namespace pliant

@@ -4,9 +4,10 @@
 
 namespace pliant {
 
-SheetShape path_shape(const SheetSystem& sheet, const State& state, PathEquilibrium& point) {
+SheetShape path_shape(const SheetSystem& sheet, Eigen::Matrix3Xd positions,
+                      PathEquilibrium& point) {
   SheetShape shape;
-  shape.positions = state.configuration.positions;
+  shape.positions = std::move(positions);
   shape.clip_forces = sheet.clip_forces(point.forces);
   shape.clip_moments = sheet.clip_moments(shape.positions, point.forces);
   if (point.by_parameter.positions.size() == 0) return shape;
@@ -15,14 +16,14 @@ SheetShape path_shape(const SheetSystem& sheet, const State& state, PathEquilibr
   return shape;
 }
 
-EquilibriumWork path_work(const PathEquilibrium& point, double seconds, bool differentiated) {
+EquilibriumWork path_work(const PathEquilibrium& point, bool differentiated) {
   const int derivatives = differentiated ? point.equilibria : 0;
   EquilibriumWork work;
   work.counts = {.equilibria = point.equilibria,
                  .iterations = point.newton.iterations,
                  .factors = point.newton.factorizations + derivatives,
                  .differentiated = derivatives};
-  work.seconds = {seconds - point.derivative_seconds, point.derivative_seconds};
+  work.seconds = {point.search_seconds, point.derivative_seconds};
   return work;
 }
 

@@ -7,12 +7,12 @@
 namespace pliant {
 
 /// The shape of a sheet that a path has come to.
-/// @param point  its last equilibrium; the derivatives of the positions are taken out of it
-SheetShape path_shape(const SheetSystem& sheet, const State& state, PathEquilibrium& point);
+/// @param positions  of the nodes at its last equilibrium
+/// @param point      that equilibrium; the derivatives of the positions are taken out of it
+SheetShape path_shape(const SheetSystem& sheet, Eigen::Matrix3Xd positions, PathEquilibrium& point);
 
 /// What a step of a path has cost.
-/// @param seconds         of the whole step
 /// @param differentiated  whether derivatives were asked for
-EquilibriumWork path_work(const PathEquilibrium& point, double seconds, bool differentiated);
+EquilibriumWork path_work(const PathEquilibrium& point, bool differentiated);
 
 }  // namespace pliant

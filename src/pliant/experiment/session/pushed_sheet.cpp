@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pliant/base/errors.h"
-#include "pliant/base/stopwatch.h"
+#include "pliant/base/parallel.h"
 #include "pliant/experiment/session/path_shape.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/solver/static_path.h"
@@ -21,12 +21,11 @@ constexpr int kMostIterations = 2000;
 /// friction remembers goes from the system of one to that of the next.
 class PushedSheet::Path {
  public:
-  Path(const PushedSheet& sheet, const Eigen::VectorXd& parameters, const std::vector<int>& by,
-       int threads, const StopToken& stop)
+  Path(PushedSheet& sheet, const Eigen::VectorXd& parameters, const std::vector<int>& by,
+       const StopToken& stop)
       : sheet_(sheet),
         parameters_(parameters),
         by_(by),
-        threads_(threads),
         stop_(stop),
         shapes_(sheet.states_.states.size()),
         row_(static_cast<int>(shapes_.size())),
@@ -61,38 +60,33 @@ class PushedSheet::Path {
 
   // A row further out or back.
   void step_to(int row, int frame) {
-    const auto r = static_cast<std::size_t>(row);
-    const Stopwatch watch;
-    SheetSystem sheet(sheet_.session_, sheet_.material_, {}, sheet_.states_.states[r].held);
-    System& system = sheet.system();
-    system.set_threads(threads_);
-    system.set_parameters(parameters_);
-    system.differentiate_by(by_);
-    system.add_drive([&](double, Configuration& at) {
-      at = sheet.configuration(frame, std::move(at.positions));
-    });
-    if (state_.history.size() == 0) state_ = system.initial_state();
+    const SheetSystem& sheet = sheet_.held_at(row);
+    const System& system = sheet.system();
+    const Parameters parameters = system.with(parameters_);
+    if (state_.history.size() == 0) state_ = system.initial_state(parameters);
     StaticPath path(system,
                     {.newton = {.tolerance = sheet.tolerance(),
                                 .max_iterations = kMostIterations,
                                 .reuse_factor = true,
                                 .stop = stop_},
                      .max_halvings = 0,
-                     .sensitivities = !by_.empty(),
+                     .schedule = [&](double) { return sheet.controls(frame); },
+                     .parameters = parameters,
+                     .by = by_,
                      .convex_sensitivities = true},
                     std::move(state_), std::move(history_by_parameter_));
     PathEquilibrium point = path.step(path.state().time + 1);
-    work_ += path_work(point, watch.seconds(), !by_.empty());
+    work_ += path_work(point, !by_.empty());
     state_ = path.state();
     history_by_parameter_ = path.history_by_parameter();
-    shapes_[r] = path_shape(sheet, state_, point);
+    shapes_[static_cast<std::size_t>(row)] =
+        path_shape(sheet, state_.configuration.positions, point);
     before_ = std::exchange(row_, row);
   }
 
-  const PushedSheet& sheet_;
+  PushedSheet& sheet_;
   const Eigen::VectorXd& parameters_;
   const std::vector<int>& by_;
-  int threads_;
   StopToken stop_;
 
   State state_;
@@ -105,21 +99,33 @@ class PushedSheet::Path {
 
 PushedSheet::PushedSheet(const Session& session, const Material& material)
     : session_(session), material_(material), states_(states_on_table(session)) {
-  const SheetSystem sheet(session, material, {}, states_.states.back().held);
-  parameters_ = sheet.parameters();
+  sheets_.resize(states_.states.size());
+  const SheetSystem& sheet = held_at(static_cast<int>(sheets_.size()) - 1);
+  parameters_ = sheet.system().parameters();
   warnings_ = sheet.warnings();
+}
+
+const SheetSystem& PushedSheet::held_at(int row) {
+  const auto r = static_cast<std::size_t>(row);
+  if (!sheets_[r]) {
+    sheets_[r] = std::make_unique<const SheetSystem>(session_, material_, DensityOptions{},
+                                                     states_.states[r].held);
+  }
+  return *sheets_[r];
 }
 
 std::vector<std::optional<SheetShape>> PushedSheet::predict_each(const Eigen::VectorXd& parameters,
                                                                  const std::vector<int>& by,
                                                                  int threads,
                                                                  const StopToken& stop) {
-  Path path(*this, parameters, by, threads, stop);
+  Path path(*this, parameters, by, stop);
   std::vector<std::optional<SheetShape>> found(session_.frames.size());
   try {
-    for (int frame = 0; frame < session_.frame_count(); ++frame) {
-      found[static_cast<std::size_t>(frame)] = path.frame(frame);
-    }
+    with_threads(threads, [&] {
+      for (int frame = 0; frame < session_.frame_count(); ++frame) {
+        found[static_cast<std::size_t>(frame)] = path.frame(frame);
+      }
+    });
   } catch (const SolverError&) {
     // Friction carries on from each frame to the next: none of the later ones is found.
   }

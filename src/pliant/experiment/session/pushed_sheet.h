@@ -1,7 +1,11 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "pliant/experiment/session/sheet_predictor.h"
 #include "pliant/experiment/session/sheet_states.h"
+#include "pliant/experiment/session/sheet_system.h"
 #include "pliant/material/material.h"
 #include "pliant/measurement/session.h"
 
@@ -27,9 +31,13 @@ class PushedSheet : public SheetPredictor {
  private:
   class Path;
 
+  /// The sheet as the table holds it in a state, made when it is first asked for.
+  const SheetSystem& held_at(int row);
+
   const Session& session_;
   Material material_;
   SheetStates states_;
+  std::vector<std::unique_ptr<const SheetSystem>> sheets_;  // one a state
 };
 
 }  // namespace pliant

@@ -9,7 +9,6 @@
 #include "pliant/base/parallel.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/experiment/session/sheet_system.h"
-#include "pliant/math/sparse_cholesky.h"
 #include "pliant/solver/equilibrium_derivatives.h"
 #include "pliant/solver/newton.h"
 
@@ -22,76 +21,95 @@ constexpr double kSoftSpring = 1;
 
 }  // namespace
 
-class SheetEquilibria::Lane {
+struct SheetEquilibria::Held {
+  SheetSystem sheet;
+  State rest;  // elasticity remembers nothing
+  Workspace workspace;
+
+  Held(const Session& session, const Material& material, std::vector<int> held)
+      : sheet(session, material, kElastic, std::move(held)),
+        rest(sheet.system().initial_state()),
+        workspace(sheet.system()) {}
+};
+
+/// Made by the first thread that needs it.
+struct SheetEquilibria::Place {
+  std::once_flag made;
+  std::optional<const Held> held;
+};
+
+class SheetEquilibria::Search {
  public:
-  Lane(const Session& session, const Material& material, std::vector<int> held)
-      : sheet_(session, material, kElastic, std::move(held)),
-        rest_(sheet_.system().initial_state()),
-        hessian_(sheet_.system().make_hessian()),
-        solver_(hessian_.matrix) {}
+  Search(const Held& held, const Eigen::VectorXd& parameters, const StopToken& stop)
+      : held_(held),
+        values_(parameters),
+        parameters_(system().with(parameters)),
+        workspace_(held.workspace.another()),
+        stop_(stop) {}
 
-  SheetSystem& sheet() { return sheet_; }
-  const SheetSystem& sheet() const { return sheet_; }
+  const SheetSystem& sheet() const { return held_.sheet; }
+  const Eigen::VectorXd& values() const { return values_; }
 
-  NewtonSummary relax(Configuration& at, const StopToken& stop) {
-    return minimize(objective(),
-                    {.tolerance = sheet_.tolerance(), .reuse_factor = true, .stop = stop}, solver_,
-                    hessian_, at);
+  NewtonSummary relax(Configuration& at) {
+    return minimize(objective(parameters_),
+                    {.tolerance = sheet().tolerance(), .reuse_factor = true, .stop = stop_},
+                    workspace_, at);
   }
 
   /// Springs that are stiff against bending lead a search along narrow valleys, which take hundreds
   /// of iterations; with soft ones first, and then ever stiffer ones, it is a sixth of that.
-  /// @param at  where to begin, then near the equilibrium of `parameters`
-  void stiffen_springs(const Eigen::VectorXd& parameters, Configuration& at,
-                       const StopToken& stop) {
+  /// @param at  where to begin, then near the equilibrium
+  void stiffen_springs(Configuration& at) {
     constexpr double kStiffer = 10, kTolerance = 1e-6;
-    const std::vector<std::string>& names = sheet_.parameters().names;
+    const std::vector<std::string>& names = system().parameters().names;
     std::vector<Eigen::Index> bending;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (names[i].starts_with("bend.")) bending.push_back(static_cast<Eigen::Index>(i));
     }
-    const double stiffest = parameters(bending).maxCoeff();
+    const double stiffest = values_(bending).maxCoeff();
     for (double soft = kSoftSpring; soft < stiffest; soft *= kStiffer) {
-      Eigen::VectorXd softer = parameters;
+      Eigen::VectorXd softer = values_;
       softer(bending) *= soft / stiffest;
-      sheet_.system().set_parameters(softer);
-      minimize(objective(), {.tolerance = kTolerance, .reuse_factor = true, .stop = stop}, solver_,
-               hessian_, at);
+      const Parameters soft_springs = system().with(softer);
+      minimize(objective(soft_springs),
+               {.tolerance = kTolerance, .reuse_factor = true, .stop = stop_}, workspace_, at);
     }
-    sheet_.system().set_parameters(parameters);
   }
 
   /// @return which Hessian the derivatives are of; nothing, and no derivatives, where neither can
-  /// be
-  ///         factorised
-  std::optional<Curvature> differentiate(const Configuration& at,
+  ///         be factorised
+  std::optional<Curvature> differentiate(const Configuration& at, const std::vector<int>& by,
                                          EquilibriumDerivatives& derivatives) {
     Eigen::Matrix3Xd gradient;
-    const auto factorized = factorize_at(objective(), at, gradient, hessian_, solver_);
+    const auto factorized = factorize_at(objective(parameters_), at, gradient, workspace_);
     if (!factorized) return std::nullopt;
     const Eigen::MatrixXd no_history =
-        Eigen::MatrixXd::Zero(rest_.history.size(), sheet_.system().derivative_count());
-    derivatives =
-        differentiate_equilibrium(objective(), at, no_history, solver_, sheet_.has_clips());
+        Eigen::MatrixXd::Zero(held_.rest.history.size(), std::ssize(by));
+    derivatives = differentiate_equilibrium(objective(parameters_), at, by, no_history,
+                                            *workspace_.solver, sheet().has_clips());
     return factorized;
   }
 
   SheetShape shape(const Configuration& at) const {
-    const Eigen::Matrix3Xd gradient = objective().gradient(at);
+    const Eigen::Matrix3Xd gradient = objective(parameters_).gradient(at);
     return {at.positions,
-            sheet_.clip_forces(gradient),
+            sheet().clip_forces(gradient),
             {},
             {},
-            sheet_.clip_moments(at.positions, gradient)};
+            sheet().clip_moments(at.positions, gradient)};
   }
 
  private:
-  Objective objective() const { return {sheet_.system(), rest_}; }
+  const System& system() const { return held_.sheet.system(); }
+  Objective objective(const Parameters& parameters) const {
+    return {system(), {held_.rest, parameters}};
+  }
 
-  SheetSystem sheet_;
-  State rest_;  // elasticity remembers nothing
-  Hessian hessian_;
-  SparseCholesky solver_;
+  const Held& held_;
+  const Eigen::VectorXd& values_;
+  Parameters parameters_;
+  Workspace workspace_;
+  StopToken stop_;
 };
 
 struct SheetEquilibria::Reached {
@@ -105,42 +123,31 @@ struct SheetEquilibria::Reached {
   EquilibriumWork work;  // of the last time
 };
 
-/// Systems that nobody uses now, by the nodes that they hold.
-struct SheetEquilibria::Pool {
-  std::mutex mutex;
-  std::map<std::vector<int>, std::vector<std::unique_ptr<Lane>>> idle;
-};
-
 SheetEquilibria::SheetEquilibria(const Session& session, const Material& material)
     : session_(session),
       material_(material),
       states_(sheet_states(session)),
-      reached_(states_.states.size()),
-      pool_(std::make_unique<Pool>()) {
-  std::unique_ptr<Lane> lane = borrow(states_.states.front().held);
-  parameters_ = lane->sheet().parameters();
-  warnings_ = lane->sheet().warnings();
-  give_back(std::move(lane));
+      reached_(states_.states.size()) {
+  for (const SheetState& state : states_.states) {
+    std::unique_ptr<Place>& place = held_[state.held];
+    if (!place) place = std::make_unique<Place>();
+  }
+  const SheetSystem& first = held(0).sheet;
+  parameters_ = first.system().parameters();
+  warnings_ = first.warnings();
 }
 
 SheetEquilibria::~SheetEquilibria() = default;
 
-std::unique_ptr<SheetEquilibria::Lane> SheetEquilibria::borrow(const std::vector<int>& held) {
-  {
-    const std::lock_guard lock(pool_->mutex);
-    auto& idle = pool_->idle[held];
-    if (!idle.empty()) {
-      std::unique_ptr<Lane> lane = std::move(idle.back());
-      idle.pop_back();
-      return lane;
-    }
-  }
-  return std::make_unique<Lane>(session_, material_, held);
+const SheetEquilibria::Held& SheetEquilibria::held(int state) {
+  const std::vector<int>& nodes = states_.states[static_cast<std::size_t>(state)].held;
+  Place& place = *held_.at(nodes);
+  std::call_once(place.made, [&] { place.held.emplace(session_, material_, nodes); });
+  return *place.held;
 }
 
-void SheetEquilibria::give_back(std::unique_ptr<Lane> lane) {
-  const std::lock_guard lock(pool_->mutex);
-  pool_->idle[lane->sheet().held()].push_back(std::move(lane));
+SheetEquilibria::Search SheetEquilibria::search(int state, const Eigen::VectorXd& parameters) {
+  return {held(state), parameters, stop_};
 }
 
 std::vector<Eigen::Matrix3Xd> SheetEquilibria::guesses() const {
@@ -167,20 +174,19 @@ std::vector<Eigen::Matrix3Xd> SheetEquilibria::starts(int state,
   return starts;
 }
 
-bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& parameters,
-                           Eigen::Matrix3Xd start) {
+bool SheetEquilibria::find(int state, Search& search, Eigen::Matrix3Xd start) {
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
-  Configuration at = lane.sheet().configuration(states_.states[s].frame, std::move(start));
-  const NewtonSummary newton = lane.relax(at, stop_);
+  Configuration at = search.sheet().configuration(states_.states[s].frame, std::move(start));
+  const NewtonSummary newton = search.relax(at);
   reached.work.counts.iterations += newton.iterations;
   reached.work.counts.factors += newton.factorizations;
   reached.found = newton.converged;
   if (!reached.found) return false;
   ++reached.work.counts.equilibria;
   reached.differentiated = false;
-  reached.parameters = parameters;
-  reached.shape = lane.shape(at);
+  reached.parameters = search.values();
+  reached.shape = search.shape(at);
   const auto frame = static_cast<std::size_t>(states_.states[s].frame);
   const Eigen::Matrix3Xd& measured = session_.frames[frame].positions;
   reached.distance = (at.positions - measured).norm() /
@@ -188,19 +194,19 @@ bool SheetEquilibria::find(int state, Lane& lane, const Eigen::VectorXd& paramet
   return true;
 }
 
-bool SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int>& by) {
+bool SheetEquilibria::differentiate(int state, Search& search, const std::vector<int>& by) {
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
   const Stopwatch watch;
   const Configuration at =
-      lane.sheet().configuration(states_.states[s].frame, reached.shape.positions);
+      search.sheet().configuration(states_.states[s].frame, reached.shape.positions);
   EquilibriumDerivatives derivatives;
   ++reached.work.counts.factors;
-  const std::optional<Curvature> curvature = lane.differentiate(at, derivatives);
+  const std::optional<Curvature> curvature = search.differentiate(at, by, derivatives);
   if (!curvature) return false;
   if (curvature == Curvature::convex) ++reached.work.counts.unstable;
   reached.shape.clip_forces_by_parameter =
-      lane.sheet().clip_forces_by_parameter(derivatives.forces);
+      search.sheet().clip_forces_by_parameter(derivatives.forces);
   reached.shape.positions_by_parameter = std::move(derivatives.positions);
   reached.differentiated = true;
   reached.by = by;
@@ -209,30 +215,30 @@ bool SheetEquilibria::differentiate(int state, Lane& lane, const std::vector<int
   return true;
 }
 
-bool SheetEquilibria::find_from_measured(int state, Lane& lane, const Eigen::VectorXd& parameters) {
+bool SheetEquilibria::find_from_measured(int state, Search& search) {
   const int frame = states_.states[static_cast<std::size_t>(state)].frame;
-  Configuration at =
-      lane.sheet().configuration(frame, session_.frames[static_cast<std::size_t>(frame)].positions);
-  if (material_.bending == "spring") lane.stiffen_springs(parameters, at, stop_);
-  return find(state, lane, parameters, std::move(at.positions));
+  Configuration at = search.sheet().configuration(
+      frame, session_.frames[static_cast<std::size_t>(frame)].positions);
+  if (material_.bending == "spring") search.stiffen_springs(at);
+  return find(state, search, std::move(at.positions));
 }
 
 // A sheet has many equilibria, and a search may fall into one that others then begin at: where it
 // has gone far from the measured shape, the search from there counts if it stays nearer.
-bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters) {
+bool SheetEquilibria::find_near_measured(int state, Search& search) {
   constexpr double kFarther = 1.5, kSmall = 0.01;
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
   bool found = false;
-  for (Eigen::Matrix3Xd& start : starts(state, parameters)) {
-    found = find(state, lane, parameters, std::move(start));
+  for (Eigen::Matrix3Xd& start : starts(state, search.values())) {
+    found = find(state, search, std::move(start));
     if (found) break;
   }
-  if (!found && !find_from_measured(state, lane, parameters)) return false;
+  if (!found && !find_from_measured(state, search)) return false;
   const double side = std::max(session_.sample.width, session_.sample.height);
   if (reached.distance > kFarther * reached.nearest + kSmall * side) {
     const Reached farther = reached;
-    const bool again = find_from_measured(state, lane, parameters);
+    const bool again = find_from_measured(state, search);
     if (!again || reached.distance > farther.distance) {
       const EquilibriumWork work = reached.work;
       reached = farther;
@@ -243,15 +249,6 @@ bool SheetEquilibria::find_near_measured(int state, Lane& lane, const Eigen::Vec
   return true;
 }
 
-std::unique_ptr<SheetEquilibria::Lane> SheetEquilibria::prepared(int state,
-                                                                 const Eigen::VectorXd& parameters,
-                                                                 const std::vector<int>& by) {
-  std::unique_ptr<Lane> lane = borrow(states_.states[static_cast<std::size_t>(state)].held);
-  lane->sheet().system().set_parameters(parameters);
-  lane->sheet().system().differentiate_by(by);
-  return lane;
-}
-
 void SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
                             const std::vector<int>& by) {
   Reached& reached = reached_[static_cast<std::size_t>(state)];
@@ -259,13 +256,12 @@ void SheetEquilibria::reach(int state, const Eigen::VectorXd& parameters,
   const bool here = reached.found && reached.parameters == parameters;
   if (here && (by.empty() || (reached.differentiated && reached.by == by))) return;
 
-  std::unique_ptr<Lane> lane = prepared(state, parameters, by);
   const Stopwatch watch;
-  const bool found = here || find_near_measured(state, *lane, parameters);
+  Search search = this->search(state, parameters);
+  const bool found = here || find_near_measured(state, search);
   reached.work.seconds.search += watch.seconds();
   // An equilibrium that nothing can be said of but where it is does not count as found.
-  if (found && !by.empty()) reached.found = differentiate(state, *lane, by);
-  give_back(std::move(lane));
+  if (found && !by.empty()) reached.found = differentiate(state, search, by);
 }
 
 // A shape of another frame is farther away than the measured one, but in balance. One state after
@@ -278,12 +274,11 @@ void SheetEquilibria::reach_from_neighbours(const Eigen::VectorXd& parameters,
     Reached& reached = reached_[static_cast<std::size_t>(state)];
     const Reached& other = reached_[static_cast<std::size_t>(neighbour)];
     if (reached.found || !other.found) return;
-    std::unique_ptr<Lane> lane = prepared(state, parameters, by);
     const Stopwatch watch;
-    const bool found = find(state, *lane, parameters, other.shape.positions);
+    Search search = this->search(state, parameters);
+    const bool found = find(state, search, other.shape.positions);
     reached.work.seconds.search += watch.seconds();
-    if (found && !by.empty()) reached.found = differentiate(state, *lane, by);
-    give_back(std::move(lane));
+    if (found && !by.empty()) reached.found = differentiate(state, search, by);
   };
   for (int state = 0; state < count; ++state) try_from(state, state - 1);
   for (int state = count; state-- > 0;) try_from(state, state + 1);

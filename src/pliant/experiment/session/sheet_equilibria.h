@@ -35,19 +35,19 @@ class SheetEquilibria : public SheetPredictor {
   std::vector<Eigen::Matrix3Xd> guesses() const override;
 
  private:
-  class Lane;      // a system with its solver
+  struct Held;     // the sheet, held at some nodes: constant, for searches on any thread
+  class Search;    // for an equilibrium
+  struct Place;    // for one of these
   struct Reached;  // an equilibrium with its derivatives
 
-  std::unique_ptr<Lane> borrow(const std::vector<int>& held);
-  std::unique_ptr<Lane> prepared(int state, const Eigen::VectorXd& parameters,
-                                 const std::vector<int>& by);
-  void give_back(std::unique_ptr<Lane> lane);
+  const Held& held(int state);
+  Search search(int state, const Eigen::VectorXd& parameters);
   /// Shapes to begin a search at, one after the other, before the measured one.
   std::vector<Eigen::Matrix3Xd> starts(int state, const Eigen::VectorXd& parameters) const;
-  bool find(int state, Lane& lane, const Eigen::VectorXd& parameters, Eigen::Matrix3Xd start);
-  bool find_from_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
-  bool find_near_measured(int state, Lane& lane, const Eigen::VectorXd& parameters);
-  bool differentiate(int state, Lane& lane, const std::vector<int>& by);
+  bool find(int state, Search& search, Eigen::Matrix3Xd start);
+  bool find_from_measured(int state, Search& search);
+  bool find_near_measured(int state, Search& search);
+  bool differentiate(int state, Search& search, const std::vector<int>& by);
   void reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
   void reach_from_neighbours(const Eigen::VectorXd& parameters, const std::vector<int>& by);
   bool found(int frame) const;
@@ -58,9 +58,8 @@ class SheetEquilibria : public SheetPredictor {
   SheetStates states_;
   StopToken stop_;
   std::vector<Reached> reached_;
-  std::vector<Eigen::Matrix3Xd> guesses_;  // one a state, or none at all
-  struct Pool;
-  std::unique_ptr<Pool> pool_;
+  std::vector<Eigen::Matrix3Xd> guesses_;                    // one a state, or none at all
+  std::map<std::vector<int>, std::unique_ptr<Place>> held_;  // by the nodes that are
 };
 
 }  // namespace pliant

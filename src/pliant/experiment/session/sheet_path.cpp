@@ -2,7 +2,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
-#include "pliant/base/stopwatch.h"
+#include "pliant/base/parallel.h"
 #include "pliant/experiment/session/path_shape.h"
 
 namespace pliant {
@@ -10,8 +10,7 @@ namespace pliant {
 SheetPath::SheetPath(const Session& session, const Material& material)
     : session_(session), sheet_(session, material, {}, held_nodes(session, std::nullopt)) {
   PLIANT_ASSERT(!session.table, "the table of a path would let go of nodes that it holds");
-  sheet_.system().add_drive(held_drive(session_, sheet_.held()));
-  parameters_ = sheet_.parameters();
+  parameters_ = sheet_.system().parameters();
   warnings_ = sheet_.warnings();
 }
 
@@ -31,26 +30,35 @@ Eigen::Matrix3Xd SheetPath::guess(int frame, const Eigen::VectorXd& parameters) 
          (before.positions_by_parameter * change).reshaped(3, before.positions.cols());
 }
 
+// The search of a frame needs no derivatives: it goes ahead while those of frames before are taken.
 std::vector<std::optional<SheetShape>> SheetPath::predict_each(const Eigen::VectorXd& parameters,
                                                                const std::vector<int>& by,
                                                                int threads, const StopToken& stop) {
-  sheet_.system().set_threads(threads);
-  sheet_.system().set_parameters(parameters);
-  sheet_.system().differentiate_by(by);
   StaticPath path(sheet_.system(),
                   {.newton = {.tolerance = sheet_.tolerance(), .reuse_factor = true, .stop = stop},
-                   .sensitivities = !by.empty(),
+                   .schedule = sheet_.schedule(),
+                   .parameters = sheet_.system().with(parameters),
+                   .by = by,
                    .convex_sensitivities = true});
-  std::vector<SheetShape> shapes;
-  std::vector<std::optional<SheetShape>> found(session_.frames.size());
+  const auto count = session_.frames.size();
+  std::vector<PathEquilibrium> points(count);
+  std::vector<SheetShape> shapes(count);
+  std::vector<std::optional<SheetShape>> found(count);
+  const auto search = [&](int frame) {
+    const auto f = static_cast<std::size_t>(frame);
+    points[f] = path.search(frame + 1, {guess(frame, parameters), {}});
+    shapes[f].positions = path.state().configuration.positions;
+  };
+  const auto finish = [&](int frame) {
+    const auto f = static_cast<std::size_t>(frame);
+    PathEquilibrium point = std::move(points[f]);
+    path.differentiate(point);
+    work_ += path_work(point, !by.empty());
+    shapes[f] = path_shape(sheet_, std::move(shapes[f].positions), point);
+    found[f] = shapes[f];
+  };
   try {
-    for (int frame = 0; frame < session_.frame_count(); ++frame) {
-      const Stopwatch watch;
-      PathEquilibrium point = path.step(frame + 1, {guess(frame, parameters), {}});
-      work_ += path_work(point, watch.seconds(), !by.empty());
-      shapes.push_back(path_shape(sheet_, path.state(), point));
-      found[static_cast<std::size_t>(frame)] = shapes.back();
-    }
+    with_threads(threads, [&] { pipeline(session_.frame_count(), search, finish); });
   } catch (const SolverError&) {
     return found;  // friction carries on from each frame to the next
   }

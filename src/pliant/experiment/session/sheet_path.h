@@ -34,7 +34,7 @@ class SheetPath : public SheetPredictor {
   Eigen::Matrix3Xd guess(int frame, const Eigen::VectorXd& parameters) const;
 
   const Session& session_;
-  SheetSystem sheet_;
+  const SheetSystem sheet_;
   Found last_;
   std::vector<Eigen::Matrix3Xd> guesses_;  // one a frame, or none at all
 };

@@ -25,27 +25,6 @@ std::vector<int> clip_of_nodes(const Session& session) {
   return clips;
 }
 
-std::vector<int> clips_of(const Session& session, const std::vector<int>& held) {
-  const std::vector<int> clips = clip_of_nodes(session);
-  std::vector<int> result;
-  for (const int node : held) result.push_back(clips[static_cast<std::size_t>(node)]);
-  return result;
-}
-
-// Where held nodes are in a frame: clamped ones where the pose of their clip puts them, those on
-// the table where they rest (m, one column a node of `held`).
-Eigen::Matrix3Xd held_positions(const Session& session, int frame, const std::vector<int>& held,
-                                const std::vector<int>& clip_of_held) {
-  const std::vector<Pose>& poses = session.frames[static_cast<std::size_t>(frame)].poses;
-  Eigen::Matrix3Xd positions = session.rest.positions(Eigen::all, held);
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const int clip = clip_of_held[i];
-    auto place = positions.col(static_cast<Eigen::Index>(i));
-    if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
-  }
-  return positions;
-}
-
 }  // namespace
 
 std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge) {
@@ -60,30 +39,17 @@ std::vector<int> held_nodes(const Session& session, const std::optional<double>&
   return held;
 }
 
-System::Drive held_drive(const Session& session, const std::vector<int>& held) {
-  return [&session, &held, clips = clips_of(session, held)](double time, Configuration& at) {
-    const int frame =
-        std::clamp(static_cast<int>(std::ceil(time)) - 1, 0, session.frame_count() - 1);
-    const double share = time - frame;
-    Eigen::Matrix3Xd places = held_positions(session, frame, held, clips);
-    if (share < 1) {
-      const Eigen::Matrix3Xd before =
-          frame == 0 ? Eigen::Matrix3Xd(session.rest.positions(Eigen::all, held))
-                     : held_positions(session, frame - 1, held, clips);
-      places = before + share * (places - before);
-    }
-    at.positions(Eigen::all, held) = places;
-  };
-}
-
 SheetSystem::SheetSystem(const Session& session, const Material& material,
                          const DensityOptions& options, std::vector<int> held)
     : session_(session),
       held_(std::move(held)),
-      clip_of_held_(clips_of(session, held_)),
       system_(session.rest.positions, vertex_masses(session)) {
-  for (const int node : held_) system_.coordinates().prescribe(node);
-  Cloth cloth = add_cloth(system_, session.rest, material, options, parameters_);
+  const std::vector<int> clips = clip_of_nodes(session);
+  for (const int node : held_) {
+    system_.coordinates().prescribe(node);
+    clip_of_held_.push_back(clips[static_cast<std::size_t>(node)]);
+  }
+  Cloth cloth = add_cloth(system_, session.rest, material, options);
   shown_ = std::move(cloth.shown);
   warnings_ = std::move(cloth.warnings);
   system_.add(std::make_shared<PointForces>(session.gravity * system_.masses().transpose()));
@@ -98,7 +64,7 @@ std::vector<double> SheetSystem::strains(const std::string& component,
     const auto found = std::ranges::find(names, "strain." + component);
     if (found == names.end()) continue;
     const auto& potential = dynamic_cast<const HistoryPotential&>(*shown.potential);
-    const Eigen::VectorXd history = potential.initial_history({positions, {}});
+    const Eigen::VectorXd history = potential.initial_history({Configuration{positions, {}}});
     const Eigen::RowVectorXd values =
         shown.fields->field_values(history.data()).row(found - names.begin());
     strains.insert(strains.end(), values.begin(), values.end());
@@ -112,9 +78,47 @@ double SheetSystem::tolerance() const {
   return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
+Eigen::Matrix3Xd SheetSystem::places(int frame) const {
+  Eigen::Matrix3Xd places = session_.rest.positions(Eigen::all, held_);
+  if (frame < 0) return places;
+  const std::vector<Pose>& poses = session_.frames[static_cast<std::size_t>(frame)].poses;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const int clip = clip_of_held_[i];
+    auto place = places.col(static_cast<Eigen::Index>(i));
+    if (clip >= 0) place = poses[static_cast<std::size_t>(clip)].apply(place.eval());
+  }
+  return places;
+}
+
+Controls SheetSystem::controls(const Eigen::Matrix3Xd& places) const {
+  Controls controls;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    controls.places.push_back({held_[i], places.col(static_cast<Eigen::Index>(i))});
+  }
+  return controls;
+}
+
+Controls SheetSystem::controls(int frame) const { return controls(places(frame)); }
+
+Schedule SheetSystem::schedule() const {
+  return [this](double time) {
+    const int frame =
+        std::clamp(static_cast<int>(std::ceil(time)) - 1, 0, session_.frame_count() - 1);
+    const double share = time - frame;
+    Eigen::Matrix3Xd now = places(frame);
+    if (share < 1) {
+      const Eigen::Matrix3Xd before = places(frame - 1);
+      now = before + share * (now - before);
+    }
+    Controls held = controls(now);
+    held.time = time;
+    return held;
+  };
+}
+
 Configuration SheetSystem::configuration(int frame, Eigen::Matrix3Xd start) const {
   Configuration at{std::move(start), {}};
-  at.positions(Eigen::all, held_) = held_positions(session_, frame, held_, clip_of_held_);
+  system_.coordinates().apply(controls(frame), at);
   return at;
 }
 

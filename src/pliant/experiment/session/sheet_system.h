@@ -14,13 +14,9 @@ namespace pliant {
 /// table where it reaches to `edge` (m, rest plane).
 std::vector<int> held_nodes(const Session& session, const std::optional<double>& edge);
 
-/// Moves held nodes evenly from frame to frame. Frame f is at the time f + 1; at the time 0 the
-/// sheet lies at rest.
-/// @param session, held  outlive the drive
-System::Drive held_drive(const Session& session, const std::vector<int>& held);
-
 /// The sheet of a session as a mechanical system: its material and its weight on the rest mesh,
-/// with some nodes held. The session's frames say where those are ([T] 3.4.1).
+/// with some nodes held. The session's frames say where those are ([T] 3.4.1). Constant: any number
+/// of threads may look for its equilibria.
 class SheetSystem {
  public:
   /// @param session   on the mesh that is simulated; outlives the system
@@ -28,11 +24,8 @@ class SheetSystem {
   SheetSystem(const Session& session, const Material& material, const DensityOptions& options,
               std::vector<int> held);
 
-  System& system() { return system_; }
   const System& system() const { return system_; }
-  const std::vector<int>& held() const { return held_; }
   bool has_clips() const { return !session_.clips.empty(); }
-  const ParameterList& parameters() const { return parameters_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The strains of a component in all elements that measure it, the nodes being at `positions`.
   std::vector<double> strains(const std::string& component,
@@ -42,6 +35,11 @@ class SheetSystem {
   /// thousandth of what a node weighs, without which a fine mesh would not notice gravity (N).
   double tolerance() const;
 
+  /// Held nodes where a frame has them.
+  Controls controls(int frame) const;
+  /// Held nodes move evenly from frame to frame. Frame f is at the time f + 1; at the time 0 the
+  /// sheet lies at rest. The sheet outlives the schedule.
+  Schedule schedule() const;
   /// `start` with the held nodes where a frame has them.
   Configuration configuration(int frame, Eigen::Matrix3Xd start) const;
 
@@ -57,11 +55,15 @@ class SheetSystem {
                                 const Eigen::Matrix3Xd& gradient) const;
 
  private:
+  /// Of the held nodes in a frame: clamped ones where the pose of their clip puts them, those on
+  /// the table where they rest (m, one column each); at rest for frame -1.
+  Eigen::Matrix3Xd places(int frame) const;
+  Controls controls(const Eigen::Matrix3Xd& places) const;
+
   const Session& session_;
   std::vector<int> held_;
   std::vector<int> clip_of_held_;  // -1: on the table
   System system_;
-  ParameterList parameters_;
   std::vector<ShownPotential> shown_;
   std::vector<std::string> warnings_;
 };

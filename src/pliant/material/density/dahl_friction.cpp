@@ -114,9 +114,12 @@ Eigen::VectorXd DahlFriction::parameters() const {
   return values;
 }
 
-void DahlFriction::set_parameters(const Eigen::VectorXd& values) {
-  dahl_.positive = dahl_of(values.head<3>());
-  dahl_.negative = by_side_ ? dahl_of(values.tail<3>()) : dahl_.positive;
+std::unique_ptr<ParametricDensity> DahlFriction::with_parameters(
+    const Eigen::VectorXd& values) const {
+  const DahlParameters positive = dahl_of(values.head<3>());
+  if (!by_side_) return std::make_unique<DahlFriction>(component_, positive);
+  return std::make_unique<DahlFriction>(component_,
+                                        DahlBySide{positive, dahl_of(values.tail<3>())});
 }
 
 void DahlFriction::differentiate(const Samples& samples, int lane, int first_history,

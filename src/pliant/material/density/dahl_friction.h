@@ -26,7 +26,7 @@ class DahlFriction : public ParametricDensity {
                Lane& work) const override;
   /// (a, b, tau), and those of negative strain where they differ.
   Eigen::VectorXd parameters() const override;
-  void set_parameters(const Eigen::VectorXd& values) override;
+  std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;
 

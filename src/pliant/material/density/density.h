@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include <Eigen/Core>
 
 namespace pliant {
@@ -89,12 +91,15 @@ class Density {
                        Lane& work) const = 0;
 };
 
-/// A law that fits can change, with what the sensitivity of a quasi-static path needs of it.
+/// A law described by numbers that fits look for, with what the sensitivity of a quasi-static path
+/// needs of it. Like every law it is constant: other numbers make another law.
 class ParametricDensity : public Density {
  public:
   /// The numbers that describe the law, e.g. the control values of its stiffness.
   virtual Eigen::VectorXd parameters() const = 0;
-  virtual void set_parameters(const Eigen::VectorXd& values) = 0;
+  /// The law of the same kind with other numbers.
+  virtual std::unique_ptr<ParametricDensity> with_parameters(
+      const Eigen::VectorXd& values) const = 0;
 
   /// Adds the derivatives of material point `lane`, in statics.
   /// @param first_history, first_parameter  where its own begin in `derivatives`

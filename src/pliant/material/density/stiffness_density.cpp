@@ -23,7 +23,6 @@ StiffnessDensity::StiffnessDensity(int component, ScalarCurve stiffness)
 // What equilibria ask for millions of times: no search among the knots for each of value, slope and
 // energy, and no division.
 void StiffnessDensity::cut_into_pieces() {
-  pieces_.clear();
   if (stiffness_.kind() != CurveKind::hermite) return;
   const std::vector<double>& knots = stiffness_.knots();
   const auto add = [&](double from, const std::array<double, 4>& coefficients) {
@@ -93,9 +92,9 @@ Eigen::VectorXd StiffnessDensity::parameters() const {
   return Eigen::Map<const Eigen::VectorXd>(stiffness_.values().data(), stiffness_.size());
 }
 
-void StiffnessDensity::set_parameters(const Eigen::VectorXd& values) {
-  stiffness_ = stiffness_.with_values(values.data());
-  cut_into_pieces();
+std::unique_ptr<ParametricDensity> StiffnessDensity::with_parameters(
+    const Eigen::VectorXd& values) const {
+  return std::make_unique<StiffnessDensity>(component_, stiffness_.with_values(values.data()));
 }
 
 void StiffnessDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,

@@ -2,10 +2,10 @@
 
 namespace pliant {
 
-void Sum::add_addend(std::unique_ptr<Density> addend) {
+void Sum::add_addend(std::shared_ptr<const Density> addend) {
   Addend entry;
   entry.density = std::move(addend);
-  entry.parametric = dynamic_cast<ParametricDensity*>(entry.density.get());
+  entry.parametric = dynamic_cast<const ParametricDensity*>(entry.density.get());
   entry.first_history = history_size_;
   entry.history_size = entry.density->history_size();
   entry.first_parameter = parameter_count_;
@@ -42,12 +42,17 @@ Eigen::VectorXd Sum::parameters() const {
   return values;
 }
 
-void Sum::set_parameters(const Eigen::VectorXd& values) {
+std::unique_ptr<ParametricDensity> Sum::with_parameters(const Eigen::VectorXd& values) const {
+  auto other = std::make_unique<Sum>();
   for (const Addend& addend : addends_) {
-    if (!addend.parametric) continue;
-    addend.parametric->set_parameters(
-        values.segment(addend.first_parameter, addend.parameter_count));
+    if (!addend.parametric) {
+      other->add_addend(addend.density);
+      continue;
+    }
+    other->add_addend(addend.parametric->with_parameters(
+        values.segment(addend.first_parameter, addend.parameter_count)));
   }
+  return other;
 }
 
 void Sum::differentiate(const Samples& samples, int lane, int first_history, int first_parameter,

@@ -13,21 +13,21 @@ namespace pliant {
 /// Addends without parameters (damping, linearised friction) have no part in `differentiate`.
 class Sum : public ParametricDensity {
  public:
-  void add_addend(std::unique_ptr<Density> addend);
+  void add_addend(std::shared_ptr<const Density> addend);
 
   int history_size() const override { return history_size_; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;
-  void set_parameters(const Eigen::VectorXd& values) override;
+  std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;
 
  private:
   struct Addend {
-    std::unique_ptr<Density> density;
-    ParametricDensity* parametric = nullptr;  // the same, where it has parameters
+    std::shared_ptr<const Density> density;
+    const ParametricDensity* parametric = nullptr;  // the same, where it has parameters
     int first_history = 0;
     int history_size = 0;
     int first_parameter = 0;

@@ -88,12 +88,12 @@ void pull_sheet(const CutSheet& sheet, const Material& material, const VirtualSe
                 const SessionWork& work, Session& session) {
   const std::vector<TestClip> clips = test_clips(options);
   add_clips(clips, sheet, options, session);
-  SheetSystem held(session, material, {}, held_nodes(session, std::nullopt));
+  const SheetSystem held(session, material, {}, held_nodes(session, std::nullopt));
   session.warnings.insert(session.warnings.end(), held.warnings().begin(), held.warnings().end());
-  held.system().add_drive(held_drive(session, held.held()));
   StaticPath path(
       held.system(),
-      {.newton = {.tolerance = held.tolerance(), .reuse_factor = true, .stop = work.stop}});
+      {.newton = {.tolerance = held.tolerance(), .reuse_factor = true, .stop = work.stop},
+       .schedule = held.schedule()});
   for (int f = 0; f < session.frame_count(); ++f) {
     const PathEquilibrium point = step_to(f, path, work);
     SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];

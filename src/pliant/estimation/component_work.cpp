@@ -25,6 +25,12 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
       estimate.between_specimen_sd = fit.between_specimen_sd[static_cast<size_t>(i)];
       const std::optional<double> strain = fit.fit.unknowns[static_cast<size_t>(i)].strain;
       if (strain) estimate.note = fmt::format("at strain {:.3g}", *strain);
+      if (estimate.limit) {
+        const bool upper = *estimate.limit > estimate.value;
+        estimate.note +=
+            fmt::format("{}{} {:.3g} {} (95 %, one-sided)", estimate.note.empty() ? "" : "; ",
+                        upper ? "below" : "above", *estimate.limit, estimate.unit);
+      }
       result.parameters.push_back(estimate);
     } else {
       result.nuisance.push_back(estimate);

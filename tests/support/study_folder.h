@@ -28,7 +28,7 @@ class StudyFolder {
   }
 
   std::unique_ptr<ComponentExperiment> experiment(const std::string& entry,
-                                         const std::string& more = "") const {
+                                                  const std::string& more = "") const {
     const Study read = study(entry, more);
     return read_experiment(read.experiments.front(), read);
   }

@@ -102,8 +102,8 @@ ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::Vector
   errors.half_width.resize(n);
   for (Eigen::Index u = 0; u < n; ++u) {
     const bool by_groups = errors.jackknife_sd(u) > errors.formula_sd(u);
-    errors.degrees(u) = by_groups ? jackknife.degrees(u)
-                                  : std::max(formula.degrees(u), jackknife.degrees(u));
+    errors.degrees(u) =
+        by_groups ? jackknife.degrees(u) : std::max(formula.degrees(u), jackknife.degrees(u));
     if (is_unseen(Eigen::VectorXd::Unit(n, u), errors.unseen)) {
       errors.sd(u) = std::numeric_limits<double>::quiet_NaN();
     }

@@ -93,10 +93,12 @@ Json experiment_json(const ExperimentResult& e) {
               {"unit", e.quantity.unit},
               {"source", e.noise_source}}},
             {"strain_range", {e.strain_range.first, e.strain_range.second}}};
-  json["noise"]["effective_rows"] = number(e.effective_rows);
-  json["outliers"] = Json::array();
-  for (const Outlier& outlier : e.outliers) {
-    json["outliers"].push_back({{"row", outlier.row + 1}, {"in_sd", number(outlier.in_sd)}});
+  if (e.role == ExperimentRole::fit) {
+    json["noise"]["effective_rows"] = number(e.effective_rows);
+    json["outliers"] = Json::array();
+    for (const Outlier& outlier : e.outliers) {
+      json["outliers"].push_back(Json::array({outlier.row + 1, outlier.in_sd}));
+    }
   }
   json["noise"]["floor"] = nullptr;
   if (e.noise_floor) json["noise"]["floor"] = number(*e.noise_floor * e.quantity.per_si);

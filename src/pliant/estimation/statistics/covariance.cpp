@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kRankShare = 1e-12;   // of the largest singular value of G: below it is none
 constexpr double kUnseenShare = 1e-6;  // of a unit vector
+constexpr double kFewDegrees = 3;      // a variance of fewer is hardly known
 
 using Svd = Eigen::BDCSVD<Eigen::MatrixXd>;
 
@@ -95,15 +96,24 @@ ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::Vector
   ParameterErrors errors;
   errors.formula_sd = formula.covariance.diagonal().cwiseSqrt();
   errors.jackknife_sd = jackknife.variance.cwiseSqrt();
-  errors.covariance = raised_to(formula.covariance, errors.jackknife_sd);
-  errors.sd = errors.covariance.diagonal().cwiseSqrt();
+  errors.sd = errors.formula_sd;
   errors.degrees = formula.degrees;
+  errors.covariance = formula.covariance;
   errors.unseen = formula.unseen;
   errors.half_width.resize(n);
   for (Eigen::Index u = 0; u < n; ++u) {
-    const bool by_groups = errors.jackknife_sd(u) > errors.formula_sd(u);
-    errors.degrees(u) =
-        by_groups ? jackknife.degrees(u) : std::max(formula.degrees(u), jackknife.degrees(u));
+    const double formula_sd = errors.formula_sd(u), jackknife_sd = errors.jackknife_sd(u);
+    const bool groups_know = jackknife.degrees(u) >= kFewDegrees;
+    const bool rows_know = formula.degrees(u) >= kFewDegrees;
+    if (jackknife_sd > formula_sd || (groups_know && !rows_know && jackknife_sd > 0)) {
+      errors.sd(u) = jackknife_sd;
+      errors.degrees(u) = jackknife.degrees(u);
+    } else {
+      errors.degrees(u) = std::max(formula.degrees(u), jackknife.degrees(u));
+    }
+    const double factor = formula_sd > 0 ? errors.sd(u) / formula_sd : 1;
+    errors.covariance.row(u) *= factor;
+    errors.covariance.col(u) *= factor;
     if (is_unseen(Eigen::VectorXd::Unit(n, u), errors.unseen)) {
       errors.sd(u) = std::numeric_limits<double>::quiet_NaN();
     }

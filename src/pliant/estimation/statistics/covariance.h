@@ -55,9 +55,10 @@ struct ParameterErrors {
 
 /// The larger standard error of each unknown, formula's or jackknife's, with its own degrees of
 /// freedom; the formula's, if it is larger, with the jackknife's where those are more: that nothing
-/// exceeds it is known as well as groups tell. Rows and columns of the formula's correlation matrix
-/// are scaled to them: that is a covariance again, which the jackknife's own matrix of few groups
-/// is not.
+/// exceeds it is known as well as groups tell. Where residuals go together over so many rows that
+/// fewer than three are left to judge the formula by, groups that know better count alone. Rows and
+/// columns of the formula's correlation matrix are scaled to them: that is a covariance again,
+/// which the jackknife's own matrix of few groups is not.
 ParameterErrors parameter_errors(const EstimatingSums& sums, const Eigen::VectorXd& unit,
                                  const std::vector<double>& noise_degrees);
 

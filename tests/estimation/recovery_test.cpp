@@ -108,7 +108,7 @@ void expect_own_shape_recovered(const VirtualStudy& study, const ComponentLaw& l
   const Study read = study.study();
   const auto experiment = read_experiment(read.experiments.front(), read);
   const ComponentProblem problem({experiment.get()});
-  const LawFit fit = fit_law(problem, law, {}, {});
+  const LawFit fit = fit_law(problem, law, {});
   const Eigen::VectorXd expected = law.parameters();
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(fit.law.parameters()(i), expected(i), kRecovered * expected(i))

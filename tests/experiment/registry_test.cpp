@@ -31,7 +31,6 @@ TEST(Registry, FindsEachTypeByItsOwnName) {
     EXPECT_TRUE(names.insert(type->name).second) << type->name;
   }
   EXPECT_EQ(find_test_type("weights"), nullptr);
-  EXPECT_FALSE(is_supported_type("weights"));
 }
 
 TEST(Registry, KnowsOfEachTypeAllThatTheProgramAsks) {

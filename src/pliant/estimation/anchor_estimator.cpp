@@ -83,7 +83,7 @@ Uncertainty joined(Uncertainty result, const Uncertainty& others, int first) {
 }  // namespace
 
 AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
-                     const FitOptions& options, const StopToken& stop) {
+                     const FitOptions& options) {
   const PublishedRows rows = published_rows(problem);
   AnchorFit result;
   LawFit& fit = result.fit;
@@ -104,7 +104,7 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
   const auto run = [&](const ComponentProblem& part, const std::string& name, int first, int last) {
     const Problem stage = force_problem(part, shape, fit.unknowns, values, first, last);
     const LeastSquaresSummary solution =
-        solve_least_squares(stage.least_squares(), values, {}, stop);
+        solve_least_squares(stage.least_squares(), values, {}, part.stop());
     values = solution.parameters;
     fit.solution = solution;
     result.stages.push_back({name, std::sqrt(2 * solution.cost / part.used_rows())});

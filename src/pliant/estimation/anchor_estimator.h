@@ -28,7 +28,7 @@ struct AnchorFit {
 /// held while the rolled ones give friction. It is kept as the reference: its assumptions bias it
 /// (docs/estimation.md), and no nuisance parameter is estimated.
 AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
-                     const FitOptions& options, const StopToken& stop);
+                     const FitOptions& options);
 
 /// Linearised uncertainty of the published estimator's force errors, taken as independent and of
 /// one size as it does; of a stiffness that was held, those of the strips that gave it.

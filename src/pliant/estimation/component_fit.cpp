@@ -67,7 +67,7 @@ bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
 }
 
 // Weights and solution depend on each other where several experiments or both channels carry noise.
-void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop) {
+void settle_noise(ComponentProblem& problem, LawFit& fit) {
   for (int round = 0; round < kNoiseRounds; ++round) {
     const double change =
         problem.take_noise(measure_noise(problem_of(problem, fit), fit.solution.parameters));
@@ -75,32 +75,26 @@ void settle_noise(ComponentProblem& problem, LawFit& fit, const StopToken& stop)
       fit = reweighed(problem, fit);
       return;
     }
-    fit = refit(problem, fit, stop);  // its cost is in units of the new noise from here on
+    fit = refit(problem, fit);  // its cost is in units of the new noise from here on
     if (change < kNoiseSettled) return;
   }
 }
 
-size_t specimen_count(const ComponentProblem& problem) {
-  size_t count = 0;
-  for (const ComponentExperiment* experiment : problem.experiments()) {
-    count += experiment->info().specimens.size();
-  }
-  return count;
-}
-
 // Fits to single specimens: how much the material varies, and so how well its mean is known.
-void add_specimens(const ComponentProblem& problem, const StopToken& stop, ComponentFit& result) {
+// Specimens are those that the data of one experiment tells apart: two experiments may have had the
+// same strip.
+void add_specimens(const ComponentProblem& problem, ComponentFit& result) {
   const LawFit& fit = result.fit;
   const auto parameters = static_cast<size_t>(fit.law.parameter_count());
   result.between_specimen_sd.assign(parameters, std::nullopt);
-  if (specimen_count(problem) < 2) return;
   std::vector<SpecimenFits> fits(parameters);
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
     const auto specimens = problem.experiments()[e]->info().specimens.size();
+    if (specimens < 2) continue;
     for (size_t s = 0; s < specimens; ++s) {
       const ComponentProblem one = problem.restricted_to(e, static_cast<int>(s));
       if (one.used_rows() <= fit.law.parameter_count()) continue;
-      const LawFit own = refit(one, fit, stop);
+      const LawFit own = refit(one, fit);
       const Uncertainty known = estimate_uncertainty(one, own);
       for (size_t i = 0; i < parameters; ++i) {
         const auto index = static_cast<Eigen::Index>(i);
@@ -128,14 +122,13 @@ std::string stage_unit(const ComponentProblem& problem) {
 
 // One-sided limits of the unknowns of the law that the data pushes to their bounds.
 std::vector<std::optional<double>> limits_at_bounds(const ComponentProblem& problem,
-                                                    const ComponentFit& component,
-                                                    const StopToken& stop) {
+                                                    const ComponentFit& component) {
   const LawFit& fit = component.fit;
   std::vector<std::optional<double>> limits(fit.unknowns.size());
   for (Eigen::Index u = 0; u < fit.law.parameter_count(); ++u) {
     const auto index = static_cast<size_t>(u);
     if (!component.uncertainty.at_bound[index]) continue;
-    limits[index] = limit_at_bound(problem, fit, component.uncertainty, u, stop);
+    limits[index] = limit_at_bound(problem, fit, component.uncertainty, u);
   }
   return limits;
 }
@@ -201,17 +194,16 @@ ComponentPlan plan_component(const Study& study,
   return plan;
 }
 
-FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan,
-                 const StopToken& stop) {
+FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
   const std::string& component = component_of(problem);
   FormFit result;
   if (plan.stiffness != CurveKind::hermite) {
-    result.fit = fit_law(problem, shape_of(plan, problem), plan.fit, stop);
+    result.fit = fit_law(problem, shape_of(plan, problem), plan.fit);
     result.stages.push_back({component, std::string(name_of(plan.stiffness)) + " stiffness",
                              stage_unit(problem), result.fit.rms, true});
     return result;
   }
-  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit, stop);
+  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit);
   for (const GrowthStage& stage : grown.stages) {
     result.stages.push_back({component,
                              std::to_string(stage.control_points) + " control point" +
@@ -222,32 +214,31 @@ FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan,
   return result;
 }
 
-ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
-                           const StopToken& stop) {
+ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan) {
   ComponentFit result;
   result.component = component_of(problem);
   if (plan.fit.estimator == EstimatorKind::anchor) {
-    AnchorFit anchor = fit_anchor(problem, shape_of(plan, problem), plan.fit, stop);
+    AnchorFit anchor = fit_anchor(problem, shape_of(plan, problem), plan.fit);
     for (const AnchorStage& stage : anchor.stages) {
       result.stages.push_back({result.component, stage.name, "N", stage.rms_force, true});
     }
     result.fit = std::move(anchor.fit);
     result.uncertainty = estimate_anchor_uncertainty(problem, result.fit);
   } else {
-    FormFit form = fit_form(problem, plan, stop);
+    FormFit form = fit_form(problem, plan);
     result.fit = std::move(form.fit);
     result.stages = std::move(form.stages);
-    settle_noise(problem, result.fit, stop);
+    settle_noise(problem, result.fit);
     result.uncertainty = estimate_uncertainty(problem, result.fit);
-    add_specimens(problem, stop, result);
-    result.limits = limits_at_bounds(problem, result, stop);
+    add_specimens(problem, result);
+    result.limits = limits_at_bounds(problem, result);
   }
   result.between_specimen_sd.resize(static_cast<size_t>(result.fit.law.parameter_count()));
   result.limits.resize(result.fit.unknowns.size());
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;
     elastic.friction_law = FrictionLaw::none;
-    result.elastic = fit_law_roughly(problem, elastic, plan.fit, stop, {elastic});
+    result.elastic = fit_law_roughly(problem, elastic, plan.fit, {elastic});
   }
   return result;
 }

@@ -49,10 +49,9 @@ struct FormFit {
 };
 
 /// Fits the law of a plan by `path`, control points grown as far as they are worth it.
-FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan, const StopToken& stop);
+FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan);
 
 /// Fits one component; `problem` keeps the noise that its residuals show.
-ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan,
-                           const StopToken& stop);
+ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan);
 
 }  // namespace pliant

@@ -20,8 +20,9 @@ double first_noise(const ComponentExperiment& experiment) {
 
 }  // namespace
 
-ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments)
-    : experiments_(std::move(experiments)) {
+ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments,
+                                   StopToken stop)
+    : experiments_(std::move(experiments)), stop_(stop) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   smallest_strain_ = 1e300;
   for (const ComponentExperiment* experiment : experiments_) {
@@ -97,7 +98,7 @@ Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown
     }
     parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }
-  return {std::move(parts), std::move(unknowns), {}};
+  return {std::move(parts), std::move(unknowns), {1, stop_}};
 }
 
 }  // namespace pliant

@@ -21,7 +21,9 @@ namespace pliant {
 class ComponentProblem {
  public:
   /// @param experiments  all of one component, role fit; they outlive the problem
-  explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments);
+  /// @param stop         ends everything that works with the problem
+  explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments,
+                            StopToken stop = {});
 
   /// The same problem with fewer rows.
   using RowChoice = std::function<bool(size_t experiment, size_t row)>;
@@ -30,6 +32,7 @@ class ComponentProblem {
   ComponentProblem restricted_to(size_t experiment, int specimen) const;
 
   const std::vector<const ComponentExperiment*>& experiments() const { return experiments_; }
+  const StopToken& stop() const { return stop_; }
   /// Rows of an experiment that take part.
   const std::vector<char>& used(size_t experiment) const { return used_[experiment]; }
   int nuisance_count() const { return nuisance_count_; }
@@ -53,6 +56,7 @@ class ComponentProblem {
 
  private:
   std::vector<const ComponentExperiment*> experiments_;
+  StopToken stop_;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
   std::vector<Eigen::VectorXd> weight_;  // of each experiment

@@ -103,22 +103,23 @@ ComponentLaw on_knots(const LawFit& fit, const ComponentLaw& shape) {
 }
 
 // Of the weighted residuals of the rows that count, priors left out.
-double root_mean_square(const ComponentProblem& problem, const LawFit& fit) {
-  return std::sqrt(2 * fit.solution.cost / problem.used_rows());
+double mean_square(const ComponentProblem& problem, const LawFit& fit) {
+  return 2 * fit.solution.cost / problem.used_rows();
 }
 
-// A law with as many points as there may be, found without iteration; with friction where there are
-// loops, whatever is fitted.
+bool has_loops(const ComponentProblem& problem) {
+  return std::ranges::any_of(problem.experiments(),
+                             [](const auto* experiment) { return unloads(experiment->path()); });
+}
+
+// A law with as many points as there may be, found without iteration.
 ComponentLaw rich_law(const ComponentProblem& problem, const DataStrains& strains,
-                      const FitOptions& options, bool even) {
-  const bool loops = std::ranges::any_of(
-      problem.experiments(), [](const auto* experiment) { return unloads(experiment->path()); });
+                      FrictionLaw friction, const FitOptions& options, bool even) {
   std::vector<double> knots;
   for (int i = 0; i < options.control_points; ++i) {
     const double share = i / std::max(options.control_points - 1.0, 1.0);
     knots.push_back(strains.low + share * (strains.high - strains.low));
   }
-  const FrictionLaw friction = loops ? FrictionLaw::dahl : FrictionLaw::none;
   return linear_starts(problem, shape_of(knots, friction, even), 1).front().law;
 }
 
@@ -151,42 +152,78 @@ double independent_rows(const Experiment& experiment, Eigen::VectorXd residual,
   return rows / correlation_length(series, leverage);
 }
 
-double independent_rows(const ComponentProblem& problem, const DataStrains& strains,
-                        const FitOptions& options, bool even) {
-  const ComponentLaw law = rich_law(problem, strains, options, even);
+// What a law leaves of the rows.
+struct Leftover {
+  double mean_square = 0;  // of the weighted residuals
+  double rows = 0;         // that are independent
+};
+
+// Nothing where the law cannot carry the loads.
+std::optional<Leftover> leftover(const ComponentProblem& problem, const ComponentLaw& law,
+                                 const FitOptions& options) {
   const std::vector<Unknown> unknowns = problem.unknowns(law, options);
   const Problem rows = problem.problem(law, unknowns);
-  double sum = 0;
+  Leftover sum;
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
     const ComponentExperiment& experiment = *problem.experiments()[e];
     const auto predicted = rows.predict(e, starts_of(unknowns), /*derivatives=*/false);
-    if (!predicted) return problem.used_rows();  // it cannot carry the loads
-    sum += independent_rows(experiment, predicted->value - experiment.measured(), problem.used(e));
+    if (!predicted) return std::nullopt;
+    const Eigen::VectorXd residual = predicted->value - experiment.measured();
+    sum.rows += independent_rows(experiment, residual, problem.used(e));
+    sum.mean_square += rows.parts()[e].weight.cwiseProduct(residual).squaredNorm();
   }
+  sum.mean_square /= problem.used_rows();
   return sum;
+}
+
+// What growth judges by.
+struct Measure {
+  double rows = 0;  // that are independent
+  double unexplained =
+      0;             // mean square that no curve explains: the loops of a law without friction
+  double least = 0;  // mean square that the richest law leaves
+};
+
+Measure measure_of_growth(const ComponentProblem& problem, const DataStrains& strains,
+                          FrictionLaw friction, const FitOptions& options, bool even) {
+  const bool loops = has_loops(problem);
+  const FrictionLaw richest = loops ? FrictionLaw::dahl : FrictionLaw::none;
+  const auto rich = leftover(problem, rich_law(problem, strains, richest, options, even), options);
+  Measure measure{static_cast<double>(problem.used_rows())};
+  if (!rich) return measure;
+  measure.rows = rich->rows;
+  if (!loops || friction != FrictionLaw::none) return measure;
+  const auto elastic =
+      leftover(problem, rich_law(problem, strains, FrictionLaw::none, options, even), options);
+  if (!elastic) return measure;
+  measure.unexplained = std::max(elastic->mean_square - rich->mean_square, 0.0);
+  measure.least = rich->mean_square;
+  return measure;
 }
 
 }  // namespace
 
 GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
-                        const FitOptions& options, const StopToken& stop) {
+                        const FitOptions& options) {
   const bool even = is_even(component_of(problem));
   const DataStrains strains = data_strains(problem, even);
-  const double rows = independent_rows(problem, strains, options, even);
+  const Measure measure = measure_of_growth(problem, strains, friction, options, even);
   std::vector<LawFit> fits;  // of one point, of two, ...
   const auto fit_of = [&](int points) -> std::optional<FittedModel> {
     if (points == 1) {
       const std::vector<double> first{even ? 0.0 : strains.high};
-      fits.push_back(fit_law(problem, shape_of(first, friction, even), options, stop));
+      fits.push_back(fit_law(problem, shape_of(first, friction, even), options));
     } else {
       const std::vector<double> knots = split(problem, fits.back(), strains, even);
       if (static_cast<int>(knots.size()) != points) return std::nullopt;
       const ComponentLaw shape = shape_of(knots, friction, even);
-      fits.push_back(fit_law(problem, shape, options, stop, {on_knots(fits.back(), shape)}));
+      fits.push_back(fit_law(problem, shape, options, {on_knots(fits.back(), shape)}));
     }
     const LawFit& fit = fits.back();
-    return FittedModel{root_mean_square(problem, fit), free_count(fit.unknowns),
-                       std::max(points - 2, 0), rows};
+    const double explicable =
+        std::max(mean_square(problem, fit) - measure.unexplained, measure.least);
+    return FittedModel{std::sqrt(explicable), free_count(fit.unknowns), std::max(points - 2, 0),
+                       measure.rows};
   };
   const Growth growth = grow_model(1, options.control_points, fit_of, kExact);
   GrownFit grown;

@@ -20,7 +20,8 @@ struct GrownFit {
 };
 
 /// Fits a Hermite stiffness whose number of control points grows from one to at most
-/// `options.control_points`, while one or two more are worth it (`is_worth`, [T] 3.4.2).
+/// `options.control_points`, while one or two more are worth it (`is_worth`, [T] 3.4.2). Loops that
+/// a law without friction cannot follow hide nothing: what they leave is taken out before.
 ///
 /// The thesis places them at equal distances. Here each new one splits the interval whose splitting
 /// explains most of the data, in its middle, at the median of the data's strains or where half of
@@ -28,6 +29,6 @@ struct GrownFit {
 /// where the curve bends.
 /// @param friction  friction law fitted along
 GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
-                        const FitOptions& options, const StopToken& stop);
+                        const FitOptions& options);
 
 }  // namespace pliant

@@ -48,7 +48,7 @@ double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
 }  // namespace
 
 std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const ComponentFit& fit,
-                                        const ComponentPlan& plan, const StopToken& stop) {
+                                        const ComponentPlan& plan) {
   std::vector<ModelRank> ranks;
   std::vector<RankedModel> models;
   for (const Candidate& candidate : candidates()) {
@@ -56,7 +56,7 @@ std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const C
     ComponentPlan own = plan;
     own.friction = candidate.law;
     if (candidate.constant_maximum) own.fit.fix[fit.component + ".friction.b"] = 0;
-    const LawFit model = fit_form(problem, own, stop).fit;
+    const LawFit model = fit_form(problem, own).fit;
     ModelRank rank;
     rank.component = fit.component;
     rank.name = candidate.name;

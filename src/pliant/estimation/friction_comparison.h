@@ -10,6 +10,6 @@ namespace pliant {
 /// Fits the parameterisations of [T] Fig. 5.3 and the purely elastic law with the control points of
 /// a fit, and ranks them by AIC and BIC, in which rows whose residuals go together count as one.
 std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const ComponentFit& fit,
-                                        const ComponentPlan& plan, const StopToken& stop);
+                                        const ComponentPlan& plan);
 
 }  // namespace pliant

@@ -75,8 +75,8 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
 }
 
 LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
-                  const FitOptions& options, const StopToken& stop,
-                  const std::vector<ComponentLaw>& extra, const Effort& effort) {
+                  const FitOptions& options, const std::vector<ComponentLaw>& extra,
+                  const Effort& effort) {
   LawFit fit;
   fit.law = shape;
   fit.unknowns = problem.unknowns(shape, options);
@@ -88,8 +88,9 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
   LeastSquaresSummary best;
   best.cost = std::numeric_limits<double>::infinity();
   for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
-    const LeastSquaresSummary solution = solve_least_squares(
-        least_squares, start_vector(law, fit), trial(std::max(best.cost, exact), effort), stop);
+    const LeastSquaresSummary solution =
+        solve_least_squares(least_squares, start_vector(law, fit),
+                            trial(std::max(best.cost, exact), effort), problem.stop());
     costs.push_back(solution.cost);
     if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
   }
@@ -119,23 +120,22 @@ const std::string& component_of(const ComponentProblem& problem) {
 }
 
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
-               const FitOptions& options, const StopToken& stop,
-               const std::vector<ComponentLaw>& extra) {
-  return refit(problem, best_trial(problem, shape, options, stop, extra, kTrial), stop);
+               const FitOptions& options, const std::vector<ComponentLaw>& extra) {
+  return refit(problem, best_trial(problem, shape, options, extra, kTrial));
 }
 
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const StopToken& stop,
-                       const std::vector<ComponentLaw>& extra) {
-  return best_trial(problem, shape, options, stop, extra, kRough);
+                       const FitOptions& options, const std::vector<ComponentLaw>& extra) {
+  return best_trial(problem, shape, options, extra, kRough);
 }
 
-LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop) {
+LawFit refit(const ComponentProblem& problem, const LawFit& fit) {
   LawFit again = fit;
   const Problem rows = problem_of(problem, fit);
-  take_solution(again, fit.law,
-                solve_least_squares(rows.least_squares(), fit.solution.parameters, finish(), stop),
-                residual_count(rows));
+  take_solution(
+      again, fit.law,
+      solve_least_squares(rows.least_squares(), fit.solution.parameters, finish(), problem.stop()),
+      residual_count(rows));
   return again;
 }
 

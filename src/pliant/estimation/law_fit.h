@@ -28,16 +28,14 @@ struct LawFit {
 /// @param shape  stiffness curve and friction law; its values are not used
 /// @param extra  further starting points (e.g. a fit of a simpler shape); may be empty
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
-               const FitOptions& options, const StopToken& stop,
-               const std::vector<ComponentLaw>& extra = {});
+               const FitOptions& options, const std::vector<ComponentLaw>& extra = {});
 
 /// The same to the few digits that a comparison needs.
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const StopToken& stop,
-                       const std::vector<ComponentLaw>& extra = {});
+                       const FitOptions& options, const std::vector<ComponentLaw>& extra = {});
 
 /// Fits again from the solution itself, after the problem's noise has changed.
-LawFit refit(const ComponentProblem& problem, const LawFit& fit, const StopToken& stop);
+LawFit refit(const ComponentProblem& problem, const LawFit& fit);
 
 /// The same fit, its cost in units of the problem's new noise: for a noise that has changed by one
 /// factor, which moves no minimum.

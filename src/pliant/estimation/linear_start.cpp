@@ -144,6 +144,7 @@ std::array<double, 3> friction_start(const ComponentLaw& shape, double a, double
 }  // namespace
 
 LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau) {
+  problem.stop().throw_if_requested();
   const LinearSystem system = assemble(problem, shape, tau);
   const int stiffness = shape.stiffness.size();
   const bool friction = shape.friction_law != FrictionLaw::none;

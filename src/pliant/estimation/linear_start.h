@@ -18,6 +18,7 @@ struct LinearStart {
 /// nuisance parameter. Slackness is left to the fit.
 /// @param shape  stiffness curve and friction law; its values are not used
 /// @param tau    strain constant of friction; unused without friction
+/// @throws Interrupted
 LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau);
 
 /// Linear starts at the local minima of their cost over a range of tau, the best first, at most

@@ -28,18 +28,17 @@ double squared_quantile(const Uncertainty& uncertainty, Eigen::Index index) {
 }
 
 // The fit with an unknown held at a value, from a fit nearby.
-LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index, double value,
-               const StopToken& stop) {
+LawFit held_at(const ComponentProblem& problem, LawFit near, Eigen::Index index, double value) {
   Unknown& unknown = near.unknowns[static_cast<size_t>(index)];
   unknown.lower = unknown.upper = value;
   near.solution.parameters(index) = value;
-  return refit(problem, near, stop);
+  return refit(problem, near);
 }
 
 }  // namespace
 
 Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& fit,
-                           Eigen::Index index, const StopToken& stop) {
+                           Eigen::Index index) {
   const LawFit& best = fit.fit;
   const Unknown& own = best.unknowns[static_cast<size_t>(index)];
   const double estimate = best.solution.parameters(index);
@@ -62,7 +61,7 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
     for (int i = 1; i <= kSteps; ++i) {
       const double value = std::clamp(estimate + side * i * step, own.lower, own.upper);
       if (value == points.back().first) break;  // at the bound
-      neighbour = held_at(problem, neighbour, index, value, stop);
+      neighbour = held_at(problem, neighbour, index, value);
       points.push_back({value, 2 * (neighbour.solution.cost - best.solution.cost) / unit});
     }
   }
@@ -81,8 +80,7 @@ Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& 
 }
 
 std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawFit& fit,
-                                     const Uncertainty& uncertainty, Eigen::Index index,
-                                     const StopToken& stop) {
+                                     const Uncertainty& uncertainty, Eigen::Index index) {
   constexpr double kFarthest = 1e3;  // steps
   const Unknown& own = fit.unknowns[static_cast<size_t>(index)];
   LimitSearch search;
@@ -97,7 +95,7 @@ std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawF
   search.degrees = uncertainty.degrees(index);
   LawFit neighbour = fit;
   const HeldCost cost = [&](double value) -> std::optional<double> {
-    neighbour = held_at(problem, neighbour, index, value, stop);
+    neighbour = held_at(problem, neighbour, index, value);
     const double least = neighbour.solution.cost;
     return std::isfinite(least) ? std::optional(least / unit) : std::nullopt;
   };

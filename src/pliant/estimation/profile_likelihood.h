@@ -11,12 +11,11 @@ namespace pliant {
 /// passes 3.84 lies the 95 % interval, which need not be symmetric.
 /// @param index  of the unknown, law first
 Profile profile_likelihood(const ComponentProblem& problem, const ComponentFit& fit,
-                           Eigen::Index index, const StopToken& stop);
+                           Eigen::Index index);
 
 /// One-sided 95 % limit of an unknown whose estimate is at its bound, by its profile; nothing where
 /// none is found.
 std::optional<double> limit_at_bound(const ComponentProblem& problem, const LawFit& fit,
-                                     const Uncertainty& uncertainty, Eigen::Index index,
-                                     const StopToken& stop);
+                                     const Uncertainty& uncertainty, Eigen::Index index);
 
 }  // namespace pliant

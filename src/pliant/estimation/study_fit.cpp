@@ -49,10 +49,10 @@ std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
 
 void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToken& stop) {
   if (work.fitted.empty()) return;
-  work.problem.emplace(work.fitted);
-  work.fit = fit_component(*work.problem, work.plan, stop);
+  work.problem.emplace(work.fitted, stop);
+  work.fit = fit_component(*work.problem, work.plan);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
-    work.models = compare_friction(*work.problem, work.fit, work.plan, stop);
+    work.models = compare_friction(*work.problem, work.fit, work.plan);
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
   const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
@@ -62,7 +62,7 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToke
                     [&](const std::string& pattern) { return matches(pattern, unknowns[i].name); });
     if (!wanted || unknowns[i].fixed) continue;
     work.profiles.push_back(
-        profile_likelihood(*work.problem, work.fit, static_cast<Eigen::Index>(i), stop));
+        profile_likelihood(*work.problem, work.fit, static_cast<Eigen::Index>(i)));
   }
 }
 

@@ -69,11 +69,6 @@ std::string component_of_test(std::string_view type, const std::string& directio
   return component_of_test(facts_of_test(type), direction);
 }
 
-bool is_supported_type(std::string_view type) {
-  const TestType* found = find_test_type(type);
-  return found && found->make;
-}
-
 bool measures_sheets(std::string_view type) { return facts_of_test(type).measures_sheets; }
 bool measures_profiles(std::string_view type) { return facts_of_test(type).measures_profiles; }
 bool overhangs(std::string_view type) { return facts_of_test(type).overhangs; }

@@ -27,8 +27,6 @@ const TestType& read_test_type(const Value& value);
 std::string component_of_test(const TestFacts& facts, const std::string& direction);
 std::string component_of_test(std::string_view type, const std::string& direction);
 
-/// Whether experiments of a type are predicted in one dimension, from rows of a table.
-bool is_supported_type(std::string_view type);
 // Facts of a type by its name.
 bool measures_sheets(std::string_view type);
 bool measures_profiles(std::string_view type);

@@ -271,7 +271,7 @@ void apply_validate(const Value& list, Study& study) {
 std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
                                                      const Study& study) {
   const TestType& type = spec.test->type();
-  PLIANT_ASSERT(type.make, "the caller asks is_supported_type first");
+  PLIANT_ASSERT(type.make, "sheets are read as sessions");
   return type.make(spec, DataRows(spec.data), {study.density, study.model.membrane});
 }
 

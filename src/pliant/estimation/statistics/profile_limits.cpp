@@ -88,10 +88,6 @@ std::optional<double> one_sided_limit(const HeldCost& cost, const LimitSearch& s
   return limit(cost, search, one_sided_student_quantile_95(search.degrees));
 }
 
-std::optional<double> two_sided_limit(const HeldCost& cost, const LimitSearch& search) {
-  return limit(cost, search, student_quantile_95(search.degrees));
-}
-
 ProfileCrossings profile_crossings(const std::vector<double>& value,
                                    const std::vector<double>& rise, std::size_t estimate,
                                    double threshold) {

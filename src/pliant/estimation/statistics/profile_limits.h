@@ -30,10 +30,6 @@ struct LimitSearch {
 /// @return nothing where the rise is not reached up to `farthest`, or a fit fails
 std::optional<double> one_sided_limit(const HeldCost& cost, const LimitSearch& search);
 
-/// End of the two-sided 95 % profile interval on the side of `step`: a rise by 3.84, or the square
-/// of Student's quantile.
-std::optional<double> two_sided_limit(const HeldCost& cost, const LimitSearch& search);
-
 /// Where a tabulated profile passes a threshold.
 struct ProfileCrossings {
   std::optional<double> lower, upper;  ///< absent: not within the table

@@ -14,7 +14,7 @@ using ResidualSeries = std::vector<double>;
 /// A fit takes slow motion out of its residuals, which makes them look less correlated than the
 /// noise was: each autocorrelation is raised by what the leverage says was taken (Kendall's bias,
 /// [Kendall1954]). Where that leaves no row to spare, and for fewer than 8 spare rows, there is
-/// nothing more to tell: L is at most rows / (leverage + 1), or 1.
+/// nothing more to tell: L is at most rows / (leverage + 5), or 1.
 /// @param series    of mean zero about the fit; they share one correlation and are not joined
 /// @param leverage  of all rows of the series together (about the unknowns that they tell)
 double correlation_length(const std::vector<ResidualSeries>& series, double leverage);

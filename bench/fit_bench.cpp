@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/hanging/weight_path.h"
 #include "pliant/experiment/tensile/strip_pull.h"

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "pliant/estimation/study_evaluation.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
 #include "pliant/report/report.h"
+#include "pliant/study/study_evaluation.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/imported_study.h"

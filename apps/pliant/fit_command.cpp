@@ -4,10 +4,10 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
-#include "pliant/estimation/sheet/sheet_models.h"
-#include "pliant/estimation/study_fit.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/report/report.h"
+#include "pliant/study/sheet_models.h"
+#include "pliant/study/study_fit.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/fit_models.h"

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/result_files.h"
-#include "pliant/estimation/sheet/sheet_model_fits.h"
-#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
+#include "pliant/study/result_files.h"
+#include "pliant/study/sheet_model_fits.h"
+#include "pliant/study/sheet_study.h"
 
 #include "apps/pliant/run_facts.h"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pliant/estimation/result_files.h"
+#include "pliant/study/result_files.h"
 
 #include "apps/pliant/command.h"
 

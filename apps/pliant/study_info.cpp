@@ -9,11 +9,11 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/component_fit.h"
-#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/sheet_test.h"
 #include "pliant/experiment/standard_figures.h"
 #include "pliant/measurement/data_source.h"
+#include "pliant/study/sheet_study.h"
 #include "pliant/study/study.h"
 
 #include "apps/pliant/file_info.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 
 #include "estimation/virtual_study.h"
 #include "io/temporary_folder.h"

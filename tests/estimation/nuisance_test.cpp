@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/study_evaluation.h"
 #include "pliant/study/study.h"
+#include "pliant/study/study_evaluation.h"
 
 #include "estimation/virtual_study.h"
 

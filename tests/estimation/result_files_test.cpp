@@ -1,4 +1,4 @@
-#include "pliant/estimation/result_files.h"
+#include "pliant/study/result_files.h"
 
 #include <map>
 #include <string>
@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pliant/estimation/study_evaluation.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/material_file.h"
+#include "pliant/study/study_evaluation.h"
 
 #include "estimation/virtual_study.h"
 

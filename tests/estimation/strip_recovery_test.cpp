@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/study_evaluation.h"
 #include "pliant/experiment/profile/strip_shapes.h"
+#include "pliant/study/study_evaluation.h"
 
 #include "estimation/virtual_study.h"
 #include "support/virtual_strips.h"

@@ -1,4 +1,4 @@
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 
 #include <chrono>
 #include <string>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/result_files.h"
-#include "pliant/estimation/study_evaluation.h"
+#include "pliant/study/result_files.h"
+#include "pliant/study/study_evaluation.h"
 
 #include "estimation/virtual_study.h"
 #include "io/input_error_of.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 
 #include "support/virtual_lab.h"
 

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/frame_measure_table.h"
+#include "pliant/study/frame_measure_table.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
-#include "pliant/estimation/sheet/sheet_predictions.h"
+#include "pliant/study/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/experiment/session/make_predictor.h"
 #include "pliant/experiment/session/virtual_session.h"

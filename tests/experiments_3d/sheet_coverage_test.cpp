@@ -10,7 +10,7 @@
 
 #include "pliant/base/parallel.h"
 #include "pliant/base/random.h"
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual/observed_session.h"
 #include "pliant/experiment/session/virtual_session.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/geometry/irregular_mesh.h"
 #include "pliant/study/study.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/sheet/sheet_study.h"
+#include "pliant/study/sheet_study.h"
 
 #include "support/five_sheet_tests.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/material/bending_strain.h"
 
 #include "experiments_3d/shell_strip.h"

@@ -13,9 +13,9 @@ namespace {
 
 /// Lowest first: a folder may include those before it, and itself.
 constexpr std::array<std::string_view, 18> kLayers = {
-    "base",    "io",       "math",        "geometry",   "material", "mechanics",
-    "contact", "solver",   "measurement", "experiment", "study",    "estimation",
-    "scene",   "exchange", "capture",     "imaging",    "render",   "report"};
+    "base",    "io",       "math",        "geometry",   "material",   "mechanics",
+    "contact", "solver",   "measurement", "experiment", "estimation", "study",
+    "scene",   "exchange", "capture",     "imaging",    "render",     "report"};
 
 std::optional<std::size_t> layer_of(std::string_view folder) {
   const auto found = std::find(kLayers.begin(), kLayers.end(), folder);

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "pliant/estimation/result_files.h"
-#include "pliant/estimation/study_evaluation.h"
-#include "pliant/estimation/study_fit.h"
 #include "pliant/exchange/u3m_import.h"
 #include "pliant/io/digest.h"
 #include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
 #include "pliant/measurement/session/document.h"
 #include "pliant/scene/simulation_result.h"
+#include "pliant/study/result_files.h"
 #include "pliant/study/study.h"
+#include "pliant/study/study_evaluation.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/study/virtual_lab.h"
 
 #include "support/session_sheets.h"

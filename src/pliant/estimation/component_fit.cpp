@@ -135,12 +135,12 @@ std::vector<std::optional<double>> limits_at_bounds(const ComponentProblem& prob
 
 // The moments of a buckled strip come from a force whose zero is not known without a fit; what is
 // left of rolled strips' samples must tell friction's three parameters.
-void refuse_anchors(const Study& study,
+void refuse_anchors(const FitSettings& settings,
                     const std::vector<const ComponentExperiment*>& experiments) {
   constexpr int kFewest = 3;
-  if (study.fit.estimator != EstimatorKind::anchor) return;
-  const Location where{study.file, 0, "fit.estimator"};
-  if (study.fit.monotone_stress) {
+  if (settings.fit.estimator != EstimatorKind::anchor) return;
+  const Location where{settings.file, 0, "fit.estimator"};
+  if (settings.fit.monotone_stress) {
     throw InputError(where, "the published estimator knows no monotone_stress", "path");
   }
   for (const ComponentExperiment* experiment : experiments) {
@@ -164,24 +164,24 @@ void refuse_anchors(const Study& study,
 
 }  // namespace
 
-ComponentPlan plan_component(const Study& study,
+ComponentPlan plan_component(const FitSettings& settings,
                              const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes) {
   const std::string& component = experiments.front()->info().component;
   ComponentModel model;
-  const auto found = study.model.components.find(component);
-  if (found != study.model.components.end()) model = found->second;
+  const auto found = settings.model.components.find(component);
+  if (found != settings.model.components.end()) model = found->second;
 
   ComponentPlan plan;
-  plan.fit = study.fit;
-  refuse_anchors(study, experiments);
+  plan.fit = settings.fit;
+  refuse_anchors(settings, experiments);
   plan.stiffness =
-      model.stiffness.value_or(study.model.stiffness.value_or(default_stiffness(experiments)));
+      model.stiffness.value_or(settings.model.stiffness.value_or(default_stiffness(experiments)));
   const std::string_view undetermined = experiments.front()->info().test.undetermined;
   if (are_of_one_type(experiments) && !undetermined.empty()) {
     notes.push_back(fmt::format("stiffness of {} {}", component, undetermined));
   }
-  const FrictionChoice choice = model.friction.value_or(study.model.friction);
+  const FrictionChoice choice = model.friction.value_or(settings.model.friction);
   const bool data_unloads = std::any_of(
       experiments.begin(), experiments.end(),
       [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });

@@ -7,9 +7,9 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/law_fit.h"
 #include "pliant/estimation/law_uncertainty.h"
-#include "pliant/study/study.h"
 
 namespace pliant {
 
@@ -38,7 +38,7 @@ struct ComponentFit {
 /// @param notes  gets a sentence on friction that is left out, and on what one number cannot tell
 /// @throws InputError where the study asks for the published estimator of a buckled strip, or of
 ///         strips that all roll with their weight
-ComponentPlan plan_component(const Study& study,
+ComponentPlan plan_component(const FitSettings& settings,
                              const std::vector<const ComponentExperiment*>& experiments,
                              std::vector<std::string>& notes);
 

@@ -190,12 +190,12 @@ Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works) {
   return covariance;
 }
 
-Material material_of(const Study& study, const std::vector<ComponentWork>& works) {
+Material material_of(const FitSettings& settings, const std::vector<ComponentWork>& works) {
   Material material;
-  material.name = study.name;
-  material.density = study.density;
-  material.membrane = study.model.membrane;
-  material.bending = study.model.bending;
+  material.name = settings.name;
+  material.density = settings.density;
+  material.membrane = settings.model.membrane;
+  material.bending = settings.model.bending;
   for (const std::string& name : cloth_component_names()) {
     if (name != "stretch.bias") {
       material.components[name] = {{}, {}, ComponentStatus::unmeasured, {}};

@@ -32,6 +32,6 @@ void add_component(const ComponentWork& work, StudyResult& result);
 Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works);
 
 /// The material that a study determined; components without data are unmeasured.
-Material material_of(const Study& study, const std::vector<ComponentWork>& works);
+Material material_of(const FitSettings& settings, const std::vector<ComponentWork>& works);
 
 }  // namespace pliant

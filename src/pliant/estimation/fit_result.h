@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/statistics/determination.h"
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/experiment/component_experiment.h"
@@ -15,7 +16,6 @@
 #include "pliant/material/material.h"
 #include "pliant/measurement/session.h"
 #include "pliant/measurement/session/fold_error.h"
-#include "pliant/study/study.h"
 
 namespace pliant {
 

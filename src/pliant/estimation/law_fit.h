@@ -2,7 +2,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/component_problem.h"
-#include "pliant/study/study.h"
+#include "pliant/estimation/fit_settings.h"
 
 namespace pliant {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "pliant/base/name_pattern.h"
-#include "pliant/study/study.h"
+#include "pliant/estimation/fit_settings.h"
 
 namespace pliant {
 

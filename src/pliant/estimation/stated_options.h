@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/study/study.h"
+#include "pliant/estimation/fit_settings.h"
 
 namespace pliant {
 

@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
+#include "pliant/estimation/fit_settings.h"
 #include "pliant/experiment/experiment.h"
 #include "pliant/material/component_law.h"
-#include "pliant/study/study.h"
 
 namespace pliant {
 

@@ -3,51 +3,21 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "pliant/base/errors.h"
+#include "pliant/estimation/fit_settings.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
-#include "pliant/experiment/model_options.h"
 #include "pliant/experiment/registry.h"
 
 namespace pliant {
 
-enum class EstimatorKind {
-  path,    ///< stress carried along the path, exact solution of [T] Eq. 5.2
-  anchor,  ///< the published estimator ([T] Eqs. 5.4-5.6)
-};
-
-/// One stage of an incremental fit of sheets.
-struct PlanStage {
-  std::vector<std::string> components;
-  std::vector<std::string> experiments;  ///< names, or patterns with `*`
-  Location where;
-};
-
-/// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
-struct FitOptions {
-  EstimatorKind estimator = EstimatorKind::path;
-  int control_points = 5;        ///< most control points of a hermite stiffness
-  bool monotone_stress = false;  ///< elastic stress never falls where strain rises
-  std::map<std::string, std::pair<double, double>> bounds;
-  std::map<std::string, double> fix;
-  std::map<std::string, GaussianPrior> priors;
-  std::vector<PlanStage> plan;  ///< of sheets; empty: the thesis'
-};
-
-struct Study {
-  std::string file;
-  std::string name;
-  double density = 0;  ///< kg/m^2; 0 = not stated
+/// A fabric's experiments, and how they are to be fitted.
+struct Study : FitSettings {
   std::map<std::string, std::string> info;
   std::map<std::string, std::string> conditions;
   std::vector<ExperimentSpec> experiments;
-  ModelOptions model;
-  FitOptions fit;
   std::vector<std::string> validate;
 };
 

@@ -9,7 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
 
 #include "io/temporary_folder.h"

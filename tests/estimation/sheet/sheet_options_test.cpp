@@ -8,7 +8,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
 #include "support/virtual_sheets.h"

@@ -38,7 +38,7 @@ class Tests {
   }
 
   /// Its stages point to these tests.
-  std::vector<SheetStage> plan(const Study& study = {}) const {
+  std::vector<SheetStage> plan(const FitSettings& study = {}) const {
     std::vector<const SheetTest*> tests;
     for (const SheetTest& test : tests_) tests.push_back(&test);
     return sheet_plan(study, tests);
@@ -101,14 +101,14 @@ TEST(SheetPlan, EndsWithFrictionOfWhatClipsPullThereAndBack) {
 }
 
 TEST(SheetPlan, HasNoFrictionWhereTheStudySaysSo) {
-  Study study;
+  FitSettings study;
   study.model.friction = FrictionChoice::none;
   EXPECT_THAT(in_words(Tests(kFiveTests, /*return_to_rest=*/true).plan(study)),
               ElementsAreArray(in_words(Tests(kFiveTests).plan())));
 }
 
 TEST(SheetPlan, FitsOneCurveToWeftAndWarpOfAnIsotropicMaterial) {
-  Study study;
+  FitSettings study;
   study.model.isotropic = true;
   std::vector<std::string> first = in_words(Tests(kFiveTests).plan(study));
   first.resize(4);

@@ -24,12 +24,12 @@ constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make
 
 class Fitter {
  public:
-  Fitter(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
+  Fitter(const FitSettings& settings, std::vector<SheetStage> plan, const RunContext& context,
          const Material* start)
-      : study_(study),
+      : settings_(settings),
         context_(context),
-        search_(context, begin_journal(context.journal, study, plan, start)) {
-    fit_.material = first_sheet_material(study);
+        search_(context, begin_journal(context.journal, settings, plan, start)) {
+    fit_.material = first_sheet_material(settings);
     fit_.groups = groups_of(plan);
     fit_.plan = std::move(plan);
     if (start) {
@@ -165,7 +165,7 @@ class Fitter {
 
   /// Whether the study states the stiffness of a group.
   bool is_fixed(const ComponentGroup& group) const {
-    return fixed_stiffness(study_.fit, group).has_value();
+    return fixed_stiffness(settings_.fit, group).has_value();
   }
 
   /// The curve over the strains of the fitted sheets.
@@ -188,7 +188,7 @@ class Fitter {
 
   /// One control point after the other, at equal distances.
   double add_points(const SheetStage& stage, const ComponentGroup& group, double best) {
-    if (study_.model.stiffness == CurveKind::constant || is_fixed(group)) return best;
+    if (settings_.model.stiffness == CurveKind::constant || is_fixed(group)) return best;
     const bool even = is_even(group.front());
     const double largest = strain_of(group);
     int enough = stiffness_of(group).size();
@@ -196,7 +196,7 @@ class Fitter {
     // Each search along a path with friction takes long.
     const int patience = law_of(fit_.material, group).friction_law == FrictionLaw::none ? 2 : 1;
     int useless = 0;
-    for (int points = enough + 1; points <= study_.fit.control_points && useless < patience;
+    for (int points = enough + 1; points <= settings_.fit.control_points && useless < patience;
          ++points) {
       if (best < accuracy_of(stage)) break;
       const ScalarCurve last = stiffness_of(group);
@@ -289,7 +289,7 @@ class Fitter {
     std::vector<double> strains;
     for (const ComponentGroup& group : groups) strains.push_back(strain_of(group));
     return {stage.tests, fit_.material, std::move(groups), std::move(strains),
-            context_,    fit_.cords,    study_.fit,        with_cords(stage)};
+            context_,    fit_.cords,    settings_.fit,     with_cords(stage)};
   }
 
   /// Where the strains of a stage are not known yet, nor needed.
@@ -421,7 +421,7 @@ class Fitter {
                            positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
   }
 
-  const Study& study_;
+  const FitSettings& settings_;
   const RunContext& context_;
   SheetFit fit_;
   StageSearch search_;
@@ -436,17 +436,18 @@ double largest_strain(const SheetFit& fit, const ComponentGroup& group) {
   return known == fit.strains.end() ? kUsualStrain : known->second;
 }
 
-Material first_sheet_material(const Study& study) {
+Material first_sheet_material(const FitSettings& settings) {
   Material material;
-  material.name = study.name;
-  material.density = study.density;
-  material.membrane = study.model.membrane;
-  material.bending = study.model.bending;
+  material.name = settings.name;
+  material.density = settings.density;
+  material.membrane = settings.model.membrane;
+  material.bending = settings.model.bending;
   material.bending_of = "hinges";
   const bool springs = material.bending == "spring";
   const auto give = [&](const char* component, double stiffness) {
     material.components[component].stiffness = ScalarCurve::hermite(
-        {0.0}, {fixed_stiffness(study.fit, {component}).value_or(stiffness)}, is_even(component));
+        {0.0}, {fixed_stiffness(settings.fit, {component}).value_or(stiffness)},
+        is_even(component));
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);
@@ -456,9 +457,9 @@ Material first_sheet_material(const Study& study) {
   return material;
 }
 
-SheetFit fit_sheets(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
-                    const Material* start) {
-  return Fitter(study, std::move(plan), context, start).run();
+SheetFit fit_sheets(const FitSettings& settings, std::vector<SheetStage> plan,
+                    const RunContext& context, const Material* start) {
+  return Fitter(settings, std::move(plan), context, start).run();
 }
 
 }  // namespace pliant

@@ -32,7 +32,7 @@ double largest_strain(const SheetFit& fit, const ComponentGroup& group);
 
 /// What a search begins with: one stiffness for each component, which may be one that the study
 /// fixes, and the measures of a model.
-Material first_sheet_material(const Study& study);
+Material first_sheet_material(const FitSettings& settings);
 
 /// Fits the stages of a plan one after the other.
 ///
@@ -49,7 +49,7 @@ Material first_sheet_material(const Study& study);
 /// Up to a quarter of the frames of a test between clips is left out, where they have no
 /// equilibrium with the first stiffnesses.
 /// @param start  null, or a material of the study's model whose curves are the first ones
-SheetFit fit_sheets(const Study& study, std::vector<SheetStage> plan, const RunContext& context,
-                    const Material* start = nullptr);
+SheetFit fit_sheets(const FitSettings& settings, std::vector<SheetStage> plan,
+                    const RunContext& context, const Material* start = nullptr);
 
 }  // namespace pliant

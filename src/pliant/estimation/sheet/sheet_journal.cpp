@@ -1,7 +1,6 @@
 #include "pliant/estimation/sheet/sheet_journal.h"
 
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -63,15 +62,14 @@ std::vector<Eigen::Matrix3Xd> shapes_of(const Numbers& numbers) {
 
 }  // namespace
 
-SheetGuesses begin_journal(Journal& journal, const Study& study,
+SheetGuesses begin_journal(Journal& journal, const FitSettings& settings,
                            const std::vector<SheetStage>& plan, const Material* start) {
-  std::string digests =
-      sha256_of(resolved_study_text(study, std::filesystem::path(study.file).parent_path()));
+  std::string digests = settings.digest;
   for (const SheetStage& stage : plan) {
     for (const SheetTest* test : stage.tests) digests += digest_of(*test);
   }
   if (start) digests += sha256_of(material_text(*start));
-  journal.answer("fit of " + study.name + ", " + sha256_of(digests), [&] {
+  journal.answer("fit of " + settings.name + ", " + sha256_of(digests), [&] {
     journal.keep({});
     return Numbers{};
   });

@@ -13,7 +13,7 @@ namespace pliant {
 /// start, so that the progress of another fit is refused.
 /// @param start  may be null
 /// @return the shapes that a fit which was stopped had found
-SheetGuesses begin_journal(Journal& journal, const Study& study,
+SheetGuesses begin_journal(Journal& journal, const FitSettings& settings,
                            const std::vector<SheetStage>& plan, const Material* start);
 
 void keep_shapes(Journal& journal, const SheetGuesses& shapes);

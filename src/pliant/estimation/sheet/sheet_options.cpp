@@ -27,12 +27,12 @@ std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& t
 
 template <class T>
 void require_known(const std::map<std::string, T>& options, const char* field,
-                   const std::vector<std::string>& names, const Study& study) {
+                   const std::vector<std::string>& names, const FitSettings& settings) {
   for (const auto& [key, value] : options) {
     const bool known =
         std::ranges::any_of(names, [&](const std::string& name) { return matches(key, name); });
     if (known) continue;
-    throw InputError({study.file, 0, field},
+    throw InputError({settings.file, 0, field},
                      quoted_value(key) + " matches no parameter of a fit of sheets",
                      "COMPONENT.k, which stands for all control values of a stiffness; of stretch "
                      "and shear .friction.a, .friction.b, .friction.tau; "
@@ -49,11 +49,12 @@ std::optional<double> fixed_stiffness(const FitOptions& options, const Component
   return std::nullopt;
 }
 
-void require_known_parameters(const Study& study, const std::vector<const SheetTest*>& tests) {
+void require_known_parameters(const FitSettings& settings,
+                              const std::vector<const SheetTest*>& tests) {
   const std::vector<std::string> names = known_parameters(tests);
-  require_known(study.fit.bounds, "fit.bounds", names, study);
-  require_known(study.fit.fix, "fit.fix", names, study);
-  require_known(study.fit.priors, "fit.priors", names, study);
+  require_known(settings.fit.bounds, "fit.bounds", names, settings);
+  require_known(settings.fit.fix, "fit.fix", names, settings);
+  require_known(settings.fit.priors, "fit.priors", names, settings);
 }
 
 }  // namespace pliant

@@ -17,6 +17,7 @@ std::optional<double> fixed_stiffness(const FitOptions& options, const Component
 
 /// @throws InputError for bounds, fixed values and priors of parameters that a fit of sheets to
 ///         these tests does not have
-void require_known_parameters(const Study& study, const std::vector<const SheetTest*>& tests);
+void require_known_parameters(const FitSettings& settings,
+                              const std::vector<const SheetTest*>& tests);
 
 }  // namespace pliant

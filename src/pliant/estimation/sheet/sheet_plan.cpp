@@ -109,10 +109,11 @@ void add_friction(std::vector<SheetStage>& plan) {
   plan.insert(plan.end(), stages.begin(), stages.end());
 }
 
-std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bool isotropic) {
+std::vector<SheetStage> plan_of_study(const FitSettings& settings, const Tests& tests,
+                                      bool isotropic) {
   std::vector<SheetStage> plan;
   std::vector<std::string> seen;
-  for (const PlanStage& asked : study.fit.plan) {
+  for (const PlanStage& asked : settings.fit.plan) {
     Tests data;
     for (const SheetTest* test : tests) {
       const bool wanted = std::ranges::any_of(asked.experiments, [&](const std::string& pattern) {
@@ -138,18 +139,20 @@ std::vector<SheetStage> plan_of_study(const Study& study, const Tests& tests, bo
 
 }  // namespace
 
-std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const SheetTest*>& tests) {
-  const bool isotropic = study.model.isotropic;
+std::vector<SheetStage> sheet_plan(const FitSettings& settings,
+                                   const std::vector<const SheetTest*>& tests) {
+  const bool isotropic = settings.model.isotropic;
   std::vector<SheetStage> plan =
-      study.fit.plan.empty() ? plan_of_thesis(tests, isotropic, study.model.bending == "spring")
-                             : plan_of_study(study, tests, isotropic);
+      settings.fit.plan.empty()
+          ? plan_of_thesis(tests, isotropic, settings.model.bending == "spring")
+          : plan_of_study(settings, tests, isotropic);
   if (plan.empty()) {
-    throw InputError({study.file, 0, "experiments"},
+    throw InputError({settings.file, 0, "experiments"},
                      "the plan of the fit has no stage for the sessions to be fitted",
                      "sessions of the tests stretch-weft, stretch-warp, shear, bias-extension, "
                      "bend-weft, bend-warp, or a plan under fit");
   }
-  if (study.model.friction != FrictionChoice::none) add_friction(plan);
+  if (settings.model.friction != FrictionChoice::none) add_friction(plan);
   return plan;
 }
 

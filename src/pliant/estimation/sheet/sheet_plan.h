@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/unknown.h"
 #include "pliant/experiment/session/sheet_test.h"
-#include "pliant/study/study.h"
 
 namespace pliant {
 
@@ -36,7 +36,8 @@ struct SheetStage {
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @throws InputError where a stage of the study names no test, or a test that is not there
-std::vector<SheetStage> sheet_plan(const Study& study, const std::vector<const SheetTest*>& tests);
+std::vector<SheetStage> sheet_plan(const FitSettings& settings,
+                                   const std::vector<const SheetTest*>& tests);
 
 /// The components that a plan fits.
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);

@@ -6,7 +6,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/sheet_models.h"
+#include "pliant/study/sheet_models.h"
 
 namespace pliant {
 

@@ -1,4 +1,4 @@
-#include "pliant/estimation/study_evaluation.h"
+#include "pliant/study/study_evaluation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
-#include "pliant/estimation/sheet/sheet_study.h"
-#include "pliant/estimation/study_experiments.h"
+#include "pliant/study/sheet_study.h"
+#include "pliant/study/study_experiments.h"
 
 namespace pliant {
 

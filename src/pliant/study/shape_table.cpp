@@ -1,4 +1,4 @@
-#include "pliant/estimation/shape_table.h"
+#include "pliant/study/shape_table.h"
 
 #include <limits>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "pliant/estimation/study_fit.h"
+#include "pliant/study/study_fit.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,10 +14,10 @@
 #include "pliant/estimation/component_work.h"
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
-#include "pliant/estimation/sheet/sheet_study.h"
 #include "pliant/estimation/stated_options.h"
-#include "pliant/estimation/study_experiments.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/study/sheet_study.h"
+#include "pliant/study/study_experiments.h"
 
 namespace pliant {
 namespace {

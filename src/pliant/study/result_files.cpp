@@ -1,4 +1,4 @@
-#include "pliant/estimation/result_files.h"
+#include "pliant/study/result_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pliant/estimation/frame_measure_table.h"
-#include "pliant/estimation/shape_table.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/material_file.h"
+#include "pliant/study/frame_measure_table.h"
+#include "pliant/study/shape_table.h"
 
 namespace pliant {
 namespace {

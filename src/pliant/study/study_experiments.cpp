@@ -1,4 +1,4 @@
-#include "pliant/estimation/study_experiments.h"
+#include "pliant/study/study_experiments.h"
 
 #include <algorithm>
 #include <map>

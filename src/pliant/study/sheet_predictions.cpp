@@ -1,4 +1,4 @@
-#include "pliant/estimation/sheet/sheet_predictions.h"
+#include "pliant/study/sheet_predictions.h"
 
 #include <algorithm>
 #include <memory>

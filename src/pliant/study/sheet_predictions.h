@@ -4,8 +4,8 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/sheet_experiment.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/study/sheet_experiment.h"
 
 namespace pliant {
 

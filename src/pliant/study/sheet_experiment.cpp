@@ -1,4 +1,4 @@
-#include "pliant/estimation/sheet/sheet_experiment.h"
+#include "pliant/study/sheet_experiment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "pliant/estimation/sheet/sheet_model_fits.h"
+#include "pliant/study/sheet_model_fits.h"
 
 #include <exception>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/sheet/sheet_study.h"
+#include "pliant/study/sheet_study.h"
 
 namespace pliant {
 namespace {

@@ -1,4 +1,4 @@
-#include "pliant/estimation/sheet/sheet_models.h"
+#include "pliant/study/sheet_models.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,9 +1,10 @@
-#include "pliant/estimation/sheet/sheet_study.h"
+#include "pliant/study/sheet_study.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -15,20 +16,21 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
-#include "pliant/estimation/sheet/sheet_experiment.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
-#include "pliant/estimation/sheet/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/stated_options.h"
-#include "pliant/estimation/study_experiments.h"
 #include "pliant/geometry/hinges.h"
+#include "pliant/io/digest.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/math/quantiles.h"
 #include "pliant/measurement/session/balance.h"
+#include "pliant/study/sheet_experiment.h"
+#include "pliant/study/sheet_predictions.h"
+#include "pliant/study/study_experiments.h"
 
 namespace pliant {
 namespace {
@@ -58,9 +60,9 @@ ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
 }
 
 /// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
-void set_status(const Study& study, SheetFit& fit) {
+void set_status(const FitSettings& settings, SheetFit& fit) {
   for (auto& [name, component] : fit.material.components) {
-    if (fixed_stiffness(study.fit, {name})) {
+    if (fixed_stiffness(settings.fit, {name})) {
       component.status = ComponentStatus::measured;
       continue;
     }
@@ -129,10 +131,10 @@ struct Candidate {
   std::vector<ExperimentResult> experiments;
   std::string note;
 
-  Candidate(const Study& study, SheetFit fitted, const std::vector<SheetExperiment>& data,
+  Candidate(const FitSettings& settings, SheetFit fitted, const std::vector<SheetExperiment>& data,
             const RunContext& context, std::string how)
       : fit(std::move(fitted)), note(std::move(how)) {
-    set_status(study, fit);
+    set_status(settings, fit);
     experiments = sheet_predictions(data, fit.material, fit.cords, context, fit.work);
   }
 
@@ -149,7 +151,7 @@ struct Candidate {
 /// The best of the fits that begin with nothing and at each start, and of the starts themselves;
 /// its work is that of all. One that finds no equilibria leaves it to the others.
 /// @throws SolverError where all of them find none
-Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
+Candidate best_fit(const FitSettings& settings, const std::vector<SheetStage>& plan,
                    const std::vector<SheetExperiment>& experiments, const RunContext& context,
                    const std::vector<SheetStart>& starts) {
   std::optional<Candidate> best;
@@ -159,7 +161,7 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
     return std::pair(fit.missing_frames(), misfit_percent(fit.experiments));
   };
   const auto consider = [&](SheetFit fit, std::string how) {
-    Candidate other(study, std::move(fit), experiments, context, std::move(how));
+    Candidate other(settings, std::move(fit), experiments, context, std::move(how));
     work += other.fit.work;
     if (!best || rank(other) < rank(*best)) best = std::move(other);
   };
@@ -170,10 +172,10 @@ Candidate best_fit(const Study& study, const std::vector<SheetStage>& plan,
       if (!failure) failure = std::current_exception();
     }
   };
-  try_to([&] { consider(fit_sheets(study, plan, context), ""); });
+  try_to([&] { consider(fit_sheets(settings, plan, context), ""); });
   for (const SheetStart& start : starts) {
     try_to([&] {
-      SheetFit fit = fit_sheets(study, plan, context, &start.material);
+      SheetFit fit = fit_sheets(settings, plan, context, &start.material);
       consider(fit, "the search that began at the solution of " + start.variant + " is the best");
       fit.material = start.material;
       fit.cords = start.cords;
@@ -199,6 +201,10 @@ void refuse_foreign_options(const Study& study) {
   if (study.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
   }
+}
+
+std::string digest_of(const Study& study) {
+  return sha256_of(resolved_study_text(study, std::filesystem::path(study.file).parent_path()));
 }
 
 std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments) {
@@ -238,7 +244,9 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   warn_of_left_out(study, result);
   require_known_parameters(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
-  Candidate best = best_fit(study, plan, experiments, context, starts);
+  FitSettings settings = study;
+  settings.digest = digest_of(study);
+  Candidate best = best_fit(settings, plan, experiments, context, starts);
   SheetFit& fit = best.fit;
   if (fit.material.density == 0) {
     fit.material.density = area_density(experiments.front().test.session());

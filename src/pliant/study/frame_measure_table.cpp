@@ -1,4 +1,4 @@
-#include "pliant/estimation/frame_measure_table.h"
+#include "pliant/study/frame_measure_table.h"
 
 #include <algorithm>
 #include <limits>

@@ -9,14 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/study/frame_measure_table.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
-#include "pliant/study/sheet_predictions.h"
 #include "pliant/estimation/sheet/sheet_result.h"
 #include "pliant/experiment/session/make_predictor.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/io/csv.h"
 #include "pliant/material/density/dahl.h"
+#include "pliant/study/frame_measure_table.h"
+#include "pliant/study/sheet_predictions.h"
 
 #include "support/virtual_sheets.h"
 

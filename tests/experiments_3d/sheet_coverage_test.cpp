@@ -10,9 +10,9 @@
 
 #include "pliant/base/parallel.h"
 #include "pliant/base/random.h"
-#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual/observed_session.h"
 #include "pliant/experiment/session/virtual_session.h"
+#include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
 #include "support/virtual_sheets.h"

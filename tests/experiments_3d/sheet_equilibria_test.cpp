@@ -2,13 +2,16 @@
 
 #include "pliant/experiment/session/sheet_equilibria.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/session/sheet_bending.h"
 #include "pliant/experiment/session/sheet_states.h"
 #include "pliant/experiment/session/sheet_test.h"
 #include "pliant/geometry/regular_grid.h"
@@ -16,6 +19,7 @@
 
 #include "support/cloth_sheet.h"
 #include "support/session_sheets.h"
+#include "support/virtual_sheets.h"
 
 namespace pliant {
 namespace {
@@ -112,6 +116,70 @@ TEST(SheetEquilibria, KnowTheirDerivatives) {
         ((*up)[1].clip_forces - (*down)[1].clip_forces).reshaped() / (2 * step.sum());
     const Eigen::VectorXd derivative = (*shapes)[1].clip_forces_by_parameter.col(k);
     EXPECT_LT((difference - derivative).norm(), 1e-3 * difference.norm() + 1e-5) << k;
+  }
+}
+
+TEST(SheetBending, KnowsHowHingesFollowTheSheet) {
+  Material sheet = test::sheet_cloth(false);
+  sheet.components.at("bend.warp").stiffness = ScalarCurve::affine(9e-6, -1e-8);
+  sheet.components.at("bend.warp").friction = ComponentFriction{{2e-6, 1e-8, 20}, std::nullopt};
+  std::vector<std::string> names{"shear.k[0]"};
+  std::vector<double> values{8};
+  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    const ComponentLaw law = *law_of(sheet, component);
+    const std::vector<std::string> own = parameter_names(law, component);
+    names.insert(names.end(), own.begin(), own.end());
+    const Eigen::VectorXd parameters = law.parameters();
+    values.insert(values.end(), parameters.begin(), parameters.end());
+  }
+  const Eigen::VectorXd at = Eigen::VectorXd::Map(values.data(), std::ssize(values));
+  const SheetBending bending(regular_grid(0.1, 0.1, 9, 9), sheet, names);
+  const SheetBending::Hinges hinges = bending.hinges(at);
+  EXPECT_EQ(hinges.values(0), 8);      // no bending
+  EXPECT_NE(hinges.values(2), at(2));  // k1 along warp
+  const auto tau = std::ranges::find(names, "bend.warp.friction.tau") - names.begin();
+  EXPECT_EQ(hinges.values(tau), 20);
+  for (Eigen::Index i = 0; i < at.size(); ++i) {
+    const Eigen::VectorXd step = 1e-3 * std::abs(at(i)) * Eigen::VectorXd::Unit(at.size(), i);
+    const Eigen::VectorXd difference =
+        (bending.hinges(at + step).values - bending.hinges(at - step).values) / (2 * step(i));
+    EXPECT_LT((hinges.by_values.col(i) - difference).norm(), 1e-3 * difference.norm())
+        << names[static_cast<std::size_t>(i)];
+  }
+}
+
+/// Keeps the rows of the last frame.
+class LastFrame : public FrameSink {
+ public:
+  void take(int, const PredictedFrame& rows) override { last = rows; }
+  PredictedFrame last;
+};
+
+// How far a sheet hangs follows from its own stiffness through the hinges of its mesh.
+TEST(SessionPredictor, KnowsTheDerivativesByTheBendingOfASheet) {
+  Material hinges = test::sheet_cloth(false);
+  const SheetTest test("bend", test::virtual_bend(hinges, 0, 9, 2), SheetObjective::positions);
+  Material sheet = hinges;
+  sheet.bending_of = "sheet";
+  const auto predictor = test.predictor(sheet);
+  const std::vector<std::string>& names = predictor->parameters();
+  std::vector<int> by;
+  for (const char* name : {"bend.weft.k[0]", "bend.warp.k[0]", "bend.diagonal.k[0]"}) {
+    by.push_back(static_cast<int>(std::ranges::find(names, name) - names.begin()));
+  }
+  const Eigen::VectorXd at = predictor->values();
+  LastFrame rows;
+  ASSERT_TRUE(predictor->predict(at, by, {}, rows));
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
+    step(by[k]) = 0.03 * at(by[k]);
+    LastFrame up, down;
+    ASSERT_TRUE(predictor->predict(at + step, {}, {}, up));
+    ASSERT_TRUE(predictor->predict(at - step, {}, {}, down));
+    const Eigen::VectorXd difference = (up.last.value - down.last.value) / (2 * step(by[k]));
+    const Eigen::VectorXd own = rows.last.by.col(static_cast<Eigen::Index>(k));
+    // Forces of 10 uN are left on each node, which moves what hangs.
+    EXPECT_LT((difference - own).norm(), 0.05 * rows.last.by.norm()) << names[by[k]];
   }
 }
 

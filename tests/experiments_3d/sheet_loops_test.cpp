@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/sheet/sheet_fit.h"
-#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/measurement/session/frame_measures.h"
+#include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
 

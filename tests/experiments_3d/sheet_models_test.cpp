@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/study/sheet_model_fits.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/study/sheet_model_fits.h"
 #include "pliant/study/sheet_study.h"
 
 #include "support/five_sheet_tests.h"

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/geometry/irregular_mesh.h"
 #include "pliant/study/study.h"
+#include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
 #include "support/five_sheet_tests.h"

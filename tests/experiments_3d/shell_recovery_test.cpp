@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/study/study_fit.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/study/study_fit.h"
 
 #include "experiments_3d/shell_strip.h"
 #include "support/published_bending.h"

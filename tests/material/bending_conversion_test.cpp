@@ -41,6 +41,21 @@ TEST(BendingConversion, MeetsOrthotropicSheetsOnAlternatingDiagonals) {
   }
 }
 
+// Twice the sheet is twice the hinges: factors depend on ratios alone.
+TEST(BendingConversion, FollowsTheRatiosOfTheSheet) {
+  const BendingVector sheet(1, 2, 1.5);
+  for (const TriangleMesh& mesh :
+       {regular_grid(0.2, 0.1, 41, 21), test::irregular_sheet(20, 0.01, 3)}) {
+    const BendingConverter converter(mesh, find_hinges(mesh));
+    const Eigen::Matrix3d by_sheet = converter.factors_by_sheet(sheet);
+    EXPECT_LT((by_sheet * sheet).norm(), 1e-3 * by_sheet.norm() * sheet.norm());
+    const BendingVector change(0.02, 0.01, -0.02);
+    const BendingVector moved =
+        converter(sheet + change).factors - converter(sheet - change).factors;
+    EXPECT_LT((moved - 2 * by_sheet * change).norm(), 0.01 * moved.norm());
+  }
+}
+
 TEST(BendingConversion, LeavesSquaresOfOneDiagonalDirectionAsTheyAreAndSaysTheError) {
   const BendingVector sheet(1, 2, 1.5);
   const BendingConversion rising = convert(regular_grid(1, 1, 9, 9, Diagonals::rising), sheet);

@@ -86,7 +86,6 @@ void settle_noise(ComponentProblem& problem, LawFit& fit) {
 void add_specimens(const ComponentProblem& problem, ComponentFit& result) {
   const LawFit& fit = result.fit;
   const auto parameters = static_cast<size_t>(fit.law.parameter_count());
-  result.between_specimen_sd.assign(parameters, std::nullopt);
   std::vector<SpecimenFits> fits(parameters);
   for (size_t e = 0; e < problem.experiments().size(); ++e) {
     const auto specimens = problem.experiments()[e]->info().specimens.size();
@@ -103,12 +102,8 @@ void add_specimens(const ComponentProblem& problem, ComponentFit& result) {
       }
     }
   }
-  for (size_t i = 0; i < parameters; ++i) {
-    const auto spread = specimen_spread(fits[i]);
-    if (!spread) continue;
-    result.between_specimen_sd[i] = spread->between_sd;
-    raise_error(result.uncertainty, static_cast<Eigen::Index>(i), *spread, fit);
-  }
+  for (size_t i = 0; i < parameters; ++i) result.specimens.push_back(specimen_spread(fits[i]));
+  raise_errors(result);
 }
 
 // Residuals are weighed by stated noise, or by 1 % of the measured range until the noise is known.
@@ -163,6 +158,14 @@ void refuse_anchors(const FitSettings& settings,
 }
 
 }  // namespace
+
+void raise_errors(ComponentFit& component) {
+  for (size_t i = 0; i < component.specimens.size(); ++i) {
+    if (!component.specimens[i]) continue;
+    raise_error(component.uncertainty, static_cast<Eigen::Index>(i), *component.specimens[i],
+                component.fit);
+  }
+}
 
 ComponentPlan plan_component(const FitSettings& settings,
                              const std::vector<const ComponentExperiment*>& experiments,
@@ -233,7 +236,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan)
     add_specimens(problem, result);
     result.limits = limits_at_bounds(problem, result);
   }
-  result.between_specimen_sd.resize(static_cast<size_t>(result.fit.law.parameter_count()));
+  result.specimens.resize(static_cast<size_t>(result.fit.law.parameter_count()));
   result.limits.resize(result.fit.unknowns.size());
   if (plan.friction != FrictionLaw::none) {
     ComponentLaw elastic = result.fit.law;

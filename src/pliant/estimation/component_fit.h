@@ -27,10 +27,13 @@ struct ComponentFit {
   Uncertainty uncertainty;
   std::optional<LawFit> elastic;  ///< best purely elastic law with the same control points
   std::vector<FitStage> stages;
-  std::vector<std::optional<double>> between_specimen_sd;  ///< of the law's parameters
+  std::vector<std::optional<SpecimenSpread>> specimens;  ///< of the law's parameters
   /// One-sided 95 % limits of unknowns at their bounds, away from them.
   std::vector<std::optional<double>> limits;
 };
+
+/// Raises the errors of a law's parameters to what its specimens make them at least.
+void raise_errors(ComponentFit& component);
 
 /// The plan that a study and its data imply: affine stiffness where only weights were hung or
 /// strips rolled, constant where there are bending lengths or buckled strips alone, else hermite;

@@ -22,7 +22,8 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
         estimate_of(fit.fit.unknowns, fit.fit.solution.parameters, fit.uncertainty, i);
     estimate.limit = fit.limits[static_cast<size_t>(i)];
     if (i < law_count) {
-      estimate.between_specimen_sd = fit.between_specimen_sd[static_cast<size_t>(i)];
+      const auto& specimens = fit.specimens[static_cast<size_t>(i)];
+      if (specimens) estimate.between_specimen_sd = specimens->between_sd;
       const std::optional<double> strain = fit.fit.unknowns[static_cast<size_t>(i)].strain;
       if (strain) estimate.note = fmt::format("at strain {:.3g}", *strain);
       if (estimate.limit) {

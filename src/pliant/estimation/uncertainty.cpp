@@ -114,6 +114,46 @@ std::optional<double> Uncertainty::band(const Eigen::VectorXd& gradient) const {
   return band_half_width(gradient(free), errors, unit);
 }
 
+Uncertainty part_of(const Uncertainty& all, const Indices& unknowns,
+                    const std::vector<std::size_t>& parts) {
+  Uncertainty part;
+  part.covariance = all.covariance(unknowns, unknowns);
+  part.std_error = all.std_error(unknowns);
+  part.half_width = all.half_width(unknowns);
+  part.degrees = all.degrees(unknowns);
+  part.formula_sd = all.formula_sd(unknowns);
+  part.jackknife_sd = all.jackknife_sd(unknowns);
+  part.singular_values = all.singular_values;
+  part.unseen = all.unseen(unknowns, Eigen::all);
+  Indices among_free;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto u = static_cast<std::size_t>(unknowns[i]);
+    part.at_bound.push_back(all.at_bound[u]);
+    part.determination.push_back(all.determination[u]);
+    part.told_by.push_back(all.told_by[u]);
+    const auto free = std::ranges::find(all.free, unknowns[i]);
+    if (free == all.free.end()) continue;
+    part.free.push_back(static_cast<Eigen::Index>(i));
+    among_free.push_back(free - all.free.begin());
+  }
+  part.unit = all.unit(among_free);
+  part.errors.covariance = all.errors.covariance(among_free, among_free);
+  part.errors.sd = all.errors.sd(among_free);
+  part.errors.degrees = all.errors.degrees(among_free);
+  part.errors.half_width = all.errors.half_width(among_free);
+  part.errors.formula_sd = all.errors.formula_sd(among_free);
+  part.errors.jackknife_sd = all.errors.jackknife_sd(among_free);
+  part.errors.unseen = all.errors.unseen(among_free, Eigen::all);
+  for (const std::size_t p : parts) {
+    part.outliers.push_back(all.outliers[p]);
+    part.noise.of.push_back(all.noise.of[p]);
+    part.noise.weight.push_back(all.noise.weight[p]);
+    part.noise.row_sd.push_back(all.noise.row_sd[p]);
+    part.noise.leverage.push_back(all.noise.leverage[p]);
+  }
+  return part;
+}
+
 Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values,
                            const ToldUnknowns& told) {
   const Eigen::Index n = values.size();

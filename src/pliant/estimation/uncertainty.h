@@ -42,6 +42,11 @@ struct Uncertainty {
   /// @}
 };
 
+/// What a fit of many unknowns says of some, told by some of its parts.
+/// @param unknowns  ascending
+Uncertainty part_of(const Uncertainty& all, const std::vector<Eigen::Index>& unknowns,
+                    const std::vector<std::size_t>& parts);
+
 /// Linearised uncertainty of a fit at its solution.
 ///
 /// Standard errors are the larger ones of the formula, in which the rows of a correlation length

@@ -114,14 +114,39 @@ BendingVector solve_factors(const SheetModel& model, const BendingVector& sheet)
 
 }  // namespace
 
-BendingConversion bending_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
-                                     const BendingVector& sheet_stiffness) {
+struct BendingConverter::Mesh {
+  SheetModel model;
+};
+
+BendingConverter::BendingConverter(const TriangleMesh& mesh, const std::vector<Hinge>& hinges)
+    : mesh_(std::make_unique<Mesh>(Mesh{sheet_model(mesh, hinges)})) {}
+
+BendingConverter::~BendingConverter() = default;
+
+BendingConversion BendingConverter::operator()(const BendingVector& sheet_stiffness) const {
   PLIANT_ASSERT((sheet_stiffness.array() > 0).all(), "a sheet has a positive bending stiffness");
-  const SheetModel model = sheet_model(mesh, hinges);
+  const SheetModel& model = mesh_->model;
   BendingConversion conversion;
   if (model.is_sheet) conversion.factors = solve_factors(model, sheet_stiffness);
   conversion.errors = relative_errors(model, sheet_stiffness, conversion.factors);
   return conversion;
+}
+
+Eigen::Matrix3d BendingConverter::factors_by_sheet(const BendingVector& sheet_stiffness) const {
+  constexpr double kStep = 1e-3;  // of the stiffness; factors are solved to 1e-7
+  Eigen::Matrix3d derivative;
+  for (int j = 0; j < 3; ++j) {
+    const BendingVector step = kStep * sheet_stiffness(j) * BendingVector::Unit(j);
+    const BendingVector change =
+        (*this)(sheet_stiffness + step).factors - (*this)(sheet_stiffness - step).factors;
+    derivative.col(j) = change / (2 * step(j));
+  }
+  return derivative;
+}
+
+BendingConversion bending_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
+                                     const BendingVector& sheet_stiffness) {
+  return BendingConverter(mesh, hinges)(sheet_stiffness);
 }
 
 Eigen::Vector4d sheet_stiffness(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,

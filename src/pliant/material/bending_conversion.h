@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -37,6 +38,23 @@ struct BendingConversion {
 /// @param sheet_stiffness  at zero curvature (N m), > 0
 BendingConversion bending_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
                                      const BendingVector& sheet_stiffness);
+
+/// The same for many sheets on one mesh.
+class BendingConverter {
+ public:
+  BendingConverter(const TriangleMesh& mesh, const std::vector<Hinge>& hinges);
+  ~BendingConverter();
+
+  BendingConversion operator()(const BendingVector& sheet_stiffness) const;
+
+  /// d factors / d sheet stiffness (1/(N m)), a row for each factor: by differences, as factors of
+  /// a mesh that can only nearly be such a sheet follow no equation.
+  Eigen::Matrix3d factors_by_sheet(const BendingVector& sheet_stiffness) const;
+
+ private:
+  struct Mesh;
+  std::unique_ptr<const Mesh> mesh_;
+};
 
 /// The inverse: what a sheet with given hinges shows, M/width over 3 curvature (N m), by
 /// CurvatureDirection.

@@ -59,21 +59,6 @@ ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
   return estimate;
 }
 
-/// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
-void set_status(const FitSettings& settings, SheetFit& fit) {
-  for (auto& [name, component] : fit.material.components) {
-    if (fixed_stiffness(settings.fit, {name})) {
-      component.status = ComponentStatus::measured;
-      continue;
-    }
-    const bool measured = std::ranges::any_of(fit.groups, [&](const ComponentGroup& group) {
-      return std::ranges::find(group, name) != group.end();
-    });
-    component.status = measured ? ComponentStatus::measured : ComponentStatus::assumed;
-    if (measured) component.range = {0.0, component.stiffness->knots().back()};
-  }
-}
-
 void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyResult& result) {
   Eigen::Index first = 0;
   for (const ComponentGroup& group : fit.groups) {
@@ -189,22 +174,33 @@ Candidate best_fit(const FitSettings& settings, const std::vector<SheetStage>& p
   return std::move(*best);
 }
 
-/// What a study may ask of fits of single components alone.
-void refuse_foreign_options(const Study& study) {
-  const auto refuse = [&](const char* field, const std::string& what, const char* expected) {
-    throw InputError({study.file, 0, field}, what, expected);
-  };
-  if (study.model.stiffness == CurveKind::affine) {
-    refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
-           "constant or hermite");
-  }
-  if (study.fit.estimator == EstimatorKind::anchor) {
-    refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
+}  // namespace
+
+void set_status(const FitSettings& settings, SheetFit& fit) {
+  for (auto& [name, component] : fit.material.components) {
+    if (fixed_stiffness(settings.fit, {name})) {
+      component.status = ComponentStatus::measured;
+      continue;
+    }
+    const bool measured = std::ranges::any_of(fit.groups, [&](const ComponentGroup& group) {
+      return std::ranges::find(group, name) != group.end();
+    });
+    component.status = measured ? ComponentStatus::measured : ComponentStatus::assumed;
+    if (measured) component.range = {0.0, component.stiffness->knots().back()};
   }
 }
 
-std::string digest_of(const Study& study) {
-  return sha256_of(resolved_study_text(study, std::filesystem::path(study.file).parent_path()));
+void refuse_foreign_options(const FitSettings& settings) {
+  const auto refuse = [&](const char* field, const std::string& what, const char* expected) {
+    throw InputError({settings.file, 0, field}, what, expected);
+  };
+  if (settings.model.stiffness == CurveKind::affine) {
+    refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
+           "constant or hermite");
+  }
+  if (settings.fit.estimator == EstimatorKind::anchor) {
+    refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
+  }
 }
 
 std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments) {
@@ -215,7 +211,40 @@ std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& e
   return tests;
 }
 
-}  // namespace
+FitSettings settings_of(const Study& study) {
+  FitSettings settings = study;
+  const std::filesystem::path folder = std::filesystem::path(study.file).parent_path();
+  settings.digest = sha256_of(resolved_study_text(study, folder));
+  return settings;
+}
+
+void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
+                const std::vector<SheetExperiment>& experiments,
+                std::vector<ExperimentResult> predictions, StudyResult& result) {
+  result.converged = result.converged && fit.converged;
+  result.stages.insert(result.stages.end(), fit.stages.begin(), fit.stages.end());
+  result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
+  for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
+    ParameterEstimate estimate = estimate_of(uncertainty, i);
+    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;
+    (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
+  }
+  result.density = fit.material.density;
+  result.material = fit.material;
+  warn_of_missing_frames(predictions, result);
+  std::ranges::move(predictions, std::back_inserter(result.experiments));
+  add_curves(fit, uncertainty, result);
+  for (const auto& [name, component] : fit.material.components) {
+    if (component.status == ComponentStatus::assumed) {
+      result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
+    }
+  }
+  const bool bends = std::ranges::any_of(
+      fit.groups, [](const ComponentGroup& group) { return is_bending(group.front()); });
+  if (bends && fit.material.bending == "discrete-shells" && fit.material.bending_of == "hinges") {
+    result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
+  }
+}
 
 bool fits_sheets(const Study& study) {
   return std::ranges::any_of(study.experiments, [&](const ExperimentSpec& spec) {
@@ -244,40 +273,16 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   warn_of_left_out(study, result);
   require_known_parameters(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
-  FitSettings settings = study;
-  settings.digest = digest_of(study);
-  Candidate best = best_fit(settings, plan, experiments, context, starts);
+  Candidate best = best_fit(settings_of(study), plan, experiments, context, starts);
   SheetFit& fit = best.fit;
   if (fit.material.density == 0) {
     fit.material.density = area_density(experiments.front().test.session());
   }
-  result.density = fit.material.density;
   const SheetUncertainty uncertainty = sheet_uncertainty(fit, study.fit, context);
   result.work = fit.work;
   *result.work += uncertainty.work;
-  result.converged = fit.converged;
-  result.stages = fit.stages;
-  result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   result.covariance = uncertainty.uncertainty.covariance;
-  for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    ParameterEstimate estimate = estimate_of(uncertainty, i);
-    const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;
-    (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
-  }
-  result.material = fit.material;
-  result.experiments = std::move(best.experiments);
-  warn_of_missing_frames(result.experiments, result);
-  add_curves(fit, uncertainty, result);
-  for (const auto& [name, component] : fit.material.components) {
-    if (component.status == ComponentStatus::assumed) {
-      result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
-    }
-  }
-  const bool bends = std::ranges::any_of(
-      fit.groups, [](const ComponentGroup& group) { return is_bending(group.front()); });
-  if (bends && fit.material.bending == "discrete-shells") {
-    result.assumptions.push_back(sheet_bending(fit, bent_mesh(experiments)));
-  }
+  add_sheets(fit, uncertainty, experiments, std::move(best.experiments), result);
   if (!best.note.empty()) result.assumptions.push_back("search: " + best.note);
   result.seconds = watch.seconds();
   return result;

@@ -5,13 +5,33 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/estimation/sheet/sheet_uncertainty.h"
+#include "pliant/study/sheet_experiment.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
 
 /// Whether a study has sessions to be fitted.
 bool fits_sheets(const Study& study);
+
+/// What a fit found counts as measured, and so does what the study states; its guesses as assumed.
+void set_status(const FitSettings& settings, SheetFit& fit);
+
+/// Fits of sheets know nothing of some options of strips.
+/// @throws InputError
+void refuse_foreign_options(const FitSettings& settings);
+
+/// The tests that are to be fitted.
+std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments);
+
+/// The settings of a study's fit, by whose digest its progress is known again.
+FitSettings settings_of(const Study& study);
+
+/// Adds what a fit of sheets found to the result of its study: parameters, predictions, curves of
+/// its groups, what it leaves undetermined.
+void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
+                const std::vector<SheetExperiment>& experiments,
+                std::vector<ExperimentResult> predictions, StudyResult& result);
 
 /// Root mean square of the errors of the fitted experiments, each in per cent of its peak force or
 /// its sheet's side: the number by which fits of the same experiments are compared.

@@ -25,11 +25,12 @@ constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make
 class Fitter {
  public:
   Fitter(const FitSettings& settings, std::vector<SheetStage> plan, const RunContext& context,
-         const Material* start)
+         const Material* start, const KnownComponents& known)
       : settings_(settings),
         context_(context),
         search_(context, begin_journal(context.journal, settings, plan, start)) {
-    fit_.material = first_sheet_material(settings);
+    fit_.material = first_sheet_material(settings, known);
+    for (const auto& [component, law] : known) known_.insert(component);
     fit_.groups = groups_of(plan);
     fit_.plan = std::move(plan);
     if (start) {
@@ -52,6 +53,7 @@ class Fitter {
 
  private:
   void run_stage(const SheetStage& stage) {
+    if (stage.kind == StageKind::hold) return;
     if (stage.kind == StageKind::friction) return fit_friction(stage, stage.groups.front());
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) guess(stage, group);
@@ -163,9 +165,10 @@ class Fitter {
     return std::ranges::find(fitted_, group) != fitted_.end();
   }
 
-  /// Whether the study states the stiffness of a group.
+  /// Whether the study states the stiffness of a group, or other experiments have told it.
   bool is_fixed(const ComponentGroup& group) const {
-    return fixed_stiffness(settings_.fit, group).has_value();
+    return fixed_stiffness(settings_.fit, group).has_value() ||
+           std::ranges::any_of(group, [&](const auto& name) { return known_.contains(name); });
   }
 
   /// The curve over the strains of the fitted sheets.
@@ -426,6 +429,7 @@ class Fitter {
   SheetFit fit_;
   StageSearch search_;
   std::vector<ComponentGroup> fitted_;
+  std::set<std::string> known_;     // components
   std::set<std::string> examined_;  // tests whose lost frames are left out
 };
 
@@ -436,30 +440,10 @@ double largest_strain(const SheetFit& fit, const ComponentGroup& group) {
   return known == fit.strains.end() ? kUsualStrain : known->second;
 }
 
-Material first_sheet_material(const FitSettings& settings) {
-  Material material;
-  material.name = settings.name;
-  material.density = settings.density;
-  material.membrane = settings.model.membrane;
-  material.bending = settings.model.bending;
-  material.bending_of = "hinges";
-  const bool springs = material.bending == "spring";
-  const auto give = [&](const char* component, double stiffness) {
-    material.components[component].stiffness = ScalarCurve::hermite(
-        {0.0}, {fixed_stiffness(settings.fit, {component}).value_or(stiffness)},
-        is_even(component));
-  };
-  for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
-  give("shear", 20);
-  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
-    give(component, springs ? 0.1 : 3e-6);
-  }
-  return material;
-}
-
 SheetFit fit_sheets(const FitSettings& settings, std::vector<SheetStage> plan,
-                    const RunContext& context, const Material* start) {
-  return Fitter(settings, std::move(plan), context, start).run();
+                    const RunContext& context, const Material* start,
+                    const KnownComponents& known) {
+  return Fitter(settings, std::move(plan), context, start, known).run();
 }
 
 }  // namespace pliant

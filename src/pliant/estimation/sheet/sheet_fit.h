@@ -7,6 +7,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/sheet/first_material.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 
@@ -30,10 +31,6 @@ struct SheetFit {
 /// The largest strain of a group in the fitted sheets, as far as it is known.
 double largest_strain(const SheetFit& fit, const ComponentGroup& group);
 
-/// What a search begins with: one stiffness for each component, which may be one that the study
-/// fixes, and the measures of a model.
-Material first_sheet_material(const FitSettings& settings);
-
 /// Fits the stages of a plan one after the other.
 ///
 /// The curve of a group grows from one control point by equal distances over the strains of the
@@ -49,7 +46,9 @@ Material first_sheet_material(const FitSettings& settings);
 /// Up to a quarter of the frames of a test between clips is left out, where they have no
 /// equilibrium with the first stiffnesses.
 /// @param start  null, or a material of the study's model whose curves are the first ones
+/// @param known  laws that stay as they are
 SheetFit fit_sheets(const FitSettings& settings, std::vector<SheetStage> plan,
-                    const RunContext& context, const Material* start = nullptr);
+                    const RunContext& context, const Material* start = nullptr,
+                    const KnownComponents& known = {});
 
 }  // namespace pliant

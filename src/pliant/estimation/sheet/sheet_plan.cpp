@@ -137,10 +137,23 @@ std::vector<SheetStage> plan_of_study(const FitSettings& settings, const Tests& 
   return plan;
 }
 
+void leave_out(const std::vector<std::string>& known, std::vector<SheetStage>& plan) {
+  const auto is_known = [&](const ComponentGroup& group) {
+    return std::ranges::any_of(group, [&](const std::string& component) {
+      return std::ranges::find(known, component) != known.end();
+    });
+  };
+  for (SheetStage& stage : plan) {
+    if (std::ranges::all_of(stage.groups, is_known)) stage.kind = StageKind::hold;
+    if (stage.kind != StageKind::hold) std::erase_if(stage.groups, is_known);
+  }
+}
+
 }  // namespace
 
 std::vector<SheetStage> sheet_plan(const FitSettings& settings,
-                                   const std::vector<const SheetTest*>& tests) {
+                                   const std::vector<const SheetTest*>& tests,
+                                   const std::vector<std::string>& known) {
   const bool isotropic = settings.model.isotropic;
   std::vector<SheetStage> plan =
       settings.fit.plan.empty()
@@ -153,6 +166,7 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                      "bend-weft, bend-warp, or a plan under fit");
   }
   if (settings.model.friction != FrictionChoice::none) add_friction(plan);
+  leave_out(known, plan);
   return plan;
 }
 

@@ -14,6 +14,7 @@ enum class StageKind {
   constant,  ///< one for each
   grow,      ///< of a single group: more of them, while the residual falls
   again,     ///< as many as there are
+  hold,      ///< nothing is looked for: what the tests tell here a last fit of everything will tell
   friction,  ///< as many as there are, at equal distances or denser towards rest, and internal
              ///< friction beside them
 };
@@ -35,9 +36,11 @@ struct SheetStage {
 /// say no: the prediction then follows the loop and not its middle.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
+/// @param known  components that other experiments have told: stages leave them as they are
 /// @throws InputError where a stage of the study names no test, or a test that is not there
 std::vector<SheetStage> sheet_plan(const FitSettings& settings,
-                                   const std::vector<const SheetTest*>& tests);
+                                   const std::vector<const SheetTest*>& tests,
+                                   const std::vector<std::string>& known = {});
 
 /// The components that a plan fits.
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);

@@ -9,8 +9,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/session/lost_frames.h"
-#include "pliant/experiment/session/make_predictor.h"
+#include "pliant/experiment/session/session_predictor.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/geometry/mesh_quality.h"
@@ -38,90 +37,6 @@ Eigen::Vector3d away_from_others(const Session& session, int frame, int clip) {
   others /= std::max(static_cast<double>(session.clips.size()) - 1, 1.0);
   return (clip_middle(session, frame, clip) - others).normalized();
 }
-
-class SessionPredictor : public Predictor {
- public:
-  SessionPredictor(const SheetTest& test, const Material& material)
-      : test_(test), material_(material), sheets_(make_predictor(test.session(), material)) {
-    parameters_ = sheets_->parameter_names();
-    values_ = sheets_->parameters();
-    append_nuisance(test.nuisance(), parameters_, values_);
-  }
-
-  bool predict(const Eigen::VectorXd& values, const std::vector<int>& by, const Workers& workers,
-               FrameSink& rows) override {
-    const int material_count = of_material(values);
-    // Derivatives by the numbers of the material come first, then those by all cords.
-    std::vector<int> by_material, columns;
-    for (const int parameter : by) {
-      if (parameter < material_count) by_material.push_back(parameter);
-    }
-    bool by_cords = false;
-    int next = 0;
-    for (const int parameter : by) {
-      const bool cord = parameter >= material_count;
-      by_cords = by_cords || cord;
-      columns.push_back(cord ? static_cast<int>(by_material.size()) + parameter - material_count
-                             : next++);
-    }
-    auto shapes =
-        sheets_->predict(values.head(material_count), by_material, workers.threads, workers.stop);
-    if (!shapes) return false;
-    const Eigen::VectorXd widths = test_.cord_widths(values.tail(values.size() - material_count));
-    for (int frame = 0; frame < test_.frame_count(); ++frame) {
-      SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
-      add_cord_drags(test_.cords(), widths, by_cords, frame, shape);
-      PredictedFrame found{test_.predicted(frame, shape), {}, {}};
-      if (!by.empty()) found.by = test_.jacobian(frame, shape)(Eigen::all, columns);
-      rows.take(frame, found);
-    }
-    return true;
-  }
-
-  std::vector<double> strains(const std::string& component, const Eigen::VectorXd& values,
-                              const Workers& workers) override {
-    if (!usually_strains(component)) return {};
-    const auto shapes =
-        sheets_->predict(values.head(of_material(values)), {}, workers.threads, workers.stop);
-    if (!shapes) return {};
-    const SheetSystem sheet(test_.session(), material_, {.friction = false}, {});
-    std::vector<double> strains;
-    for (const SheetShape& shape : *shapes) {
-      const std::vector<double> own = sheet.strains(component, shape.positions);
-      strains.insert(strains.end(), own.begin(), own.end());
-    }
-    return strains;
-  }
-
-  std::vector<int> lost_frames(const Eigen::VectorXd& values, const Workers& workers) override {
-    return pliant::lost_frames(
-        sheets_->predict_each(values.head(of_material(values)), {}, workers.threads, workers.stop));
-  }
-
-  std::vector<Eigen::Matrix3Xd> guesses() const override { return sheets_->guesses(); }
-  void begin_at(std::vector<Eigen::Matrix3Xd> guesses) override {
-    sheets_->begin_at(std::move(guesses));
-  }
-  EquilibriumWork work() const override { return sheets_->work(); }
-
- private:
-  int of_material(const Eigen::VectorXd& values) const {
-    return static_cast<int>(values.size()) - static_cast<int>(test_.nuisance().size());
-  }
-
-  /// A test of weft says nothing about the strains that warp has.
-  bool usually_strains(const std::string& component) const {
-    const std::vector<std::string> usual = usual_components(test_.session().test);
-    const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
-    if (usual.empty() || !directed) return true;
-    const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
-    return usual.front() == component || family(usual.front()) != family(component);
-  }
-
-  const SheetTest& test_;
-  Material material_;
-  std::unique_ptr<SheetPredictor> sheets_;
-};
 
 /// @throws InputError where a sheet is not held, or forces are compared along directions that its
 ///         clips do not have

@@ -1,0 +1,82 @@
+#include "pliant/study/component_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "pliant/base/name_pattern.h"
+#include "pliant/base/parallel.h"
+#include "pliant/estimation/friction_comparison.h"
+#include "pliant/estimation/profile_likelihood.h"
+
+namespace pliant {
+namespace {
+
+std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
+  std::vector<ComponentWork> works;
+  for (const auto& experiment : experiments) {
+    const ExperimentInfo& info = experiment->info();
+    auto work = std::find_if(works.begin(), works.end(),
+                             [&](const ComponentWork& w) { return w.component == info.component; });
+    if (work == works.end()) {
+      works.emplace_back();
+      work = works.end() - 1;
+      work->component = info.component;
+    }
+    (info.role == ExperimentRole::fit ? work->fitted : work->validated).push_back(experiment.get());
+  }
+  return works;
+}
+
+void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToken& stop) {
+  if (work.fitted.empty()) return;
+  work.problem.emplace(work.fitted, stop);
+  work.fit = fit_component(*work.problem, work.plan);
+  if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
+    work.models = compare_friction(*work.problem, work.fit, work.plan);
+  }
+  if (work.plan.fit.estimator == EstimatorKind::anchor) return;
+  const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
+  for (size_t i = 0; i < unknowns.size(); ++i) {
+    const bool wanted =
+        std::any_of(options.profiles.begin(), options.profiles.end(),
+                    [&](const std::string& pattern) { return matches(pattern, unknowns[i].name); });
+    if (!wanted || unknowns[i].fixed) continue;
+    work.profiles.push_back(
+        profile_likelihood(*work.problem, work.fit, static_cast<Eigen::Index>(i)));
+  }
+}
+
+// Components are fitted side by side; what threads they leave over, their experiments use.
+void share_threads(const Experiments& experiments, size_t components, int threads) {
+  const int each = std::max(threads / static_cast<int>(std::max<size_t>(components, 1)), 1);
+  for (const auto& experiment : experiments) experiment->set_threads(each);
+}
+
+}  // namespace
+
+std::vector<ComponentWork> fit_components(const FitSettings& settings,
+                                          const Experiments& experiments,
+                                          const StudyFitOptions& options, const RunContext& context,
+                                          StudyResult& result) {
+  std::vector<ComponentWork> works = group_by_component(experiments);
+  share_threads(experiments, works.size(), context.threads);
+  for (ComponentWork& work : works) {
+    if (work.fitted.empty()) {
+      result.warnings.push_back(work.component + " has validation experiments alone: not fitted");
+    } else {
+      work.plan = plan_component(settings, work.fitted, result.undetermined);
+    }
+  }
+  std::atomic<int> done = 0;
+  ProgressTask task(context.progress, "fit", static_cast<double>(works.size()));
+  std::mutex reporting;
+  parallel_for(static_cast<int>(works.size()), context.threads, [&](int i) {
+    fit_one(works[static_cast<size_t>(i)], options, context.stop);
+    const std::lock_guard lock(reporting);
+    task.advance(++done);
+  });
+  return works;
+}
+
+}  // namespace pliant

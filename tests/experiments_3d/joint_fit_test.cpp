@@ -1,0 +1,177 @@
+// Strips and sheets of one fabric tell one material together.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/journal.h"
+#include "pliant/study/study_fit.h"
+
+#include "io/input_error_of.h"
+#include "support/virtual_lab.h"
+
+namespace pliant {
+namespace {
+
+/// The cloth, whose bending is that of a sheet and has no friction.
+constexpr const char* kCloth = R"({
+  "pliant": "material/1", "name": "cloth", "kind": "cloth", "density": 0.15, "membrane": "stvk",
+  "bending": "discrete-shells", "bending_of": "sheet",
+  "components": {
+    "stretch.weft": {"stiffness": {"curve": "constant", "value": 120}, "status": "assumed"},
+    "stretch.warp": {"stiffness": {"curve": "affine", "k1": 150, "k2": 400},
+                     "friction": {"law": "dahl", "a": 1.5, "b": 2, "tau": 0.006}, "status": "assumed"},
+    "shear": {"stiffness": {"curve": "constant", "value": 20}, "status": "assumed"},
+    "bend.weft": {"stiffness": {"curve": "constant", "value": 5e-6}, "status": "assumed"},
+    "bend.warp": {"stiffness": {"curve": "constant", "value": 8e-6}, "status": "assumed"},
+    "bend.diagonal": {"stiffness": {"curve": "constant", "value": 6e-6}, "status": "assumed"}
+  }
+})";
+
+constexpr const char* kLab = R"(pliant: lab/1
+name: joint
+material: cloth.json
+experiments:
+  - {name: weights, type: hanging-weights, direction: warp, length: 100 mm, width: 100 mm, clip_mass: 20 g,
+     peaks: [1 N, 2 N, 3 N, 4 N], step: 1 N, noise: {length: 0.2 mm}}
+  - {name: bending, type: pure-bending, direction: warp, peaks: [100 1/m, 200 1/m], samples: 60, noise: {moment: 2e-5 N}}
+  - {name: stretch, type: session, test: stretch-warp, strain: 8 %, frames: 16, mesh: {nodes: 9x9},
+     noise: {position: 0.075 mm, force: 3 mN}}
+  - {name: overhang, type: session, test: bend-warp, overhang: 70 mm, frames: 8, mesh: {nodes: 9x9}, noise: {position: 0.075 mm}}
+  - {name: along-weft, type: session, test: bend-weft, overhang: 70 mm, frames: 8, mesh: {nodes: 9x9}, noise: {position: 0.075 mm}}
+)";
+
+constexpr const char* kExperiments = R"(pliant: study/1
+name: joint
+density: 0.15 kg/m^2
+experiments:
+  - {name: weights, type: hanging-weights, data: weights.csv, direction: warp, width: 100 mm, length: 100 mm, clip_mass: 20 g}
+  - {name: bending, type: pure-bending, data: bending.csv, direction: warp, initial_friction: rest}
+)";
+constexpr const char* kSessions = R"(  - {name: stretch, type: session, data: stretch}
+  - {name: overhang, type: session, data: overhang}
+  - {name: along-weft, type: session, data: along-weft}
+)";
+constexpr const char* kModel =
+    "model: {mesh: measured, components: {bend.warp: {friction: none}}}\n";
+
+test::MeasuredFiles measured(std::uint64_t seed) {
+  const test::TemporaryFolder lab;
+  lab.write("cloth.json", kCloth);
+  return test::measurements_of(read_lab(lab.write("lab.yaml", kLab)), seed);
+}
+
+/// The five experiments as files, each sheet on the mesh that it was measured on.
+class JointStudy {
+ public:
+  explicit JointStudy(std::uint64_t seed = 0) : folder_(measured(seed)) {}
+
+  StudyResult fit(const std::string& text, const RunContext& context = on_two_threads()) const {
+    return fit_study(read_study(folder_.write("asked.yaml", text)), {}, context);
+  }
+  StudyResult fit_all(const RunContext& context = on_two_threads()) const {
+    return fit(std::string(kExperiments) + kSessions + kModel, context);
+  }
+
+ private:
+  static RunContext on_two_threads() {
+    RunContext context;
+    context.threads = 2;
+    return context;
+  }
+
+  test::LabFolder folder_;
+};
+
+const ParameterEstimate& named(const StudyResult& result, const std::string& name) {
+  const auto found = std::ranges::find(result.parameters, name, &ParameterEstimate::name);
+  EXPECT_NE(found, result.parameters.end()) << name;
+  return *found;
+}
+
+bool holds(const ParameterEstimate& estimate, double truth) {
+  return *estimate.lower <= truth && truth <= *estimate.upper;
+}
+
+TEST(SlowJointFit, CoversTheTruthAndKnowsItBetterThanStripsAlone) {
+  const std::map<std::string, double> truth{
+      {"bend.warp.k[0]", 8e-6},       {"bend.diagonal.k[0]", 6e-6},
+      {"bend.weft.k[0]", 5e-6},       {"stretch.warp.k1", 150},
+      {"stretch.warp.k2", 400},       {"stretch.warp.friction.a", 1.5},
+      {"stretch.warp.friction.b", 2}, {"stretch.warp.friction.tau", 0.006}};
+  int asked = 0, held = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const JointStudy study(seed);
+    const StudyResult together = study.fit_all();
+    const StudyResult strips = study.fit(std::string(kExperiments) + kModel);
+    for (const auto& [name, value] : truth) {
+      const ParameterEstimate& estimate = named(together, name);
+      ASSERT_TRUE(estimate.std_error.has_value()) << name;
+      std::printf("%-28s %.4g +- %.2g (%.4g)\n", name.c_str(), estimate.value, *estimate.std_error,
+                  value);
+      ++asked;
+      held += holds(estimate, value) ? 1 : 0;
+      if (name == "bend.diagonal.k[0]" || name == "bend.weft.k[0]") continue;  // sheets alone do
+      const ParameterEstimate& alone = named(strips, name);
+      if (alone.at_bound) continue;
+      // Two jackknives of so few groups agree to 30 % or so.
+      EXPECT_LE(*estimate.std_error, 1.4 * *alone.std_error) << name;
+    }
+  }
+  EXPECT_GE(held, asked - 2);  // one of twenty by chance
+}
+
+TEST(SlowJointFit, HasOneCovarianceAndOneMaterial) {
+  const StudyResult result = JointStudy().fit_all();
+  const auto count = std::ssize(result.parameters) + std::ssize(result.nuisance);
+  ASSERT_EQ(result.covariance.rows(), count);
+  for (Eigen::Index i = 0; i < std::ssize(result.parameters); ++i) {
+    const ParameterEstimate& estimate = result.parameters[static_cast<std::size_t>(i)];
+    if (!estimate.std_error) continue;
+    EXPECT_NEAR(std::sqrt(result.covariance(i, i)), *estimate.std_error, 1e-9 * *estimate.std_error)
+        << estimate.name;
+  }
+  EXPECT_EQ(result.material.bending_of, "sheet");
+  EXPECT_EQ(result.experiments.size(), 5u);
+  EXPECT_EQ(result.stages.back().name, "together");
+  EXPECT_EQ(*result.material.components.at("bend.warp").stiffness->values().begin(),
+            named(result, "bend.warp.k[0]").value);
+}
+
+TEST(SlowJointFit, GoesOnToTheSameBits) {
+  const JointStudy study;
+  std::vector<Journal::Content> contents;
+  Journal journal([&](const Journal::Content& now) {
+    if (now.reached.empty() &&
+        (contents.empty() || contents.back().entries.size() < now.entries.size()))
+      contents.push_back(now);
+  });
+  const StudyResult whole = study.fit_all({silent_progress(), {}, 2, 0, journal});
+  ASSERT_GT(contents.size(), 2u);
+  Journal later([](const auto&) {});
+  later.resume(contents[contents.size() - 2], "progress.bin");
+  const StudyResult rest = study.fit_all({silent_progress(), {}, 2, 0, later});
+  for (std::size_t i = 0; i < whole.parameters.size(); ++i) {
+    EXPECT_EQ(rest.parameters[i].value, whole.parameters[i].value) << whole.parameters[i].name;
+    EXPECT_EQ(rest.parameters[i].std_error, whole.parameters[i].std_error);
+  }
+}
+
+TEST(JointFit, RefusesModelsThatStripsAndSheetsDoNotShare) {
+  const JointStudy study;
+  const std::string experiments = std::string(kExperiments) + kSessions;
+  const auto field_of = [&](const std::string& model) {
+    return test::input_error_of([&] { study.fit(experiments + model); }).where().field;
+  };
+  EXPECT_EQ(field_of("model: {mesh: measured, bending: spring}\n"), "model.bending");
+  EXPECT_EQ(field_of("model: {variant: nonlinear-isotropic}\n"), "model.variant");
+  EXPECT_EQ(field_of("fit: {estimator: anchor}\n"), "fit.estimator");
+}
+
+}  // namespace
+}  // namespace pliant

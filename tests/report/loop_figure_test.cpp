@@ -57,6 +57,15 @@ TEST(LoopFigure, ShowsWhatWasLeftOutApart) {
   EXPECT_EQ(trace_of(loop, "measured-load").at("x"), nlohmann::json({10.0, 20.0}));
 }
 
+TEST(LoopFigure, MarksRowsThatTheFitLeavesByFar) {
+  ResultExperiment e = experiment("force_N");
+  EXPECT_THAT(groups(loop_figure(e, cycle(), {})), Not(Contains("outlier")));
+  e.outliers = {2};
+  const LoopFigure loop = loop_figure(e, cycle(), {});
+  EXPECT_EQ(trace_of(loop, "outlier").at("x"), nlohmann::json({20.0}));
+  EXPECT_EQ(trace_of(loop, "outlier").at("y"), nlohmann::json({2.1}));
+}
+
 TEST(LoopFigure, LegendNamesExactlyTheSeriesDrawn) {
   const LoopFigure loop = loop_figure(experiment("force_N"), cycle(), {});
   std::vector<std::string> legend;

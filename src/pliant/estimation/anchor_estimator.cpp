@@ -125,7 +125,8 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
     fit.nuisance.segment(problem.first_nuisance(e), nuisance.size()) = nuisance;
   }
   fit.rms = result.stages.back().rms_force;
-  fit.starts_tried = fit.starts_reached = 1;
+  fit.start_ends = {fit.rms};
+  fit.starts_reached = 1;
   return result;
 }
 

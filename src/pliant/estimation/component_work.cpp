@@ -161,7 +161,13 @@ void add_component(const ComponentWork& work, StudyResult& result) {
                                           work.problem->largest_strain(),
                                           band_of(work.fit.uncertainty, 0)));
   result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
-  result.starts.push_back({work.component, work.fit.fit.starts_tried, work.fit.fit.starts_reached});
+  const LawFit& fit = work.fit.fit;
+  result.starts.push_back({work.component, fit.start_ends, fit.starts_reached});
+  if (fit.start_ends.size() > 1 && fit.starts_reached == 1) {
+    result.assumptions.push_back(fmt::format(
+        "{}: of {} starts one alone led to the fit: there may be a better one that none found",
+        work.component, fit.start_ends.size()));
+  }
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());

@@ -130,8 +130,9 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   result.unloads = unloads(path);
   result.shapes = experiment.shapes(law, nuisance);
   tell_other_equilibria(result);
-  result.measured_loop = metrics_of(experiment, result.measured);
-  result.predicted_loop = metrics_of(experiment, result.predicted);
+  const Eigen::VectorXd zero = experiment.instrument_zero(nuisance);
+  result.measured_loop = metrics_of(experiment, result.measured - zero);
+  result.predicted_loop = metrics_of(experiment, result.predicted - zero);
   return result;
 }
 

@@ -98,7 +98,7 @@ struct FitStage {
 
 struct StartCount {
   std::string component;
-  int tried = 0;
+  std::vector<double> ends;  ///< rms of the weighted residuals where each start has led
   int reached_best = 0;
 };
 

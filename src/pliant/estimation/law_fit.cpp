@@ -95,8 +95,9 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
     if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
   }
   take_solution(fit, shape, best, residual_count(rows));
-  fit.starts_tried = static_cast<int>(costs.size());
+  const int degrees = std::max(residual_count(rows) - free_count(fit.unknowns), 1);
   for (const double cost : costs) {
+    fit.start_ends.push_back(std::sqrt(2 * cost / degrees));
     if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
   }
   return fit;

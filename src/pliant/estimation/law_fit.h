@@ -15,8 +15,9 @@ struct LawFit {
   LeastSquaresSummary solution;
   double rms = 0;  ///< of the weighted residuals, per degree of freedom: a useless parameter does
                    ///< not lower it
-  int starts_tried = 0;
-  int starts_reached = 0;  ///< starts that ended within 0.1 % of the best cost
+  std::vector<double> start_ends;  ///< where each start has led, as `rms`; one without hope was
+                                   ///< left on its way
+  int starts_reached = 0;          ///< that ended within 0.1 % of the best cost
 };
 
 /// Fits stiffness values, friction and nuisance parameters of a law by bounded least squares, from

@@ -84,6 +84,12 @@ class ComponentExperiment : public Experiment {
     return std::nullopt;
   }
 
+  /// What the instrument shows of each row where the material carries nothing: no part of a loop.
+  virtual Eigen::VectorXd instrument_zero(const Eigen::VectorXd& nuisance) const {
+    static_cast<void>(nuisance);
+    return Eigen::VectorXd::Zero(rows());
+  }
+
   /// Profiles measured, and predicted with a law that carries the loads; nothing where the test
   /// measures none.
   virtual std::optional<StripShapes> shapes(const ComponentLaw& law,

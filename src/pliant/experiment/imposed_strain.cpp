@@ -129,6 +129,15 @@ Eigen::VectorXd ImposedStrain::unfitted_nuisance(const ComponentLaw&) const {
   return Eigen::VectorXd::Zero(static_cast<int>(nuisance_.size()));
 }
 
+Eigen::VectorXd ImposedStrain::instrument_zero(const Eigen::VectorXd& nuisance) const {
+  Eigen::VectorXd zero(rows());
+  for (const Specimen& specimen : specimens_) {
+    zero.segment(specimen.rows.first, specimen.rows.count)
+        .setConstant(specimen.first_nuisance < 0 ? 0 : nuisance(specimen.first_nuisance + kOffset));
+  }
+  return zero;
+}
+
 std::optional<LoopSeries> ImposedStrain::loop(const Eigen::VectorXd& stress) const {
   return LoopSeries{Eigen::Map<const Eigen::VectorXd>(strain_.data(), rows()), stress};
 }

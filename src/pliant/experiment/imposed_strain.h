@@ -33,6 +33,7 @@ class ImposedStrain : public ComponentExperiment {
                                     bool with_jacobian) const override;
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
   std::optional<LoopSeries> loop(const Eigen::VectorXd& stress) const override;
+  Eigen::VectorXd instrument_zero(const Eigen::VectorXd& nuisance) const override;
 
  protected:
   /// @throws InputError for a specimen of fewer than three rows

@@ -85,6 +85,17 @@ class LoopPlot {
     add_markers(style, [&](std::size_t row) { return !prediction_.used[row]; });
   }
 
+  /// Rows that the fit leaves by far, whatever else was drawn of the data.
+  void add_outliers(const SeriesStyle& style, const std::vector<std::size_t>& outliers) {
+    std::vector<double> x, y;
+    for (const std::size_t row : outliers) {
+      if (row >= prediction_.rows()) continue;
+      x.push_back(at_.x_measured[row]);
+      y.push_back(at_.y_measured[row]);
+    }
+    add(style, x, y);
+  }
+
   void add_predicted(const SeriesStyle& style, Branch branch) {
     const BrokenLine line =
         line_of_branch(prediction_, rows_, branch, at_.x_predicted, at_.y_predicted);
@@ -164,6 +175,7 @@ LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& pre
   if (!options.compact) {
     plot.add_measured(kMeasuredRest, Branch::rest);
     plot.add_excluded(kExcluded);
+    plot.add_outliers(kOutlier, experiment.outliers);
     plot.add_elastic(kElastic);
   }
   plot.add_predicted(kPredictedLoad, Branch::load);

@@ -23,8 +23,13 @@ std::string all_warnings(const Results& results) {
 std::string starts(const Results& results) {
   std::vector<std::string> lines;
   for (const MultiStart& start : results.starts) {
-    lines.push_back(fmt::format("{}: {} of {} starts reached the same best fit", start.component,
-                                start.reached_best, start.tried));
+    std::vector<std::string> ends;
+    for (const double end : start.ends) ends.push_back(format_significant(end, 3));
+    lines.push_back(fmt::format(
+        "{}: {} of {} starts reached the same best fit{}", start.component, start.reached_best,
+        start.tried,
+        ends.empty() ? ""
+                     : fmt::format(" (RMS in units of the noise: {})", fmt::join(ends, ", "))));
   }
   if (lines.empty()) return {};
   return "<h3>Starts</h3>\n<p>The search was started from several points; where only one of many "

@@ -29,6 +29,8 @@ inline constexpr SeriesStyle kMeasuredRest = {"measured-rest", "measured, at res
                                               nullptr,         "diamond-open",      4.5};
 inline constexpr SeriesStyle kExcluded = {"excluded", "left out",    "#8a94a0",
                                           nullptr,    "x-thin-open", 5.0};
+inline constexpr SeriesStyle kOutlier = {"outlier", "off by over 5 sd", "#c0392b",
+                                         nullptr,   "diamond-open",     7.0};
 inline constexpr SeriesStyle kPredictedLoad = {
     "predicted-load", "material, loading", "#00538a", "solid", nullptr, 2.0};
 inline constexpr SeriesStyle kPredictedUnload = {

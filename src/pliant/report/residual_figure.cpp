@@ -55,6 +55,13 @@ Figure residual_figure(const ResultExperiment& experiment, const Prediction& pre
   add(kMeasuredLoad, Branch::load);
   add(kMeasuredUnload, Branch::unload);
   add(kMeasuredRest, Branch::rest);
+  std::vector<double> outlier_xs, outlier_ys;
+  for (const std::size_t row : experiment.outliers) {
+    if (row >= prediction.rows()) continue;
+    outlier_xs.push_back(x.values[row]);
+    outlier_ys.push_back(residuals[row]);
+  }
+  if (!outlier_xs.empty()) figure.traces.push_back(trace(kOutlier, outlier_xs, outlier_ys));
   figure.layout = base_layout();
   figure.layout["xaxis"] = axis(x.label, /*compact=*/true);
   figure.layout["yaxis"] =

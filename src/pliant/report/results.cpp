@@ -67,6 +67,18 @@ std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::str
   return std::array{range[0], range[1]};
 }
 
+/// Pairs of a row, from 1, and how far it is off.
+std::vector<std::size_t> read_outliers(const JsonReader& json) {
+  std::vector<std::size_t> rows;
+  for (const std::vector<double>& outlier : json.number_rows("outliers")) {
+    if (outlier.size() != 2 || !(outlier[0] >= 1)) {
+      json.fail("outliers", "not a row and how far it is off", "two numbers each");
+    }
+    rows.push_back(static_cast<std::size_t>(outlier[0]) - 1);
+  }
+  return rows;
+}
+
 ResultExperiment read_experiment(const JsonReader& json) {
   ResultExperiment e;
   e.name = json.text("name");
@@ -96,6 +108,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.unloads = json.flag_or("unloads", false);
   if (json.has("shape_file")) e.shape_file = json.relative_file_or("shape_file", "");
   if (json.has("sheets")) e.sheet_folder = json.relative_file_or("sheets", "");
+  e.outliers = read_outliers(json);
   e.handled = json.texts("handled");
   return e;
 }
@@ -123,7 +136,7 @@ std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {
 
 MultiStart read_start(const JsonReader& json) {
   return {json.text_or("component", ""), json.integer_or("tried", 0),
-          json.integer_or("reached_best", 0)};
+          json.integer_or("reached_best", 0), json.numbers("ends")};
 }
 
 RankedModel read_model(const JsonReader& json) {

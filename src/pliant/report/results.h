@@ -57,6 +57,7 @@ struct ResultExperiment {
   std::optional<std::array<double, 2>> strain_range;
   bool unloads = false;  ///< by enough to show friction, without a loop too
   std::optional<LoopMeasures> measured_loop, predicted_loop;
+  std::vector<std::size_t> outliers;  ///< rows, from 0, that the fit leaves by far
   std::vector<std::string> handled;
 };
 
@@ -69,6 +70,7 @@ struct FitStage {
 struct MultiStart {
   std::string component;
   int tried = 0, reached_best = 0;
+  std::vector<double> ends;  ///< RMS of the weighted residuals where each start has led
 };
 
 struct RankedModel {

@@ -223,6 +223,16 @@ Eigen::VectorXd TensileCycles::force_offsets() const {
   return offsets;
 }
 
+Eigen::VectorXd TensileCycles::instrument_zero(const Eigen::VectorXd& nuisance) const {
+  Eigen::VectorXd zero(rows());
+  for (const Specimen& specimen : specimens_) {
+    const int offset = specimen.nuisance.force_offset;
+    zero.segment(specimen.rows.first, specimen.rows.count)
+        .setConstant(offset < 0 ? 0 : nuisance(offset));
+  }
+  return zero;
+}
+
 std::optional<LoopSeries> TensileCycles::loop(const Eigen::VectorXd& force) const {
   return LoopSeries{Eigen::Map<const Eigen::VectorXd>(length_.data(), rows()), force,
                     geometry_.width, geometry_.gauge_length};

@@ -27,6 +27,7 @@ class TensileCycles : public ComponentExperiment {
   /// friction at the start.
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override;
   std::optional<LoopSeries> loop(const Eigen::VectorXd& force) const override;
+  Eigen::VectorXd instrument_zero(const Eigen::VectorXd& nuisance) const override;
 
   /// What the tester reads while each specimen is slack, 0 where it never is (N).
   Eigen::VectorXd force_offsets() const;

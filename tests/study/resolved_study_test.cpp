@@ -47,7 +47,7 @@ model:
   stiffness: hermite
   friction: none
   components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl}}
-fit: {estimator: anchor, control_points: 3, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
+fit: {estimator: anchor, control_points: 3, loss: cauchy, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
       fix: {stretch.warp.k1: 4.5}, priors: {"*.k2": {mean: -30, sd: 2}}}
 validate: ["b", "c*"]
 )yaml";
@@ -102,6 +102,7 @@ void expect_same(const Study& a, const Study& b) {
   }
   EXPECT_EQ(a.fit.estimator, b.fit.estimator);
   EXPECT_EQ(a.fit.control_points, b.fit.control_points);
+  EXPECT_EQ(a.fit.loss, b.fit.loss);
   EXPECT_EQ(a.fit.monotone_stress, b.fit.monotone_stress);
   EXPECT_EQ(a.fit.bounds, b.fit.bounds);
   EXPECT_EQ(a.fit.fix, b.fit.fix);

@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
 #include "pliant/estimation/control_points.h"
+#include "pliant/estimation/linear_start.h"
 #include "pliant/estimation/profile_likelihood.h"
 #include "pliant/experiment/loop_metrics.h"
 
@@ -15,6 +16,7 @@ namespace pliant {
 namespace {
 
 constexpr int kNoiseRounds = 5;
+constexpr int kLossRounds = 30;  // a robust loss is followed by weights alone
 constexpr double kNoiseSettled = 0.01;
 
 using FittedExperiments = std::vector<const ComponentExperiment*>;
@@ -55,6 +57,7 @@ ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem
 }
 
 bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
+  if (problem.loss() != RobustLoss::none) return true;
   const bool length_noise = std::any_of(problem.experiments().begin(), problem.experiments().end(),
                                         [](const ComponentExperiment* experiment) {
                                           return experiment->info().length_noise &&
@@ -68,7 +71,8 @@ bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
 
 // Weights and solution depend on each other where several experiments or both channels carry noise.
 void settle_noise(ComponentProblem& problem, LawFit& fit) {
-  for (int round = 0; round < kNoiseRounds; ++round) {
+  const int rounds = problem.loss() == RobustLoss::none ? kNoiseRounds : kLossRounds;
+  for (int round = 0; round < rounds; ++round) {
     const double change =
         problem.take_noise(measure_noise(problem_of(problem, fit), fit.solution.parameters));
     if (!needs_noise_rounds(problem, fit)) {
@@ -77,6 +81,19 @@ void settle_noise(ComponentProblem& problem, LawFit& fit) {
     }
     fit = refit(problem, fit);  // its cost is in units of the new noise from here on
     if (change < kNoiseSettled) return;
+  }
+}
+
+// Rows far off are told by a law found without iteration, or they would choose the starts and the
+// form of the curve.
+void weigh_by_first_law(const ComponentPlan& plan, ComponentProblem& problem) {
+  const ComponentLaw law = linear_starts(problem, shape_of(plan, problem), 1).front().law;
+  const std::vector<Unknown> unknowns = problem.unknowns(law, plan.fit);
+  const Problem rows = problem.problem(law, unknowns);
+  try {
+    problem.take_noise(measure_noise(rows, starts_of(unknowns)));
+  } catch (const SolverError&) {
+    // It cannot carry the loads: all rows count alike to begin with.
   }
 }
 
@@ -137,6 +154,9 @@ void refuse_anchors(const FitSettings& settings,
   const Location where{settings.file, 0, "fit.estimator"};
   if (settings.fit.monotone_stress) {
     throw InputError(where, "the published estimator knows no monotone_stress", "path");
+  }
+  if (settings.fit.loss != RobustLoss::none) {
+    throw InputError(where, "the published estimator minimises squares and knows no loss", "path");
   }
   for (const ComponentExperiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
@@ -228,6 +248,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan)
     result.fit = std::move(anchor.fit);
     result.uncertainty = estimate_anchor_uncertainty(problem, result.fit);
   } else {
+    if (problem.loss() != RobustLoss::none) weigh_by_first_law(plan, problem);
     FormFit form = fit_form(problem, plan);
     result.fit = std::move(form.fit);
     result.stages = std::move(form.stages);

@@ -21,8 +21,8 @@ double first_noise(const ComponentExperiment& experiment) {
 }  // namespace
 
 ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments,
-                                   StopToken stop)
-    : experiments_(std::move(experiments)), stop_(stop) {
+                                   StopToken stop, RobustLoss loss)
+    : experiments_(std::move(experiments)), stop_(stop), loss_(loss) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   smallest_strain_ = 1e300;
   for (const ComponentExperiment* experiment : experiments_) {
@@ -82,7 +82,10 @@ double ComponentProblem::take_noise(const MeasuredNoise& noise) {
   double change = 0;
   for (size_t e = 0; e < experiments_.size(); ++e) {
     if (noise.weight[e].maxCoeff() <= 0) continue;  // no row of it takes part
-    change = std::max(change, std::abs(noise.weight[e].norm() / weight_[e].norm() - 1));
+    const Eigen::ArrayXd counts = (noise.weight[e].array() > 0).cast<double>();
+    const Eigen::ArrayXd before = counts * weight_[e].array();
+    change = std::max(change,
+                      (noise.weight[e].array() - before).matrix().norm() / before.matrix().norm());
     weight_[e] = noise.weight[e];
   }
   return change;
@@ -98,7 +101,9 @@ Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown
     }
     parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }
-  return {std::move(parts), std::move(unknowns), {1, stop_}};
+  Problem problem(std::move(parts), std::move(unknowns), {1, stop_});
+  problem.set_loss(loss_);
+  return problem;
 }
 
 }  // namespace pliant

@@ -23,7 +23,7 @@ class ComponentProblem {
   /// @param experiments  all of one component, role fit; they outlive the problem
   /// @param stop         ends everything that works with the problem
   explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments,
-                            StopToken stop = {});
+                            StopToken stop = {}, RobustLoss loss = RobustLoss::none);
 
   /// The same problem with fewer rows.
   using RowChoice = std::function<bool(size_t experiment, size_t row)>;
@@ -33,6 +33,7 @@ class ComponentProblem {
 
   const std::vector<const ComponentExperiment*>& experiments() const { return experiments_; }
   const StopToken& stop() const { return stop_; }
+  RobustLoss loss() const { return loss_; }
   /// Rows of an experiment that take part.
   const std::vector<char>& used(size_t experiment) const { return used_[experiment]; }
   int nuisance_count() const { return nuisance_count_; }
@@ -57,6 +58,7 @@ class ComponentProblem {
  private:
   std::vector<const ComponentExperiment*> experiments_;
   StopToken stop_;
+  RobustLoss loss_;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
   std::vector<Eigen::VectorXd> weight_;  // of each experiment

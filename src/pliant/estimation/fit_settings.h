@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/statistics/robust_loss.h"
 #include "pliant/experiment/experiment.h"
 #include "pliant/experiment/model_options.h"
 
@@ -28,6 +29,7 @@ struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
   int control_points = 5;        ///< most control points of a hermite stiffness
   bool monotone_stress = false;  ///< elastic stress never falls where strain rises
+  RobustLoss loss = RobustLoss::none;
   std::map<std::string, std::pair<double, double>> bounds;
   std::map<std::string, double> fix;
   std::map<std::string, GaussianPrior> priors;

@@ -132,6 +132,22 @@ Eigen::VectorXd solve_not_negative(const LinearSystem& system, int not_negative)
   }
 }
 
+// The same by a robust loss: rows far off count less in the next of a few solutions.
+Eigen::VectorXd solve_by_loss(const LinearSystem& system, int not_negative, RobustLoss loss) {
+  constexpr int kReweighings = 10;
+  Eigen::VectorXd solution = solve_not_negative(system, not_negative);
+  for (int i = 0; loss != RobustLoss::none && i < kReweighings; ++i) {
+    const Eigen::VectorXd residual = system.matrix * solution - system.right;
+    const double sd = robust_sd(residual);
+    if (sd == 0) break;
+    const Eigen::VectorXd weight = residual.unaryExpr(
+        [&](double r) { return std::sqrt(robust_weight(loss, r * r / (sd * sd))); });
+    solution = solve_not_negative(
+        {weight.asDiagonal() * system.matrix, weight.cwiseProduct(system.right)}, not_negative);
+  }
+  return solution;
+}
+
 std::array<double, 3> friction_start(const ComponentLaw& shape, double a, double b, double tau,
                                      const ComponentProblem& problem) {
   // A small a keeps friction alive where the linear fit dropped it.
@@ -148,7 +164,8 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
   const LinearSystem system = assemble(problem, shape, tau);
   const int stiffness = shape.stiffness.size();
   const bool friction = shape.friction_law != FrictionLaw::none;
-  const Eigen::VectorXd solution = solve_not_negative(system, stiffness + (friction ? 2 : 0));
+  const Eigen::VectorXd solution =
+      solve_by_loss(system, stiffness + (friction ? 2 : 0), problem.loss());
   LinearStart start;
   start.law = shape;
   start.law.stiffness = shape.stiffness.with_values(solution.data());
@@ -156,7 +173,9 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
     start.law.friction =
         friction_start(shape, solution(stiffness), solution(stiffness + 1), tau, problem);
   }
-  start.cost = (system.matrix * solution - system.right).squaredNorm();
+  const Eigen::VectorXd residual = system.matrix * solution - system.right;
+  start.cost =
+      problem.loss() == RobustLoss::none ? residual.squaredNorm() : tamed(residual).squaredNorm();
   return start;
 }
 

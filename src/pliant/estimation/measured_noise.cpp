@@ -47,11 +47,13 @@ Eigen::VectorXd carried_noise(const ExperimentInfo& info, const PredictedRows& r
 }
 
 ExperimentResiduals residuals_of(const ProblemPart& part, const PredictedRows& rows,
-                                 const CountedRows& counted, const Eigen::VectorXd& leverage) {
+                                 const CountedRows& counted, const Eigen::VectorXd& leverage,
+                                 RobustLoss loss) {
   const Experiment& experiment = *part.experiment;
   const ExperimentInfo& info = experiment.info();
   ExperimentResiduals result;
   result.residual = (rows.value - experiment.measured())(counted.row);
+  if (loss != RobustLoss::none) result.residual = tamed(result.residual);
   result.series = counted.channel;
   result.leverage = leverage(counted.row).sum();
   result.quantity = info.type + " " + info.quantity.name;
@@ -66,13 +68,18 @@ ExperimentResiduals residuals_of(const ProblemPart& part, const PredictedRows& r
   return result;
 }
 
-void weigh(const ProblemPart& part, std::size_t p, MeasuredNoise& noise) {
+void weigh(const ProblemPart& part, std::size_t p, RobustLoss loss, MeasuredNoise& noise) {
   const ExperimentNoise& own = noise.of[p];
   const Eigen::ArrayXd carried = carried_noise(part.experiment->info(), noise.rows[p]);
   noise.row_sd[p] = (carried.square() + own.sd * own.sd).sqrt();
   noise.weight[p] =
       (part.weight.array() > 0)
           .select(1 / (noise.row_sd[p].array() * std::sqrt(own.correlation_length)), 0.0);
+  const Eigen::VectorXd residual = noise.rows[p].value - part.experiment->measured();
+  for (Eigen::Index i = 0; loss != RobustLoss::none && i < residual.size(); ++i) {
+    const double in_sd = residual(i) / noise.row_sd[p](i);
+    noise.weight[p](i) *= std::sqrt(robust_weight(loss, in_sd * in_sd));
+  }
 }
 
 /// By how much noise differs from what it was before.
@@ -129,10 +136,11 @@ MeasuredNoise measure_noise(const Problem& problem, const Eigen::VectorXd& value
   for (int round = 0; round < kRounds; ++round) {
     std::vector<ExperimentResiduals> residuals;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      residuals.push_back(residuals_of(parts[p], noise.rows[p], counted[p], noise.leverage[p]));
+      residuals.push_back(
+          residuals_of(parts[p], noise.rows[p], counted[p], noise.leverage[p], problem.loss()));
     }
     noise.of = measure_noise(residuals);
-    for (std::size_t p = 0; p < parts.size(); ++p) weigh(parts[p], p, noise);
+    for (std::size_t p = 0; p < parts.size(); ++p) weigh(parts[p], p, problem.loss(), noise);
     measure_leverages(problem, told, noise);
     if (change(noise.of, before) < kSettled) break;
     before = noise.of;

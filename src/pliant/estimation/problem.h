@@ -8,6 +8,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/least_squares.h"
+#include "pliant/estimation/statistics/robust_loss.h"
 #include "pliant/estimation/unknown.h"
 #include "pliant/experiment/experiment.h"
 
@@ -52,6 +53,11 @@ class Problem {
   /// Linear combinations of the unknowns that must not be negative, a row each.
   void set_not_negative(Eigen::MatrixXd rows) { not_negative_ = std::move(rows); }
 
+  /// How residuals count. Weights carry it, as `measure_noise` finds them: a search with them and
+  /// new weights at its end, in turn, lead to the least loss.
+  void set_loss(RobustLoss loss) { loss_ = loss; }
+  RobustLoss loss() const { return loss_; }
+
   /// Rows that count.
   int rows() const;
 
@@ -88,6 +94,7 @@ class Problem {
   std::vector<SumPrior> priors_;
   std::vector<Places> places_;  // of each part
   Eigen::MatrixXd not_negative_;
+  RobustLoss loss_ = RobustLoss::none;
   Workers workers_;
   mutable double seconds_ = 0;  // on the clock, of predictions
 };

@@ -12,6 +12,12 @@ std::vector<std::string> stated_options(const FitOptions& options) {
         "would make it fall were not allowed, whatever the data say; standard errors are those "
         "without this");
   }
+  if (options.loss != RobustLoss::none) {
+    sentences.push_back(fmt::format(
+        "residuals count by the loss of {} (fit.loss): rows beyond {:.3g} standard "
+        "deviations count less, and the noise is that of the others",
+        options.loss == RobustLoss::huber ? "Huber" : "Cauchy", loss_scale(options.loss)));
+  }
   for (const auto& [name, value] : options.fix) {
     sentences.push_back(
         fmt::format("{} is {:.6g} by the study (fit.fix, SI units), not estimated", name, value));

@@ -30,7 +30,7 @@ std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
 
 void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToken& stop) {
   if (work.fitted.empty()) return;
-  work.problem.emplace(work.fitted, stop);
+  work.problem.emplace(work.fitted, stop, work.plan.fit.loss);
   work.fit = fit_component(*work.problem, work.plan);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
     work.models = compare_friction(*work.problem, work.fit, work.plan);

@@ -198,6 +198,9 @@ void refuse_foreign_options(const FitSettings& settings) {
     refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
            "constant or hermite");
   }
+  if (settings.fit.loss != RobustLoss::none) {
+    refuse("fit.loss", "sheets are fitted by least squares alone", "none");
+  }
   if (settings.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
   }

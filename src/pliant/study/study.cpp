@@ -229,6 +229,9 @@ FitOptions read_fit(Fields& study) {
         v->choice({"path", "anchor"}) == "path" ? EstimatorKind::path : EstimatorKind::anchor;
   }
   if (auto v = fields.optional("control_points")) fit.control_points = v->integer(1, 20);
+  if (auto v = fields.optional("loss")) {
+    fit.loss = *robust_loss_named(v->choice({"none", "huber", "cauchy"}));
+  }
   if (auto v = fields.optional("monotone_stress")) fit.monotone_stress = v->flag();
   if (auto v = fields.optional("plan")) {
     for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage));

@@ -102,6 +102,7 @@ YAML::Node fit_node(const FitOptions& fit) {
   YAML::Node node;
   node["estimator"] = fit.estimator == EstimatorKind::path ? "path" : "anchor";
   node["control_points"] = fit.control_points;
+  if (fit.loss != RobustLoss::none) node["loss"] = std::string(name_of(fit.loss));
   if (fit.monotone_stress) node["monotone_stress"] = true;
   for (const auto& [name, bounds] : fit.bounds) {
     node["bounds"][name] = std::vector<double>{bounds.first, bounds.second};

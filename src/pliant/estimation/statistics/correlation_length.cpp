@@ -7,7 +7,7 @@
 namespace pliant {
 namespace {
 
-constexpr double kFewestSpareRows = 8;       // a correlation of fewer is noise
+constexpr double kFewestSpareRows = 8;      // a correlation of fewer is noise
 constexpr double kFewestEffectiveRows = 5;  // beside the unknowns, or no noise could be told
 constexpr std::size_t kHighestOrder = 8;
 constexpr std::size_t kRowsPerOrder = 6;
@@ -79,7 +79,8 @@ double correlation_length(const std::vector<ResidualSeries>& series, double leve
   const std::vector<double> seen =
       autocorrelations(series, std::min(kHighestOrder, rows / kRowsPerOrder));
   if (seen.size() < 2) return 1;
-  const double longest = std::max(static_cast<double>(rows) / (leverage + kFewestEffectiveRows), 1.0);
+  const double longest =
+      std::max(static_cast<double>(rows) / (leverage + kFewestEffectiveRows), 1.0);
   double length = 1;
   for (int round = 0; round < kMostRounds; ++round) {
     // An unknown takes L / rows of the variance, at all short lags alike.

@@ -1,7 +1,9 @@
 #include "pliant/estimation/statistics/robust_loss.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pliant {
 
@@ -23,6 +25,21 @@ double robust_weight(RobustLoss loss, double squared) {
   if (loss == RobustLoss::cauchy) return 1 / (1 + squared / scale2);
   if (loss == RobustLoss::none || squared <= scale2) return 1;
   return scale / std::sqrt(squared);
+}
+
+double robust_sd(const Eigen::VectorXd& residual) {
+  constexpr double kPerMedian = 1.4826;
+  if (residual.size() == 0) return 0;
+  std::vector<double> sizes(residual.begin(), residual.end());
+  for (double& size : sizes) size = std::abs(size);
+  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+  std::ranges::nth_element(sizes, middle);
+  return kPerMedian * *middle;
+}
+
+Eigen::VectorXd tamed(const Eigen::VectorXd& residual) {
+  const double most = 3 * robust_sd(residual);
+  return most > 0 ? Eigen::VectorXd(residual.cwiseMax(-most).cwiseMin(most)) : residual;
 }
 
 std::string_view name_of(RobustLoss loss) {

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string_view>
 
+#include <Eigen/Core>
+
 namespace pliant {
 
 /// How a residual counts.
@@ -22,6 +24,13 @@ double robust_weight(RobustLoss loss, double squared);
 /// Distance in sd at which a loss begins to differ from squares; what Ceres' losses are made with.
 /// Infinite for `none`.
 double loss_scale(RobustLoss loss);
+
+/// The standard deviation that normal residuals of this median size would have; 0 for none.
+double robust_sd(const Eigen::VectorXd& residual);
+
+/// Residuals beyond three robust standard deviations are moved to there: what is told of the noise
+/// of the others hardly changes (0.5 % of normal noise).
+Eigen::VectorXd tamed(const Eigen::VectorXd& residual);
 
 /// "none", "huber", "cauchy".
 std::string_view name_of(RobustLoss loss);

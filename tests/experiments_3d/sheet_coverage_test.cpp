@@ -44,8 +44,10 @@ std::vector<Session> true_sessions(const Material& material, double edge) {
   return sessions;
 }
 
-/// Two control points for each curve, on a grid of 10 mm.
-StudyResult fit_with_noise(const std::vector<Session>& sessions, int seed) {
+/// Two control points for each curve.
+/// @param mesh  of the fit
+StudyResult fit_with_noise(const std::vector<Session>& sessions, const std::string& mesh,
+                           int seed) {
   test::TemporaryFolder folder;
   std::string text = "pliant: study/1\nname: seen\nexperiments:\n";
   const RandomStream seeds(static_cast<std::uint64_t>(seed));
@@ -56,7 +58,7 @@ StudyResult fit_with_noise(const std::vector<Session>& sessions, int seed) {
     write_session(folder.path() / session.test, seen);
     text += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", session.test);
   }
-  text += "model: {mesh: {edge: 10 mm}, friction: none}\nfit: {control_points: 2}\n";
+  text += "model: {mesh: " + mesh + ", friction: none}\nfit: {control_points: 2}\n";
   folder.write("study.yaml", text);
   return fit_study(read_study(folder.path() / "study.yaml"), {}, {});
 }
@@ -106,7 +108,8 @@ Coverages coverages(const std::string& title, const Material& truth, double edge
   std::vector<StudyResult> results(kSeeds);
   // Each seed is on its own: the answer does not depend on the number of threads.
   parallel_for(kSeeds, 2, [&](int i) {
-    results[static_cast<std::size_t>(i)] = fit_with_noise(sessions, 1000 + i);
+    results[static_cast<std::size_t>(i)] =
+        fit_with_noise(sessions, edge > 0 ? "{edge: 10 mm}" : "measured", 1000 + i);
   });
   Coverages table;
   for (const StudyResult& result : results) add_fit(result, truth, table);
@@ -133,17 +136,15 @@ TEST(SlowSheetCoverage, IntervalsHoldTheTruthAtTheStatedRate) {
   EXPECT_LT(ratio, 1.4);
 }
 
-// The mesh adds an error of its own, a bias that no interval knows. Bending, of other hinges, is
-// not compared.
-TEST(SlowSheetCoverage, IntervalsOfSheetsOnOtherMeshesMissByTheErrorOfTheMesh) {
+// The mesh adds an error of its own, which a second mesh tells. Bending, of other hinges, is not
+// compared.
+TEST(SlowSheetCoverage, IntervalsOfSheetsOnOtherMeshesKnowTheErrorOfTheMesh) {
   Material truth = test::sheet_cloth(true);
   truth.bending_of = "sheet";
   for (const auto& [name, c] : coverages("on an irregular mesh of 5 mm", truth, 0.005)) {
     if (name.starts_with("bend")) continue;
     EXPECT_LT(std::abs(c.bias()), name == "shear.k[0]" ? 0.1 : 0.02) << name;
-    if (std::abs(c.bias()) < c.deviation() / 2) {
-      EXPECT_GE(c.covered, kFewest) << name;
-    }
+    EXPECT_GE(c.covered, kFewest) << name;
   }
 }
 

@@ -154,6 +154,28 @@ Uncertainty part_of(const Uncertainty& all, const Indices& unknowns,
   return part;
 }
 
+void add_systematic(const Eigen::VectorXd& bias, const std::vector<Unknown>& unknowns,
+                    const Eigen::VectorXd& values, Uncertainty& uncertainty) {
+  constexpr double kNormal = 1.96;
+  for (std::size_t i = 0; i < uncertainty.free.size(); ++i) {
+    const Eigen::Index u = uncertainty.free[i];
+    const auto index = static_cast<std::size_t>(u);
+    const auto at = static_cast<Eigen::Index>(i);
+    const double before = uncertainty.std_error(u);
+    if (!(before > 0)) continue;
+    const double factor = std::hypot(before, bias(u)) / before;
+    uncertainty.std_error(u) *= factor;
+    uncertainty.half_width(u) = std::hypot(uncertainty.half_width(u), kNormal * bias(u));
+    uncertainty.covariance.row(u) *= factor;
+    uncertainty.covariance.col(u) *= factor;
+    uncertainty.errors.covariance.row(at) *= factor;
+    uncertainty.errors.covariance.col(at) *= factor;
+    uncertainty.errors.sd(at) *= factor;
+    uncertainty.determination[index] =
+        grade(unknowns[index], values(u), uncertainty.half_width(u), uncertainty.std_error(u));
+  }
+}
+
 Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values,
                            const ToldUnknowns& told) {
   const Eigen::Index n = values.size();

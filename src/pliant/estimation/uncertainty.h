@@ -47,6 +47,12 @@ struct Uncertainty {
 Uncertainty part_of(const Uncertainty& all, const std::vector<Eigen::Index>& unknowns,
                     const std::vector<std::size_t>& parts);
 
+/// Adds an error that no repetition shows to the standard errors, intervals and bands of a fit: its
+/// square to the variance, 1.96 of it to a half width in quadrature.
+/// @param bias  of each unknown, either sign
+void add_systematic(const Eigen::VectorXd& bias, const std::vector<Unknown>& unknowns,
+                    const Eigen::VectorXd& values, Uncertainty& uncertainty);
+
 /// Linearised uncertainty of a fit at its solution.
 ///
 /// Standard errors are the larger ones of the formula, in which the rows of a correlation length

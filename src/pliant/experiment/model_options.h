@@ -22,8 +22,9 @@ struct ModelOptions {
   bool isotropic = false;           ///< weft and warp share their curves; fits of sheets
   std::optional<double> mesh_edge;  ///< m, of the grid that sheets are simulated on; absent: 24
                                     ///< cells on the longer side
-  bool measured_mesh = false;       ///< sheets are simulated on the meshes of their sessions
-  bool strips_as_sheets = false;    ///< tensile-cycles are fitted as sheets, else in one dimension
+  double mesh_factor = 1;  ///< by which grids are coarser than the study says, to see their error
+  bool measured_mesh = false;     ///< sheets are simulated on the meshes of their sessions
+  bool strips_as_sheets = false;  ///< tensile-cycles are fitted as sheets, else in one dimension
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
   FrictionChoice friction = FrictionChoice::automatic;
   std::map<std::string, ComponentModel> components;

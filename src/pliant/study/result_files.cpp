@@ -174,11 +174,10 @@ void add_searches(const StudyResult& result, Json& json) {
   }
   json["starts"] = Json::array();
   for (const StartCount& s : result.starts) {
-    json["starts"].push_back(
-        {{"component", s.component},
-         {"tried", s.ends.size()},
-         {"reached_best", s.reached_best},
-         {"ends", s.ends}});
+    json["starts"].push_back({{"component", s.component},
+                              {"tried", s.ends.size()},
+                              {"reached_best", s.reached_best},
+                              {"ends", s.ends}});
   }
   json["models"] = Json::array();
   for (const ModelRank& m : result.models) {

@@ -42,7 +42,8 @@ void require_grid_for_springs(const ExperimentSpec& spec, const Session& session
 Session on_fit_mesh(const Session& session, const ModelOptions& model) {
   if (model.measured_mesh || !is_rectangle(session)) return session;
   const double longer = std::max(session.sample.width, session.sample.height);
-  return on_mesh(session, grid_on_clips(session, model.mesh_edge.value_or(longer / kCells)));
+  return on_mesh(session, grid_on_clips(session, model.mesh_factor *
+                                                     model.mesh_edge.value_or(longer / kCells)));
 }
 
 /// One fabric has one mass per area: another one tells of a wrong mass, or of another fabric.

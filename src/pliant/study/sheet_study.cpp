@@ -54,6 +54,9 @@ ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
   const Unknown& unknown = fit.unknowns[index];
   ParameterEstimate estimate = estimate_of(fit.unknowns, fit.values, fit.uncertainty, i);
   if (unknown.strain) estimate.note = fmt::format("at strain {:.3g}; ", *unknown.strain);
+  if (fit.mesh_error.size() > 0 && !unknown.fixed) {
+    estimate.note += fmt::format("{:.2g} of the error by the mesh; ", std::abs(fit.mesh_error(i)));
+  }
   estimate.note +=
       unknown.of_material ? fit.uncertainty.told_by[index] : loops_together(fit, index);
   return estimate;
@@ -108,6 +111,25 @@ void warn_of_left_out(const Study& study, StudyResult& result) {
   if (names.empty()) return;
   result.warnings.push_back(fmt::format(
       "experiments in one dimension are left out of a fit of sheets: {}", fmt::join(names, ", ")));
+}
+
+/// The experiments once more on grids of twice the edge; none where sheets are simulated on meshes
+/// of their own.
+std::vector<SheetExperiment> on_coarser_meshes(const Study& study) {
+  if (study.model.measured_mesh) return {};
+  Study coarse = study;
+  coarse.model.mesh_factor = 2;
+  StudyResult told_already;
+  return read_sheet_experiments(coarse, told_already);
+}
+
+std::string about_mesh_error(const SheetUncertainty& uncertainty) {
+  return uncertainty.mesh_error.size() > 0
+             ? "standard errors contain that of the mesh: by how much the numbers would move on "
+               "one "
+               "of twice the edge"
+             : "standard errors do not contain that of the mesh: there is no second one to compare "
+               "with";
 }
 
 /// A fit with what it predicts.
@@ -281,7 +303,10 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   if (fit.material.density == 0) {
     fit.material.density = area_density(experiments.front().test.session());
   }
-  const SheetUncertainty uncertainty = sheet_uncertainty(fit, study.fit, context);
+  const std::vector<SheetExperiment> coarser = on_coarser_meshes(study);
+  const SheetUncertainty uncertainty =
+      sheet_uncertainty(fit, study.fit, context, tests_to_fit(coarser));
+  result.assumptions.push_back(about_mesh_error(uncertainty));
   result.work = fit.work;
   *result.work += uncertainty.work;
   result.covariance = uncertainty.uncertainty.covariance;

@@ -1,9 +1,13 @@
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
+#include "pliant/estimation/estimating_equations.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
+#include "pliant/estimation/statistics/covariance.h"
 
 namespace pliant {
 namespace {
@@ -33,10 +37,76 @@ const SheetStage* last_stage(const std::vector<SheetStage>& plan, const Componen
   return last;
 }
 
+/// Gradient and slope of the equations that the unknowns solve.
+struct Equations {
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd slope;
+};
+
+/// @return nothing where a test has no equilibria with these values
+std::optional<Equations> equations_of(const Problem& problem, const Eigen::VectorXd& values,
+                                      const std::vector<Eigen::Index>& free,
+                                      const ToldUnknowns& told) {
+  std::vector<PredictedRows> rows;
+  std::vector<Eigen::VectorXd> weight;
+  for (std::size_t p = 0; p < problem.parts().size(); ++p) {
+    auto found = problem.predict(p, values, /*derivatives=*/true);
+    if (!found) return std::nullopt;
+    rows.push_back(std::move(*found));
+    weight.push_back(problem.parts()[p].weight);
+  }
+  const EstimatingSums sums = estimating_sums(problem, rows, weight, free, told);
+  Equations equations{Eigen::VectorXd::Zero(std::ssize(free)), sums.slope()};
+  for (const GroupSum& group : sums.groups) equations.gradient += group.part;
+  return equations;
+}
+
+/// The tests that stand for those of a problem, where they are the same frames of them.
+std::vector<const SheetTest*> in_place_of(const std::vector<const SheetTest*>& tests,
+                                          const std::vector<const SheetTest*>& others) {
+  std::vector<const SheetTest*> result;
+  for (const SheetTest* test : tests) {
+    const auto found = std::ranges::find_if(others, [&](const SheetTest* other) {
+      return other->name() == test->name() && other->frame_count() == test->frame_count();
+    });
+    result.push_back(found == others.end() ? test : *found);
+  }
+  return result;
+}
+
+/// How far the free unknowns move on other meshes.
+Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser,
+                         const std::vector<const SheetTest*>& tests, const Material& material,
+                         const SheetUncertainty& fine, const ToldUnknowns& told,
+                         const RunContext& context, EquilibriumWork& work) {
+  const Uncertainty& known = fine.uncertainty;
+  std::optional<Equations> on[2];
+  for (const bool coarse : {false, true}) {
+    std::vector<ProblemPart> parts;
+    const std::vector<const SheetTest*> used = coarse ? in_place_of(tests, coarser) : tests;
+    for (std::size_t t = 0; t < used.size(); ++t) {
+      const ExperimentNoise& noise = known.noise.of[t];
+      parts.push_back({used[t], used[t]->predictor(material),
+                       used[t]->weights() / (noise.sd * std::sqrt(noise.correlation_length))});
+    }
+    const Problem problem(std::move(parts), fine.unknowns, {context.threads, context.stop});
+    on[coarse] = equations_of(problem, fine.values, known.free, told);
+    work += problem.work();
+  }
+  if (!on[false] || !on[true]) return {};
+  EstimatingSums sums;
+  sums.priors = on[true]->slope;
+  const Eigen::MatrixXd inverse = formula_covariance(sums, known.unit, {}).inverse_slope;
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
+  shift(known.free) = inverse * (on[false]->gradient - on[true]->gradient);
+  return shift;
+}
+
 }  // namespace
 
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& options,
-                                   const RunContext& context) {
+                                   const RunContext& context,
+                                   const std::vector<const SheetTest*>& coarser) {
   SheetUncertainty result;
   std::vector<const SheetStage*> stage_of;  // of each unknown
   for (const ComponentGroup& group : fit.groups) {
@@ -67,6 +137,13 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& option
   const Problem problem(std::move(parts), result.unknowns, {context.threads, context.stop});
   result.uncertainty = uncertainty_of(problem, result.values, told);
   result.work = problem.work();
+  if (coarser.empty()) return result;
+  std::vector<const SheetTest*> used;
+  for (const auto& [test, stage] : tests) used.push_back(test);
+  result.mesh_error = shift_on(coarser, used, fit.material, result, told, context, result.work);
+  if (result.mesh_error.size() > 0) {
+    add_systematic(result.mesh_error, result.unknowns, result.values, result.uncertainty);
+  }
   return result;
 }
 

@@ -87,6 +87,7 @@ const char* test_of(const std::string& direction) {
 
 Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, double area_density) {
   const double edge =
+      model.mesh_factor *
       model.mesh_edge.value_or(std::min(spec.test->length, spec.test->width) / kCells);
   const auto nodes = [&](double side) {
     return std::max(static_cast<int>(std::lround(side / edge)), 2) + 1;

@@ -180,7 +180,7 @@ std::vector<NamedDocument> written_documents() {
       from_yaml("resolved study", resolved_study_text(study, folder.path()))};
   // Sheets are predicted alone: a fit of them would take no other experiment along.
   for (ExperimentSpec& spec : study.experiments) {
-    if (measures_sheets(spec.type)) spec.role = ExperimentRole::validate;
+    if (facts_of_test(spec.type).measures_sheets) spec.role = ExperimentRole::validate;
   }
   StudyFitOptions options;
   options.compare_friction = true;

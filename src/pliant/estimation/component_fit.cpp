@@ -58,11 +58,11 @@ ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem
 
 bool needs_noise_rounds(const ComponentProblem& problem, const LawFit& fit) {
   if (problem.loss() != RobustLoss::none) return true;
-  const bool length_noise = std::any_of(problem.experiments().begin(), problem.experiments().end(),
-                                        [](const ComponentExperiment* experiment) {
-                                          return experiment->info().length_noise &&
-                                                 experiment->info().quantity.kind != "length";
-                                        });
+  const bool length_noise =
+      std::any_of(problem.experiments().begin(), problem.experiments().end(),
+                  [](const ComponentExperiment* experiment) {
+                    return experiment->info().length_noise && !experiment->info().measures_length();
+                  });
   // A prior is weighed against the noise of the data.
   const bool prior = std::any_of(fit.unknowns.begin(), fit.unknowns.end(),
                                  [](const Unknown& unknown) { return unknown.prior.has_value(); });

@@ -12,10 +12,7 @@ namespace {
 constexpr double kFirstNoiseShare = 0.01;
 
 double first_noise(const ComponentExperiment& experiment) {
-  const ExperimentInfo& info = experiment.info();
-  const bool length = info.quantity.kind == "length" || info.quantity.kind == "distance";
-  const std::optional<double>& stated = length ? info.length_noise : info.force_noise;
-  return stated.value_or(kFirstNoiseShare * experiment.reference());
+  return experiment.info().stated_noise().value_or(kFirstNoiseShare * experiment.reference());
 }
 
 }  // namespace

@@ -114,8 +114,7 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   result.specimens = info.specimens;
   result.noise = result.rms;
   result.noise_source = "not used: predicted, not fitted";
-  const bool length = info.quantity.kind == "length" || info.quantity.kind == "distance";
-  result.stated_noise = length ? info.length_noise : info.force_noise;
+  result.stated_noise = info.stated_noise();
   if (path.starts_flat.empty()) {
     result.noise_floor = noise_floor_of(result.predicted - result.measured, path, info.used);
   }

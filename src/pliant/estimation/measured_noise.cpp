@@ -14,10 +14,6 @@ namespace {
 constexpr int kRounds = 6;
 constexpr double kSettled = 1e-3;  // of sd and L
 
-bool measures_length(const ExperimentInfo& info) {
-  return info.quantity.kind == "length" || info.quantity.kind == "distance";
-}
-
 /// Rows that count, channel by channel in the order of measurement, and the channel of each.
 struct CountedRows {
   std::vector<Eigen::Index> row;
@@ -40,7 +36,7 @@ CountedRows counted_rows(const ProblemPart& part) {
 
 /// Standard deviation of each row that noise of the length carries in.
 Eigen::VectorXd carried_noise(const ExperimentInfo& info, const PredictedRows& rows) {
-  if (measures_length(info) || !info.length_noise || rows.length_gain.size() == 0) {
+  if (info.measures_length() || !info.length_noise || rows.length_gain.size() == 0) {
     return Eigen::VectorXd::Zero(rows.value.size());
   }
   return *info.length_noise * rows.length_gain;
@@ -58,7 +54,7 @@ ExperimentResiduals residuals_of(const ProblemPart& part, const PredictedRows& r
   result.leverage = leverage(counted.row).sum();
   result.quantity = info.type + " " + info.quantity.name;
   if (part.takes_stated_noise) {
-    result.stated = measures_length(info) ? info.length_noise : info.force_noise;
+    result.stated = info.stated_noise();
     const std::vector<double> column(experiment.measured().begin(), experiment.measured().end());
     result.resolution = resolution_of(column).value_or(0);
   }

@@ -35,6 +35,13 @@ struct ExperimentInfo {
   std::vector<std::string> warnings;
   std::vector<OwnColumn> columns;
   std::vector<double> time;  ///< s; empty unless measured
+
+  /// Whether what is measured is a length or a distance, and not a force.
+  bool measures_length() const { return quantity.kind == "length" || quantity.kind == "distance"; }
+  /// What the study states of the noise of what is measured (SI).
+  const std::optional<double>& stated_noise() const {
+    return measures_length() ? length_noise : force_noise;
+  }
 };
 
 }  // namespace pliant

@@ -69,10 +69,4 @@ std::string component_of_test(std::string_view type, const std::string& directio
   return component_of_test(facts_of_test(type), direction);
 }
 
-bool measures_sheets(std::string_view type) { return facts_of_test(type).measures_sheets; }
-bool measures_profiles(std::string_view type) { return facts_of_test(type).measures_profiles; }
-bool overhangs(std::string_view type) { return facts_of_test(type).overhangs; }
-bool bends_by_weight(std::string_view type) { return facts_of_test(type).bends_by_weight; }
-bool needs_density(std::string_view type) { return facts_of_test(type).needs_density; }
-
 }  // namespace pliant

@@ -27,11 +27,4 @@ const TestType& read_test_type(const Value& value);
 std::string component_of_test(const TestFacts& facts, const std::string& direction);
 std::string component_of_test(std::string_view type, const std::string& direction);
 
-// Facts of a type by its name.
-bool measures_sheets(std::string_view type);
-bool measures_profiles(std::string_view type);
-bool overhangs(std::string_view type);
-bool bends_by_weight(std::string_view type);
-bool needs_density(std::string_view type);
-
 }  // namespace pliant

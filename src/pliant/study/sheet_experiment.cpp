@@ -84,7 +84,7 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
   std::vector<SheetExperiment> experiments;
   for (const ExperimentSpec& spec : study.experiments) {
     if (!is_sheet(spec, study.model)) continue;
-    if (!measures_sheets(spec.type)) {
+    if (!facts_of_test(spec.type).measures_sheets) {
       add_strips(spec, study, experiments, result);
       continue;
     }

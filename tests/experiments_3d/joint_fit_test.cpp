@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/base/journal.h"
@@ -141,6 +142,15 @@ TEST(SlowJointFit, HasOneCovarianceAndOneMaterial) {
   EXPECT_EQ(result.stages.back().name, "together");
   EXPECT_EQ(*result.material.components.at("bend.warp").stiffness->values().begin(),
             named(result, "bend.warp.k[0]").value);
+}
+
+TEST(SlowJointFit, LeavesFrictionOutThatStripsDoNotShow) {
+  const StudyResult result =
+      JointStudy().fit(std::string(kExperiments) + kSessions + "model: {mesh: measured}\n");
+  EXPECT_FALSE(result.material.components.at("bend.warp").friction);
+  EXPECT_TRUE(result.material.components.at("stretch.warp").friction);
+  EXPECT_THAT(result.undetermined,
+              ::testing::Contains(::testing::HasSubstr("friction of bend.warp")));
 }
 
 TEST(SlowJointFit, GoesOnToTheSameBits) {

@@ -1,6 +1,7 @@
 #include "pliant/study/joint_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/stated_options.h"
+#include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/study/component_study.h"
 #include "pliant/study/sheet_predictions.h"
@@ -168,6 +170,44 @@ Eigen::MatrixXd raised_covariance(const JointFit& joint, const JointLayout& layo
   return raised_to(joint.uncertainty.covariance, sd);
 }
 
+FrictionChoice friction_choice(const ModelOptions& model, const std::string& component) {
+  const auto own = model.components.find(component);
+  const bool said = own != model.components.end() && own->second.friction;
+  return said ? *own->second.friction : model.friction;
+}
+
+FittedModel judged(const ComponentWork& work, const LawFit& fit) {
+  const double rows = effective_rows(work.fit.uncertainty.noise.of).effective;
+  return {std::sqrt(2 * fit.solution.cost / work.problem->used_rows()), free_count(fit.unknowns), 0,
+          rows};
+}
+
+/// Friction that strips do not show is no burden in one dimension. Sheets would have to be followed
+/// along whole paths for it, and would tell it from what they lack otherwise.
+void leave_out_unseen_friction(const Study& study, std::vector<ComponentWork>& works,
+                               StudyResult& result) {
+  for (ComponentWork& work : works) {
+    if (!work.problem || !work.fit.elastic) continue;
+    if (friction_choice(study.model, work.component) != FrictionChoice::automatic) continue;
+    if (is_worth(judged(work, *work.fit.elastic), judged(work, work.fit.fit))) continue;
+    work.plan.friction = FrictionLaw::none;
+    work.fit = fit_component(*work.problem, work.plan);
+    result.undetermined.push_back("friction of " + work.component +
+                                  ": the loops of its strips are no wider than chance makes them");
+  }
+}
+
+void warn_of_slip(const std::vector<ComponentWork>& works, StudyResult& result) {
+  for (const ComponentWork& work : works) {
+    if (!work.problem || !is_bending(work.component)) continue;
+    if (work.fit.fit.law.friction_law == FrictionLaw::none) continue;
+    result.assumptions.push_back(work.component +
+                                 ": its friction acts in sheets through the hinges of their "
+                                 "meshes, which slip up to a third "
+                                 "too hard");
+  }
+}
+
 KnownComponents known_components(const Study& study, const std::vector<ComponentWork>& works) {
   const Material material = material_of(study, works);
   KnownComponents known;
@@ -214,6 +254,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   std::ranges::move(stated_options(study.fit), std::back_inserter(result.assumptions));
 
   std::vector<ComponentWork> works = fit_components(study, strips, options, context, result);
+  leave_out_unseen_friction(study, works, result);
   const KnownComponents known = known_components(study, works);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(data), names_of(known));
   SheetFit sheets = fit_sheets(settings_of(study), plan, context, nullptr, known);
@@ -246,6 +287,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
       "strips and sheets: {} experiments are fitted together in the end, each weighed by its own "
       "noise; the numbers have one covariance",
       layout.problem.experiments.size()));
+  warn_of_slip(works, result);
   result.covariance = raised_covariance(joint, layout, works);
   result.work = work;
   result.seconds = watch.seconds();

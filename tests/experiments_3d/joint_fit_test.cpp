@@ -172,6 +172,13 @@ TEST(SlowJointFit, GoesOnToTheSameBits) {
   }
 }
 
+TEST(JointFit, SaysThatSheetsWhichStripsCannotPredictAreLeftOut) {
+  const StudyResult result = JointStudy().fit(std::string(kExperiments) + kSessions +
+                                              "validate: [stretch, overhang, along-weft]\n");
+  EXPECT_EQ(result.experiments.size(), 2u);
+  EXPECT_THAT(result.warnings, ::testing::Contains(::testing::HasSubstr("stretch: left out")));
+}
+
 TEST(JointFit, RefusesModelsThatStripsAndSheetsDoNotShare) {
   const JointStudy study;
   const std::string experiments = std::string(kExperiments) + kSessions;

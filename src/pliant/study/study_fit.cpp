@@ -38,6 +38,16 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
   }
 }
 
+void warn_of_sheets(const Study& study, StudyResult& result) {
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (!is_sheet(spec, study.model)) continue;
+    result.warnings.push_back(
+        spec.name +
+        ": left out, as a sheet needs all components of a material and strips tell some; "
+        "`pliant evaluate` predicts it with a complete material");
+  }
+}
+
 }  // namespace
 
 StudyResult fit_study(const Study& study, const StudyFitOptions& options,
@@ -52,6 +62,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
   const Stopwatch watch;
   StudyResult result = describe(study);
   const Experiments experiments = read_experiments(study, result);
+  warn_of_sheets(study, result);
   if (std::ranges::none_of(experiments, [](const auto& experiment) {
         return experiment->info().role == ExperimentRole::fit;
       })) {

@@ -31,6 +31,18 @@ ResultParameter parameter(const std::string& name, bool identified) {
   return p;
 }
 
+TEST(Verdict, TellsOfSheetsBesideStripsByTheirDistance) {
+  Results results;
+  ResultExperiment sheet;
+  sheet.name = "overhang";
+  sheet.sheet_folder = "sheets/overhang";
+  sheet.rms_position_mm = 0.17;
+  results.experiments = {experiment("a", 1.4), sheet};
+  EXPECT_THAT(
+      verdict(results),
+      HasSubstr("In 1 experiment the sheets lie within 0.17 mm (RMS) of the predicted ones"));
+}
+
 TEST(Verdict, CountsFitsAndPredictionsWithTheirLargestErrors) {
   Results results;
   results.experiments = {experiment("a", 1.4), experiment("b", 0.6), experiment("c", 3.0, true),

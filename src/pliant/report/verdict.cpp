@@ -133,23 +133,33 @@ std::string prediction_sentence(const Experiments& all, bool evaluation) {
 
 /// Where only positions are compared there is no force to take a percentage of.
 std::string position_sentence(const std::vector<ResultExperiment>& experiments) {
-  std::size_t lengths = 0, profiles = 0;
-  double largest_length = 0.0, largest_distance = 0.0;
+  struct Compared {
+    std::size_t count = 0;
+    double largest = 0;  // mm
+  };
+  Compared lengths, profiles, sheets;
   for (const ResultExperiment& e : experiments) {
-    if (e.rms_percent_of_peak || !e.rms_position_mm || e.measures_sheets()) continue;
-    const bool profile = e.rms_percent_of_length.has_value();
-    double& largest = profile ? largest_distance : largest_length;
-    largest = std::max(largest, *e.rms_position_mm);
-    ++(profile ? profiles : lengths);
+    if (e.rms_percent_of_peak || !e.rms_position_mm) continue;
+    Compared& own = e.measures_sheets()                   ? sheets
+                    : e.rms_percent_of_length.has_value() ? profiles
+                                                          : lengths;
+    ++own.count;
+    own.largest = std::max(own.largest, *e.rms_position_mm);
   }
   std::string text;
-  if (lengths > 0) {
-    text += fmt::format("In {} the RMS error of the lengths is at most {} mm. ",
-                        counted(lengths, "experiment"), format_significant(largest_length, 2));
+  if (lengths.count > 0) {
+    text +=
+        fmt::format("In {} the RMS error of the lengths is at most {} mm. ",
+                    counted(lengths.count, "experiment"), format_significant(lengths.largest, 2));
   }
-  if (profiles > 0) {
-    text += fmt::format("In {} the strips lie within {} mm (RMS) of the predicted profiles. ",
-                        counted(profiles, "experiment"), format_significant(largest_distance, 2));
+  if (profiles.count > 0) {
+    text +=
+        fmt::format("In {} the strips lie within {} mm (RMS) of the predicted profiles. ",
+                    counted(profiles.count, "experiment"), format_significant(profiles.largest, 2));
+  }
+  if (sheets.count > 0) {
+    text += fmt::format("In {} the sheets lie within {} mm (RMS) of the predicted ones. ",
+                        counted(sheets.count, "experiment"), format_significant(sheets.largest, 2));
   }
   return text;
 }

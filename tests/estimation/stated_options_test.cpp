@@ -26,5 +26,15 @@ TEST(StatedOptions, OfAStudyThatStatesNothingAreNone) {
   EXPECT_THAT(stated_options({}), IsEmpty());
 }
 
+TEST(UnmatchedOptions, AreToldByName) {
+  FitOptions options;
+  options.fix = {{"stretch.warp.k", 3}, {"stretch.warp.friction.beta", 0}};
+  options.bounds = {{"*.friction.tau", {0, 1}}, {"shear.*", {0, 1}}};
+  const std::vector<std::string> sentences =
+      unmatched_options(options, {"stretch.warp.k[0]", "stretch.warp.friction.tau"});
+  EXPECT_THAT(sentences, ::testing::ElementsAre(::testing::HasSubstr("fit.bounds of shear.*"),
+                                                ::testing::HasSubstr("friction.beta")));
+}
+
 }  // namespace
 }  // namespace pliant

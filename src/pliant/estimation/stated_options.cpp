@@ -1,8 +1,40 @@
 #include "pliant/estimation/stated_options.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "pliant/base/name_pattern.h"
+
 namespace pliant {
+
+namespace {
+
+template <class T>
+void add_unmatched(const std::map<std::string, T>& options, const char* field,
+                   const std::vector<std::string>& names, std::vector<std::string>& sentences) {
+  for (const auto& [key, value] : options) {
+    const bool matched = std::ranges::any_of(names, [&](const std::string& name) {
+      // COMPONENT.k stands for all control values.
+      return matches(key, name) || matches(key, name.substr(0, name.find('[')));
+    });
+    if (!matched) {
+      sentences.push_back(fmt::format(
+          "{} of {} has no effect: no parameter of this fit has that name", field, key));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> unmatched_options(const FitOptions& options,
+                                           const std::vector<std::string>& names) {
+  std::vector<std::string> sentences;
+  add_unmatched(options.bounds, "fit.bounds", names, sentences);
+  add_unmatched(options.fix, "fit.fix", names, sentences);
+  add_unmatched(options.priors, "fit.priors", names, sentences);
+  return sentences;
+}
 
 std::vector<std::string> stated_options(const FitOptions& options) {
   std::vector<std::string> sentences;

@@ -11,4 +11,9 @@ namespace pliant {
 /// that never falls, fixed values, bounds, priors.
 std::vector<std::string> stated_options(const FitOptions& options);
 
+/// Sentences on bounds, fixed values and priors that match no parameter.
+/// @param names  of all parameters and nuisances of a fit
+std::vector<std::string> unmatched_options(const FitOptions& options,
+                                           const std::vector<std::string>& names);
+
 }  // namespace pliant

@@ -282,6 +282,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
     if (component.problem) add_component(component, result);
   }
   add_sheets(sheets, uncertainty, data, std::move(predictions), result);
+  warn_of_unmatched_options(study.fit, result);
   result.stages.push_back({"all", "together", "times the noise", joint.rms, true});
   result.assumptions.push_back(fmt::format(
       "strips and sheets: {} experiments are fitted together in the end, each weighed by its own "

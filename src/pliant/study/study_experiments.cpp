@@ -1,11 +1,13 @@
 #include "pliant/study/study_experiments.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/estimation/stated_options.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -57,6 +59,14 @@ void add_stiffness_of_rolled_strips(const Experiments& experiments,
 }
 
 }  // namespace
+
+void warn_of_unmatched_options(const FitOptions& options, StudyResult& result) {
+  std::vector<std::string> names;
+  for (const auto* estimates : {&result.parameters, &result.nuisance}) {
+    for (const ParameterEstimate& estimate : *estimates) names.push_back(estimate.name);
+  }
+  std::ranges::move(unmatched_options(options, names), std::back_inserter(result.warnings));
+}
 
 std::vector<std::string> assumptions_of(const Study& study, const Experiments& experiments) {
   std::vector<std::string> assumptions;

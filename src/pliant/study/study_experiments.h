@@ -20,6 +20,9 @@ StudyResult describe(const Study& study);
 /// @throws InputError
 Experiments read_experiments(const Study& study, StudyResult& result);
 
+/// Warns of what the study's fit says of parameters that the result does not have.
+void warn_of_unmatched_options(const FitOptions& options, StudyResult& result);
+
 /// What fitting or predicting these experiments assumes, in sentences for the report.
 std::vector<std::string> assumptions_of(const Study& study, const Experiments& experiments);
 

@@ -79,6 +79,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     if (work.problem) add_component(work, result);
   }
   warn_of_unknown_profiles(options, result);
+  warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
   result.seconds = watch.seconds();

@@ -288,6 +288,10 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
       "strips and sheets: {} experiments are fitted together in the end, each weighed by its own "
       "noise; the numbers have one covariance",
       layout.problem.experiments.size()));
+  if (!result.profiles.empty() || !result.models.empty()) {
+    result.assumptions.emplace_back(
+        "profiles and rankings of models are those of each component's strips alone");
+  }
   warn_of_slip(works, result);
   result.covariance = raised_covariance(joint, layout, works);
   result.work = work;

@@ -151,7 +151,8 @@ std::vector<NamedDocument> shipped_documents() {
     documents.push_back(named(file.filename().string(), read_json(file)));
   }
   std::vector<fs::path> labs{kSource / "examples" / "demo" / "lab.yaml",
-                             kSource / "examples" / "sheet-sessions" / "lab.yaml"};
+                             kSource / "examples" / "sheet-sessions" / "lab.yaml",
+                             kSource / "examples" / "joint" / "lab.yaml"};
   for (const fs::path& file : files_in(kSource / "examples" / "sheet-figures")) {
     if (file.extension() == ".yaml") labs.push_back(file);
   }

@@ -9,8 +9,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
-#include "pliant/study/study_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
+#include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
 

@@ -201,10 +201,10 @@ void warn_of_slip(const std::vector<ComponentWork>& works, StudyResult& result) 
   for (const ComponentWork& work : works) {
     if (!work.problem || !is_bending(work.component)) continue;
     if (work.fit.fit.law.friction_law == FrictionLaw::none) continue;
-    result.assumptions.push_back(work.component +
-                                 ": its friction acts in sheets through the hinges of their "
-                                 "meshes, which slip up to a third "
-                                 "too hard");
+    result.assumptions.push_back(
+        work.component +
+        ": its friction acts in sheets through the hinges of their meshes, which "
+        "slip up to a third too hard");
   }
 }
 

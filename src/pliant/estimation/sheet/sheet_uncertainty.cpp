@@ -37,28 +37,10 @@ const SheetStage* last_stage(const std::vector<SheetStage>& plan, const Componen
   return last;
 }
 
-/// Gradient and slope of the equations that the unknowns solve.
-struct Equations {
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd slope;
-};
-
-/// @return nothing where a test has no equilibria with these values
-std::optional<Equations> equations_of(const Problem& problem, const Eigen::VectorXd& values,
-                                      const std::vector<Eigen::Index>& free,
-                                      const ToldUnknowns& told) {
-  std::vector<PredictedRows> rows;
-  std::vector<Eigen::VectorXd> weight;
-  for (std::size_t p = 0; p < problem.parts().size(); ++p) {
-    auto found = problem.predict(p, values, /*derivatives=*/true);
-    if (!found) return std::nullopt;
-    rows.push_back(std::move(*found));
-    weight.push_back(problem.parts()[p].weight);
-  }
-  const EstimatingSums sums = estimating_sums(problem, rows, weight, free, told);
-  Equations equations{Eigen::VectorXd::Zero(std::ssize(free)), sums.slope()};
-  for (const GroupSum& group : sums.groups) equations.gradient += group.part;
-  return equations;
+Eigen::VectorXd gradient_of(const EstimatingSums& sums) {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(sums.unknowns());
+  for (const GroupSum& group : sums.groups) gradient += group.part;
+  return gradient;
 }
 
 /// The tests that stand for those of a problem, where they are the same frames of them.
@@ -74,31 +56,34 @@ std::vector<const SheetTest*> in_place_of(const std::vector<const SheetTest*>& t
   return result;
 }
 
-/// How far the free unknowns move on other meshes.
-Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser,
-                         const std::vector<const SheetTest*>& tests, const Material& material,
-                         const SheetUncertainty& fine, const ToldUnknowns& told,
-                         const RunContext& context, EquilibriumWork& work) {
+/// How far the free unknowns move on other meshes; empty where these have no equilibria.
+Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Problem& problem,
+                         const Material& material, const SheetUncertainty& fine,
+                         const ToldUnknowns& told, const RunContext& context,
+                         EquilibriumWork& work) {
   const Uncertainty& known = fine.uncertainty;
-  std::optional<Equations> on[2];
-  for (const bool coarse : {false, true}) {
-    std::vector<ProblemPart> parts;
-    const std::vector<const SheetTest*> used = coarse ? in_place_of(tests, coarser) : tests;
-    for (std::size_t t = 0; t < used.size(); ++t) {
-      const ExperimentNoise& noise = known.noise.of[t];
-      parts.push_back({used[t], used[t]->predictor(material),
-                       used[t]->weights() / (noise.sd * std::sqrt(noise.correlation_length))});
-    }
-    const Problem problem(std::move(parts), fine.unknowns, {context.threads, context.stop});
-    on[coarse] = equations_of(problem, fine.values, known.free, told);
-    work += problem.work();
+  std::vector<ProblemPart> parts;
+  std::vector<Eigen::VectorXd> weight;
+  for (std::size_t t = 0; t < coarser.size(); ++t) {
+    const ExperimentNoise& noise = known.noise.of[t];
+    parts.push_back({coarser[t], coarser[t]->predictor(material)});
+    weight.push_back(coarser[t]->weights() / (noise.sd * std::sqrt(noise.correlation_length)));
   }
-  if (!on[false] || !on[true]) return {};
-  EstimatingSums sums;
-  sums.priors = on[true]->slope;
-  const Eigen::MatrixXd inverse = formula_covariance(sums, known.unit, {}).inverse_slope;
+  const Problem coarse(std::move(parts), fine.unknowns, {context.threads, context.stop});
+  std::vector<PredictedRows> rows;
+  for (std::size_t t = 0; t < coarser.size(); ++t) {
+    auto found = coarse.predict(t, fine.values, /*derivatives=*/true);
+    if (!found) return {};
+    rows.push_back(std::move(*found));
+  }
+  work += coarse.work();
+  const EstimatingSums here =
+      estimating_sums(problem, known.noise.rows, known.noise.weight, known.free, told);
+  const EstimatingSums there = estimating_sums(coarse, rows, weight, known.free, told);
+  const std::vector<double> infinite(coarser.size(), INFINITY);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
-  shift(known.free) = inverse * (on[false]->gradient - on[true]->gradient);
+  shift(known.free) = formula_covariance(there, known.unit, infinite).inverse_slope *
+                      (gradient_of(here) - gradient_of(there));
   return shift;
 }
 
@@ -140,7 +125,8 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& option
   if (coarser.empty()) return result;
   std::vector<const SheetTest*> used;
   for (const auto& [test, stage] : tests) used.push_back(test);
-  result.mesh_error = shift_on(coarser, used, fit.material, result, told, context, result.work);
+  result.mesh_error = shift_on(in_place_of(used, coarser), problem, fit.material, result, told,
+                               context, result.work);
   if (result.mesh_error.size() > 0) {
     add_systematic(result.mesh_error, result.unknowns, result.values, result.uncertainty);
   }

@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/hanging/weight_path.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 #include "pliant/material/density/dahl_published.h"
+#include "pliant/material/law_path.h"
 #include "pliant/study/study_fit.h"
 
 #include "support/virtual_lab.h"

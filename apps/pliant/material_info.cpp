@@ -56,6 +56,8 @@ std::string interval_text(const StrainInterval& interval, const ComponentUnits& 
 std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
   const std::vector<double>& values = curve.values();
   switch (curve.kind()) {
+    case CurveKind::none:
+      return "none: the addends carry it";
     case CurveKind::constant:
       return "constant, k = " + units.stiffness(values[0]);
     case CurveKind::affine:
@@ -145,6 +147,25 @@ void warn_of_snapping(const std::string& name, const FrictionFacts& facts,
   }
 }
 
+void add_addends(const MaterialComponent& component, const ComponentUnits& units,
+                 std::vector<std::string>& lines, Json& json) {
+  for (const Addend& addend : component.addends) {
+    Json own{{"law", addend.kind().name}};
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < addend.kind().parameters.size(); ++i) {
+      const AddendParameter& parameter = addend.kind().parameters[i];
+      const double value = addend.values()(static_cast<Eigen::Index>(i));
+      own[std::string(parameter.name)] = value;
+      const std::string unit = unit_of(parameter, units.bending);
+      numbers.push_back(fmt::format("{} = {}{}", parameter.name, format_number(value, kDigits),
+                                    unit == "1" ? "" : " " + unit));
+    }
+    json["addends"].push_back(std::move(own));
+    lines.push_back(
+        labelled(std::string(addend.kind().name), fmt::format("{}", fmt::join(numbers, ", ")), 1));
+  }
+}
+
 void add_measured(const std::string& name, const MaterialComponent& component, FileInfo& info,
                   Json& json) {
   const ComponentUnits units{is_bending(name)};
@@ -191,6 +212,7 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   }
   info.lines.push_back(labelled(name, text));
   if (component.stiffness) add_measured(name, component, info, json);
+  add_addends(component, units, info.lines, json);
   if (component.stiffness && units.bending && material.bending_of == "sheet") {
     json["textile"] = textile_info(material, name, info);
   }

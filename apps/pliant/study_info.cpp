@@ -279,6 +279,10 @@ void add_plan(const Study& study, const std::string& component,
     stiffness +=
         fmt::format(" of {}{} control points", grows ? "up to " : "", plan.fit.control_points);
   }
+  for (const AddendKind* kind : plan.addends) {
+    json["addends"].push_back(kind->name);
+    stiffness += fmt::format(", {}", kind->description);
+  }
   info.json["fit"]["components"].push_back(std::move(json));
   info.lines.push_back(labelled(component,
                                 fmt::format("{}, friction {} ({}), from {}", stiffness, friction,

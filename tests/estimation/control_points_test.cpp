@@ -45,7 +45,8 @@ TEST(ControlPoints, OneIsEnoughForAConstantStiffness) {
   for (const double noise : {0.0, 2e-3}) {
     const VirtualStudy study(lab_of(material, noisy_cycles({0.05, 0.1, 0.2}, noise)));
     const OneExperiment one(study.study());
-    const GrownFit grown = grow_stiffness(one.problem, FrictionLaw::dahl, {});
+    const GrownFit grown =
+        grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
     EXPECT_EQ(grown.fit.law.stiffness.size(), 1) << "noise " << noise;
     EXPECT_TRUE(grown.stages.front().accepted);
     for (size_t i = 1; i < grown.stages.size(); ++i) EXPECT_FALSE(grown.stages[i].accepted) << i;
@@ -73,7 +74,7 @@ TEST(ControlPoints, StandWhereAStiffWeaveBends) {
   // Engineering strains whose Green-Lagrange strains reach 0.2.
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  const GrownFit grown = grow_stiffness(one.problem, FrictionLaw::dahl, {});
+  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
   const LawFit equidistant = fit_equidistant(one, 5);
   EXPECT_LE(grown.fit.law.stiffness.size(), 5);
   EXPECT_LT(one.percent_of_peak(grown.fit), 1);
@@ -85,7 +86,9 @@ TEST(ControlPoints, StayWithinTheNumberThatTheStudyAllows) {
   const OneExperiment one(study.study());
   FitOptions options;
   options.control_points = 3;
-  EXPECT_LE(grow_stiffness(one.problem, FrictionLaw::dahl, options).fit.law.stiffness.size(), 3);
+  EXPECT_LE(grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, options)
+                .fit.law.stiffness.size(),
+            3);
 }
 
 // The sheet is sheared both ways and its law is even: knots stand on one side.
@@ -97,7 +100,8 @@ TEST(ControlPoints, OfShearBeginAtZero) {
       "shear", {ScalarCurve::affine(5, 300), FrictionLaw::dahl, {0.1, 0.2, 0.005}});
   const VirtualStudy study(lab_of(material, experiment));
   const OneExperiment one(study.study());
-  const ScalarCurve curve = grow_stiffness(one.problem, FrictionLaw::dahl, {}).fit.law.stiffness;
+  const ScalarCurve curve =
+      grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {}).fit.law.stiffness;
   EXPECT_TRUE(curve.even());
   EXPECT_EQ(curve.knots().front(), 0);
   EXPECT_GT(curve.size(), 1);
@@ -106,7 +110,7 @@ TEST(ControlPoints, OfShearBeginAtZero) {
 TEST(ControlPoints, GrowthNeverLeavesALargerResidual) {
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  const GrownFit grown = grow_stiffness(one.problem, FrictionLaw::dahl, {});
+  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
   double accepted = grown.stages.front().rms;
   for (size_t i = 1; i < grown.stages.size(); ++i) {
     if (!grown.stages[i].accepted) continue;

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/material/addend/addend_registry.h"
+
 #include "io/temporary_folder.h"
 #include "support/refusal.h"
 
@@ -196,6 +198,31 @@ TEST(MaterialFile, LeavesOutEverythingOptional) {
   EXPECT_TRUE(material.components.empty());
 }
 
+TEST(MaterialFile, AddendsMayStandBesideAStiffnessOrAlone) {
+  const std::string branch = R"({"law": "dahl", "a": 0.4, "b": 2, "tau": 0.1})";
+  const MaterialComponent beside =
+      read_component("stretch.warp", R"({"stiffness": {"curve": "constant", "value": 3},
+                                         "addends": [)" +
+                                         branch + ", " + branch + "]}");
+  EXPECT_EQ(beside.addends.size(), 2u);
+  EXPECT_EQ(beside.addends[1].values(), Eigen::Vector3d(0.4, 2, 0.1));
+  const MaterialComponent alone = read_component("shear", R"({"addends": [)" + branch + "]}");
+  EXPECT_EQ(alone.status, ComponentStatus::measured);
+  EXPECT_EQ(law_of(alone).parameter_count(), 3);
+  EXPECT_EQ(read_component("shear", R"({"addends": []})").status, ComponentStatus::unmeasured);
+}
+
+TEST(MaterialFile, WritesAddendsAsItReadsThem) {
+  Material material;
+  material.name = "knit";
+  MaterialComponent& component = material.components["stretch.warp"];
+  component.stiffness = ScalarCurve::none();
+  component.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(0.1, 1.0 / 3, 0.7)}};
+  const MaterialComponent read = read_text(material_text(material)).components.at("stretch.warp");
+  EXPECT_EQ(read.stiffness->kind(), CurveKind::none);
+  EXPECT_EQ(read.addends.front().values(), component.addends.front().values());
+}
+
 // --- what is refused, and where ---
 
 class MaterialFileRefusal : public ::testing::TestWithParam<Refusal> {};
@@ -204,6 +231,10 @@ TEST_P(MaterialFileRefusal, NamesFileLineAndField) {
   const TemporaryFolder folder;
   const auto path = folder.write("fabric.json", GetParam().text);
   expect_refused(GetParam(), path, read_material);
+}
+
+std::string with_addend(const std::string& addend) {
+  return with_component("shear", R"({"addends": [)" + addend + "]}");
 }
 
 std::string with_curve(const std::string& curve) {
@@ -248,6 +279,17 @@ const Refusal kRefusals[] = {
      "components.stretch.warp.friction.tau", "is not positive"},
     {"UnknownLaw", with_friction(R"({"law": "dahlia", "a": 0.1, "b": 0, "tau": 1})"), 6,
      "components.stretch.warp.friction.law", "did you mean \"dahl\"?"},
+    {"UnknownAddend", with_addend(R"({"law": "dahlia", "a": 1, "b": 0, "tau": 1})"), 6,
+     "components.shear.addends[0].law", "did you mean \"dahl\"?"},
+    {"AddendWithoutItsNumber", with_addend(R"({"law": "dahl", "a": 1, "b": 0})"), 6,
+     "components.shear.addends[0].tau", "is missing"},
+    {"AddendWithAForeignNumber",
+     with_addend(R"({"law": "dahl", "a": 1, "b": 0, "tau": 1, "alpha": 2})"), 6,
+     "components.shear.addends[0].alpha", "unknown key"},
+    {"NegativeNumberOfAnAddend", with_addend(R"({"law": "dahl", "a": -1, "b": 0, "tau": 1})"), 6,
+     "components.shear.addends[0].a", "is negative"},
+    {"ZeroWhereAnAddendNeedsMore", with_addend(R"({"law": "dahl", "a": 1, "b": 0, "tau": 0})"), 6,
+     "components.shear.addends[0].tau", "is not positive"},
     {"OneSideOfFriction",
      with_friction(R"({"law": "dahl", "positive": {"a": 1, "b": 2, "tau": 3}})"), 6,
      "components.stretch.warp.friction.negative", "is missing"},

@@ -13,20 +13,20 @@ namespace {
 using testing::IsEmpty;
 
 TEST(Snapping, NeverWhereTheTangentExceedsFriction) {
-  EXPECT_THAT(snapping_strains(ScalarCurve::constant(3), 3, 1), IsEmpty());
-  EXPECT_THAT(snapping_strains(ScalarCurve::affine(3, 10), 2, 1), IsEmpty());
-  EXPECT_THAT(snapping_strains(ScalarCurve::hermite({0, 1}, {3, 30}), 2, 1), IsEmpty());
+  EXPECT_THAT(snapping_strains({ScalarCurve::constant(3)}, 3, 1), IsEmpty());
+  EXPECT_THAT(snapping_strains({ScalarCurve::affine(3, 10)}, 2, 1), IsEmpty());
+  EXPECT_THAT(snapping_strains({ScalarCurve::hermite({0, 1}, {3, 30})}, 2, 1), IsEmpty());
 }
 
 TEST(Snapping, EverywhereWhereAConstantStiffnessIsBelowB) {
-  const auto intervals = snapping_strains(ScalarCurve::constant(3), 4, 1);
+  const auto intervals = snapping_strains({ScalarCurve::constant(3)}, 4, 1);
   ASSERT_EQ(intervals.size(), 1u);
   EXPECT_EQ(intervals[0].from, 0);
   EXPECT_TRUE(std::isinf(intervals[0].to));
 }
 
 TEST(Snapping, FromSomeStrainOnWhereStiffnessFalls) {
-  const auto intervals = snapping_strains(ScalarCurve::affine(5, -2), 3, 1);  // 5 - 4 strain < 3
+  const auto intervals = snapping_strains({ScalarCurve::affine(5, -2)}, 3, 1);  // 5 - 4 strain < 3
   ASSERT_EQ(intervals.size(), 1u);
   EXPECT_DOUBLE_EQ(intervals[0].from, 0.5);
   EXPECT_TRUE(std::isinf(intervals[0].to));
@@ -35,7 +35,7 @@ TEST(Snapping, FromSomeStrainOnWhereStiffnessFalls) {
 TEST(Snapping, OfAHermiteCurveEndsWhereTheTangentEqualsB) {
   const ScalarCurve curve = ScalarCurve::hermite({0, 0.1, 0.2, 0.3}, {10, 4, 12, 40});
   const double b = 3;
-  const auto intervals = snapping_strains(curve, b, 1);
+  const auto intervals = snapping_strains({curve}, b, 1);
   ASSERT_EQ(intervals.size(), 1u);
   for (const double end : {intervals[0].from, intervals[0].to}) {
     EXPECT_GT(end, 0);
@@ -48,8 +48,8 @@ TEST(Snapping, OfAHermiteCurveEndsWhereTheTangentEqualsB) {
 
 TEST(Snapping, LooksAtTheSideAskedFor) {
   const ScalarCurve curve = ScalarCurve::hermite({-0.2, 0, 0.2}, {1, 10, 10});
-  EXPECT_THAT(snapping_strains(curve, 2, 1), IsEmpty());
-  EXPECT_EQ(snapping_strains(curve, 2, -1).size(), 1u);
+  EXPECT_THAT(snapping_strains({curve}, 2, 1), IsEmpty());
+  EXPECT_EQ(snapping_strains({curve}, 2, -1).size(), 1u);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ model:
   strips: sheet
   stiffness: hermite
   friction: none
-  components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl}}
+  components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl, addends: [dahl, dahl]},
+               bend.weft: {stiffness: none, addends: [dahl]}}
 fit: {estimator: anchor, control_points: 3, loss: cauchy, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
       fix: {stretch.warp.k1: 4.5}, priors: {"*.k2": {mean: -30, sd: 2}}}
 validate: ["b", "c*"]
@@ -99,6 +100,7 @@ void expect_same(const Study& a, const Study& b) {
   for (const auto& [name, component] : a.model.components) {
     EXPECT_EQ(component.stiffness, b.model.components.at(name).stiffness);
     EXPECT_EQ(component.friction, b.model.components.at(name).friction);
+    EXPECT_EQ(component.addends, b.model.components.at(name).addends);
   }
   EXPECT_EQ(a.fit.estimator, b.fit.estimator);
   EXPECT_EQ(a.fit.control_points, b.fit.control_points);

@@ -130,7 +130,7 @@ TEST(Study, ReadsEveryFieldOfTensileCycles) {
 
 TEST(Study, ReadsTheOptionsOfTheFit) {
   const Study study = read_text(study_with_more(
-      "model:\n  components: {shear: {stiffness: constant, friction: none}}\n"
+      "model:\n  components: {shear: {stiffness: constant, friction: none, addends: [dahl]}}\n"
       "fit:\n  estimator: anchor\n  control_points: 3\n"
       "  bounds: {\"*.friction.tau\": [0.001, 0.1]}\n  fix: {stretch.warp.k1: 4.5}\n"
       "  priors: {stretch.warp.k2: {mean: 30, sd: 2}}\n"));
@@ -141,6 +141,8 @@ TEST(Study, ReadsTheOptionsOfTheFit) {
   EXPECT_EQ(study.fit.priors.at("stretch.warp.k2").sd, 2);
   EXPECT_EQ(study.model.components.at("shear").stiffness, CurveKind::constant);
   EXPECT_EQ(study.model.components.at("shear").friction, FrictionChoice::none);
+  ASSERT_EQ(study.model.components.at("shear").addends.size(), 1u);
+  EXPECT_EQ(study.model.components.at("shear").addends.front()->name, "dahl");
 }
 
 TEST(Study, ReadsWhichWayAStripBuckles) {

@@ -21,12 +21,7 @@ inline Material made_up_material(const std::string& component, const ComponentLa
   Material material;
   material.name = "made-up";
   material.density = 0.15;
-  MaterialComponent part;
-  part.stiffness = law.stiffness;
-  if (law.friction_law == FrictionLaw::dahl) {
-    part.friction = ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, {}};
-  }
-  material.components[component] = part;
+  set_law(material.components[component], law);
   return material;
 }
 

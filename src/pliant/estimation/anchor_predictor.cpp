@@ -57,8 +57,7 @@ class AnchorPredictor : public Predictor {
     }
     ForceError error;
     error.force = factor * (law.elastic_stress(strain) + friction.stress) - path.force[i];
-    error.by_law.resize(law.parameter_count());
-    error.by_law.head(stiffness) = factor * strain * law.stiffness.weights(strain);
+    error.by_law = factor * law.elastic_gradient(strain);
     for (int k = 0; k < law.friction_count(); ++k) {
       error.by_law(stiffness + k) = factor * friction.parameters[static_cast<std::size_t>(k)];
     }

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 
 namespace pliant {
 namespace {
@@ -15,8 +15,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 ComponentCurve component_curve(const std::string& component, const ComponentLaw& law,
                                double largest_strain, const BandOfLaw& band) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(law.parameter_count());
-  FrictionPath loading(law, {0, 0, zero, zero});
-  FrictionPath unloading = loading;
+  LawPath loading(law, {0, 0, zero, zero});
+  LawPath unloading = loading;
   unloading.turn_at(largest_strain, zero);
 
   ComponentCurve curve;

@@ -40,8 +40,7 @@ CurveKind default_stiffness(const FittedExperiments& experiments) {
 }
 
 ComponentLaw shape_of(const ComponentPlan& plan, const ComponentProblem& problem) {
-  ComponentLaw shape;
-  shape.friction_law = plan.friction;
+  ComponentLaw shape = plan.form();
   if (plan.stiffness == CurveKind::constant) shape.stiffness = ScalarCurve::constant(0);
   if (plan.stiffness == CurveKind::affine) shape.stiffness = ScalarCurve::affine(0, 0);
   if (plan.stiffness == CurveKind::hermite) {
@@ -177,7 +176,35 @@ void refuse_anchors(const FitSettings& settings,
   }
 }
 
+// Strips that bend under their weight are followed with what their profile's history holds.
+void refuse_addends(const FitSettings& settings,
+                    const std::vector<const ComponentExperiment*>& experiments,
+                    const ComponentPlan& plan) {
+  const std::string& component = experiments.front()->info().component;
+  const Location where{settings.file, 0, "model.components." + component + ".addends"};
+  if (!plan.addends.empty() && settings.fit.estimator == EstimatorKind::anchor) {
+    throw InputError(where, "the published estimator knows stiffness and friction alone", "none");
+  }
+  if (!plan.form().addends_remember()) return;
+  for (const ComponentExperiment* experiment : experiments) {
+    if (!experiment->info().test.needs_density) continue;
+    throw InputError(where,
+                     "bent strips are followed with friction of one branch, not with addends that "
+                     "remember, and " +
+                         quoted_value(experiment->info().name) + " is one",
+                     "stiffness and friction, or a test that imposes the strain");
+  }
+}
+
 }  // namespace
+
+ComponentLaw ComponentPlan::form() const {
+  ComponentLaw form{ScalarCurve::none(), friction};
+  for (const AddendKind* kind : addends) {
+    form.addends.emplace_back(*kind, Eigen::VectorXd::Ones(std::ssize(kind->parameters)));
+  }
+  return form;
+}
 
 void raise_errors(ComponentFit& component) {
   for (size_t i = 0; i < component.specimens.size(); ++i) {
@@ -198,6 +225,8 @@ ComponentPlan plan_component(const FitSettings& settings,
   ComponentPlan plan;
   plan.fit = settings.fit;
   refuse_anchors(settings, experiments);
+  plan.addends = model.addends;
+  refuse_addends(settings, experiments, plan);
   plan.stiffness =
       model.stiffness.value_or(settings.model.stiffness.value_or(default_stiffness(experiments)));
   const std::string_view undetermined = experiments.front()->info().test.undetermined;
@@ -222,11 +251,13 @@ FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
   FormFit result;
   if (plan.stiffness != CurveKind::hermite) {
     result.fit = fit_law(problem, shape_of(plan, problem), plan.fit);
-    result.stages.push_back({component, std::string(name_of(plan.stiffness)) + " stiffness",
-                             stage_unit(problem), result.fit.rms, true});
+    const std::string form = plan.stiffness == CurveKind::none
+                                 ? "addends alone"
+                                 : std::string(name_of(plan.stiffness)) + " stiffness";
+    result.stages.push_back({component, form, stage_unit(problem), result.fit.rms, true});
     return result;
   }
-  GrownFit grown = grow_stiffness(problem, plan.friction, plan.fit);
+  GrownFit grown = grow_stiffness(problem, plan.form(), plan.fit);
   for (const GrowthStage& stage : grown.stages) {
     result.stages.push_back({component,
                              std::to_string(stage.control_points) + " control point" +
@@ -259,9 +290,8 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan)
   }
   result.specimens.resize(static_cast<size_t>(result.fit.law.parameter_count()));
   result.limits.resize(result.fit.unknowns.size());
-  if (plan.friction != FrictionLaw::none) {
-    ComponentLaw elastic = result.fit.law;
-    elastic.friction_law = FrictionLaw::none;
+  if (result.fit.law.remembers()) {
+    const ComponentLaw elastic = result.fit.law.elastic_part();
     result.elastic = fit_law_roughly(problem, elastic, plan.fit, {elastic});
   }
   return result;

@@ -17,7 +17,11 @@ namespace pliant {
 struct ComponentPlan {
   CurveKind stiffness = CurveKind::hermite;
   FrictionLaw friction = FrictionLaw::dahl;
+  std::vector<const AddendKind*> addends;
   FitOptions fit;
+
+  /// The law without its stiffness; the numbers are not yet known.
+  ComponentLaw form() const;
 };
 
 /// A fitted component with all that is said about it.

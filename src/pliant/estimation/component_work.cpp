@@ -124,7 +124,8 @@ int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
 void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
   const ComponentLaw& law = work.fit.fit.law;
   if (law.friction_law != FrictionLaw::dahl) return;
-  for (const StrainInterval& snapping : snapping_strains(law.stiffness, law.friction[1], 1)) {
+  for (const StrainInterval& snapping :
+       snapping_strains(law, law.friction[1], 1, work.problem->largest_strain())) {
     const int strips = snapping_strips(work, snapping);
     if (strips == 0) continue;
     result.warnings.push_back(fmt::format(
@@ -138,11 +139,7 @@ void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
 
 MaterialComponent measured_component(const ComponentWork& work) {
   MaterialComponent component;
-  component.stiffness = work.fit.fit.law.stiffness;
-  if (work.fit.fit.law.friction_law == FrictionLaw::dahl) {
-    const auto& f = work.fit.fit.law.friction;
-    component.friction = ComponentFriction{{f[0], f[1], f[2]}, {}};
-  }
+  set_law(component, work.fit.fit.law);
   // Somewhere along it a bent strip is straight.
   const double lowest = is_bending(work.component) ? 0 : work.problem->smallest_strain();
   component.range = {std::min(lowest, work.problem->largest_strain()),

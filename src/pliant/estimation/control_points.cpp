@@ -44,8 +44,10 @@ DataStrains data_strains(const ComponentProblem& problem, bool even) {
   return strains;
 }
 
-ComponentLaw shape_of(const std::vector<double>& knots, FrictionLaw friction, bool even) {
-  return {ScalarCurve::hermite(knots, std::vector<double>(knots.size(), 0.0), even), friction, {}};
+// A law with a stiffness on some knots, for the rest of the form of another.
+ComponentLaw on_knots(ComponentLaw form, const std::vector<double>& knots, bool even) {
+  form.stiffness = ScalarCurve::hermite(knots, std::vector<double>(knots.size(), 0.0), even);
+  return form;
 }
 
 double median_between(const std::vector<double>& sorted, double low, double high) {
@@ -81,8 +83,7 @@ std::vector<double> split(const ComponentProblem& problem, const LawFit& fit,
       if (at - knots[i] < smallest || knots[i + 1] - at < smallest) continue;
       std::vector<double> candidate = knots;
       candidate.insert(candidate.begin() + static_cast<std::ptrdiff_t>(i) + 1, at);
-      const double cost =
-          linear_start(problem, shape_of(candidate, fit.law.friction_law, even), tau).cost;
+      const double cost = linear_start(problem, on_knots(fit.law, candidate, even), tau).cost;
       if (cost < best_cost) {
         best_cost = cost;
         best = candidate;
@@ -92,14 +93,13 @@ std::vector<double> split(const ComponentProblem& problem, const LawFit& fit,
   return best;
 }
 
-// The same curve and friction on more knots: where the next fit may start.
-ComponentLaw on_knots(const LawFit& fit, const ComponentLaw& shape) {
-  ComponentLaw law = shape;
+// The same law with its curve on more knots: where the next fit may start.
+ComponentLaw refined(const ComponentLaw& law, const ScalarCurve& finer) {
+  ComponentLaw result = law;
   std::vector<double> values;
-  for (const double knot : shape.stiffness.knots()) values.push_back(fit.law.stiffness.value(knot));
-  law.stiffness = shape.stiffness.with_values(values.data());
-  law.friction = fit.law.friction;
-  return law;
+  for (const double knot : finer.knots()) values.push_back(law.stiffness.value(knot));
+  result.stiffness = finer.with_values(values.data());
+  return result;
 }
 
 // Of the weighted residuals of the rows that count, priors left out.
@@ -114,13 +114,13 @@ bool has_loops(const ComponentProblem& problem) {
 
 // A law with as many points as there may be, found without iteration.
 ComponentLaw rich_law(const ComponentProblem& problem, const DataStrains& strains,
-                      FrictionLaw friction, const FitOptions& options, bool even) {
+                      const ComponentLaw& form, const FitOptions& options, bool even) {
   std::vector<double> knots;
   for (int i = 0; i < options.control_points; ++i) {
     const double share = i / std::max(options.control_points - 1.0, 1.0);
     knots.push_back(strains.low + share * (strains.high - strains.low));
   }
-  return linear_starts(problem, shape_of(knots, friction, even), 1).front().law;
+  return linear_starts(problem, on_knots(form, knots, even), 1).front().law;
 }
 
 // How many of an experiment's rows are independent as far as noise goes. What a law misses smoothly
@@ -185,16 +185,16 @@ struct Measure {
 };
 
 Measure measure_of_growth(const ComponentProblem& problem, const DataStrains& strains,
-                          FrictionLaw friction, const FitOptions& options, bool even) {
+                          const ComponentLaw& form, const FitOptions& options, bool even) {
   const bool loops = has_loops(problem);
-  const FrictionLaw richest = loops ? FrictionLaw::dahl : FrictionLaw::none;
+  ComponentLaw richest = form;
+  richest.friction_law = loops ? FrictionLaw::dahl : FrictionLaw::none;
   const auto rich = leftover(problem, rich_law(problem, strains, richest, options, even), options);
   Measure measure{static_cast<double>(problem.used_rows())};
   if (!rich) return measure;
   measure.rows = rich->rows;
-  if (!loops || friction != FrictionLaw::none) return measure;
-  const auto elastic =
-      leftover(problem, rich_law(problem, strains, FrictionLaw::none, options, even), options);
+  if (!loops || form.remembers()) return measure;
+  const auto elastic = leftover(problem, rich_law(problem, strains, form, options, even), options);
   if (!elastic) return measure;
   measure.unexplained = std::max(elastic->mean_square - rich->mean_square, 0.0);
   measure.least = rich->mean_square;
@@ -203,21 +203,21 @@ Measure measure_of_growth(const ComponentProblem& problem, const DataStrains& st
 
 }  // namespace
 
-GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
+GrownFit grow_stiffness(const ComponentProblem& problem, const ComponentLaw& form,
                         const FitOptions& options) {
   const bool even = is_even(component_of(problem));
   const DataStrains strains = data_strains(problem, even);
-  const Measure measure = measure_of_growth(problem, strains, friction, options, even);
+  const Measure measure = measure_of_growth(problem, strains, form, options, even);
   std::vector<LawFit> fits;  // of one point, of two, ...
   const auto fit_of = [&](int points) -> std::optional<FittedModel> {
     if (points == 1) {
       const std::vector<double> first{even ? 0.0 : strains.high};
-      fits.push_back(fit_law(problem, shape_of(first, friction, even), options));
+      fits.push_back(fit_law(problem, on_knots(form, first, even), options));
     } else {
       const std::vector<double> knots = split(problem, fits.back(), strains, even);
       if (static_cast<int>(knots.size()) != points) return std::nullopt;
-      const ComponentLaw shape = shape_of(knots, friction, even);
-      fits.push_back(fit_law(problem, shape, options, {on_knots(fits.back(), shape)}));
+      const ComponentLaw shape = on_knots(form, knots, even);
+      fits.push_back(fit_law(problem, shape, options, {refined(fits.back().law, shape.stiffness)}));
     }
     const LawFit& fit = fits.back();
     const double explicable =

@@ -27,8 +27,8 @@ struct GrownFit {
 /// explains most of the data, in its middle, at the median of the data's strains or where half of
 /// its rise in stress is reached, whichever is best: a stiff weave with a long toe needs its points
 /// where the curve bends.
-/// @param friction  friction law fitted along
-GrownFit grow_stiffness(const ComponentProblem& problem, FrictionLaw friction,
+/// @param form  friction law and addends that are fitted along; its stiffness is not used
+GrownFit grow_stiffness(const ComponentProblem& problem, const ComponentLaw& form,
                         const FitOptions& options);
 
 }  // namespace pliant

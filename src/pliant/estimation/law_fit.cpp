@@ -46,9 +46,9 @@ std::vector<ComponentLaw> starting_laws(const ComponentProblem& problem, const C
     laws.push_back(start.law);
   }
   if (shape.friction_law == FrictionLaw::dahl) {
-    const double tau = laws.front().friction[2];
+    const ComponentLaw first = laws.front();
     for (const double factor : {0.3, 3.0}) {
-      laws.push_back(linear_start(problem, shape, factor * tau).law);
+      laws.push_back(linear_start(problem, first, factor * first.friction[2]).law);
     }
   }
   laws.insert(laws.end(), extra.begin(), extra.end());

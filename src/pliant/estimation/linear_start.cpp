@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include <Eigen/QR>
 
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 
 namespace pliant {
 namespace {
@@ -13,57 +15,93 @@ namespace {
 constexpr int kTauSteps = 16;
 constexpr double kSmallestTau = 0.002;  // shares of the largest strain
 constexpr double kLargestTau = 2;
+constexpr double kLeastShare = 1e-3;  // of an addend that the linear fit dropped: keeps it alive
 
 struct LinearSystem {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
 };
 
-// Unit responses of friction (d stress / d a, d stress / d b) along the measured path of an
-// experiment.
-class FrictionBasis {
+// The stress of a law along the measured path of an experiment.
+class MeasuredWalk {
  public:
-  FrictionBasis(const MeasuredPath& path, double tau, bool tension_only)
-      : path_(path), tension_only_(tension_only), walk_(dahl(tau), rest()) {}
+  MeasuredWalk(const MeasuredPath& path, const ComponentLaw& law, bool tension_only)
+      : path_(path),
+        tension_only_(tension_only),
+        law_(law),
+        fixed_(Eigen::VectorXd::Zero(law.parameter_count())),
+        walk_(law_, rest()) {}
 
   // Rows must be asked for in order.
-  Eigen::Vector2d at(size_t row) {
+  PathStress at(size_t row) {
     const auto anchor = static_cast<size_t>(path_.anchor[row]);
     if (!path_.starts_flat.empty() && path_.starts_flat[row]) {
-      walk_ = FrictionPath(dahl(tau_), rest());
-      walk_.turn_at(strain(row), Eigen::VectorXd::Zero(4));
+      walk_ = LawPath(law_, rest());
+      walk_.turn_at(strain(row), fixed_);
     } else if (row == 0 || path_.specimen[row] != path_.specimen[row - 1]) {
       PathPoint start = rest();
       start.strain = strain(row);
-      walk_ = FrictionPath(dahl(tau_), start);
+      walk_ = LawPath(law_, start);
     } else if (path_.anchor[row] != path_.anchor[row - 1]) {
-      walk_.turn_at(strain(anchor), Eigen::VectorXd::Zero(4));
+      walk_.turn_at(strain(anchor), fixed_);
     }
-    return walk_.at(strain(row)).friction_gradient.segment<2>(1);
+    return walk_.at(strain(row));
   }
 
  private:
-  ComponentLaw dahl(double tau) {
-    tau_ = tau;
-    return {ScalarCurve::constant(0), FrictionLaw::dahl, {0, 0, tau}};
-  }
-  static PathPoint rest() { return {0, 0, Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(4)}; }
+  PathPoint rest() const { return {0, 0, fixed_, fixed_}; }
   double strain(size_t row) const {
     return tension_only_ ? std::max(path_.strain[row], 0.0) : path_.strain[row];
   }
 
   const MeasuredPath& path_;
   bool tension_only_;
-  double tau_ = 1;
-  FrictionPath walk_;
+  ComponentLaw law_;
+  Eigen::VectorXd fixed_;
+  LawPath walk_;
 };
 
+// What friction and the addends answer to the path of an experiment: d stress / d a and b, and the
+// stress of each addend.
+class MemoryColumns {
+ public:
+  MemoryColumns(const MeasuredPath& path, const ComponentLaw& shape, double tau,
+                bool tension_only) {
+    if (shape.friction_law != FrictionLaw::none) {
+      friction_.emplace(path, ComponentLaw{ScalarCurve::none(), FrictionLaw::dahl, {0, 0, tau}},
+                        tension_only);
+    }
+    for (const Addend& addend : shape.addends) {
+      addends_.emplace_back(
+          path, ComponentLaw{ScalarCurve::none(), FrictionLaw::none, {}, {addend}}, tension_only);
+    }
+  }
+
+  // Rows must be asked for in order.
+  Eigen::VectorXd at(size_t row) {
+    Eigen::VectorXd columns((friction_ ? 2 : 0) + std::ssize(addends_));
+    if (friction_) columns.head<2>() = friction_->at(row).friction_gradient.head<2>();
+    Eigen::Index next = friction_ ? 2 : 0;
+    for (MeasuredWalk& addend : addends_) columns(next++) = addend.at(row).stress;
+    return columns;
+  }
+
+ private:
+  std::optional<MeasuredWalk> friction_;
+  std::vector<MeasuredWalk> addends_;
+};
+
+// Unknowns of a linear start: control values, a and b, and a factor of each addend.
+Eigen::Index law_columns(const ComponentLaw& shape) {
+  return shape.stiffness.size() + (shape.friction_law == FrictionLaw::none ? 0 : 2) +
+         std::ssize(shape.addends);
+}
+
 LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape, double tau) {
-  const bool friction = shape.friction_law != FrictionLaw::none;
-  const int law_columns = shape.stiffness.size() + (friction ? 2 : 0);
+  const Eigen::Index stiffness = shape.stiffness.size(), law = law_columns(shape);
   const auto experiments = problem.experiments().size();
   LinearSystem system;
-  system.matrix.setZero(problem.used_rows(), law_columns + static_cast<int>(experiments));
+  system.matrix.setZero(problem.used_rows(), law + static_cast<int>(experiments));
   system.right.resize(problem.used_rows());
   Eigen::Index row = 0;
   for (size_t e = 0; e < experiments; ++e) {
@@ -73,23 +111,21 @@ LinearSystem assemble(const ComponentProblem& problem, const ComponentLaw& shape
     const double peak =
         std::abs(*std::max_element(path.force.begin(), path.force.end(),
                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    FrictionBasis basis(path, tau, tension_only);
+    MemoryColumns memory(path, shape, tau, tension_only);
     for (size_t i = 0; i < path.strain.size(); ++i) {
-      const Eigen::Vector2d response = friction ? basis.at(i) : Eigen::Vector2d::Zero();
+      const Eigen::VectorXd response = memory.at(i);
       if (!problem.used(e)[i]) continue;
       const double weight = 1 / peak;
       const double strain = tension_only ? std::max(path.strain[i], 0.0) : path.strain[i];
       system.right(row) = weight * path.force[i];
       if (!experiment.nuisance().empty()) {
-        system.matrix(row, law_columns + static_cast<int>(e)) = weight;
+        system.matrix(row, law + static_cast<int>(e)) = weight;
       }
       if (!tension_only || path.strain[i] > 0) {
         const double factor = weight * path.factor[i];
-        system.matrix.row(row).head(shape.stiffness.size()) =
+        system.matrix.row(row).head(stiffness) =
             factor * strain * shape.stiffness.weights(strain).transpose();
-        if (friction) {
-          system.matrix.row(row).segment<2>(shape.stiffness.size()) = factor * response.transpose();
-        }
+        system.matrix.row(row).segment(stiffness, response.size()) = factor * response.transpose();
       }
       ++row;
     }
@@ -165,7 +201,7 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
   const int stiffness = shape.stiffness.size();
   const bool friction = shape.friction_law != FrictionLaw::none;
   const Eigen::VectorXd solution =
-      solve_by_loss(system, stiffness + (friction ? 2 : 0), problem.loss());
+      solve_by_loss(system, static_cast<int>(law_columns(shape)), problem.loss());
   LinearStart start;
   start.law = shape;
   start.law.stiffness = shape.stiffness.with_values(solution.data());
@@ -173,14 +209,44 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
     start.law.friction =
         friction_start(shape, solution(stiffness), solution(stiffness + 1), tau, problem);
   }
+  Eigen::Index next = stiffness + (friction ? 2 : 0);
+  for (Addend& addend : start.law.addends) {
+    addend = addend.scaled(std::max(solution(next++), kLeastShare));
+  }
   const Eigen::VectorXd residual = system.matrix * solution - system.right;
   start.cost =
       problem.loss() == RobustLoss::none ? residual.squaredNorm() : tamed(residual).squaredNorm();
   return start;
 }
 
-std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
-                                       int most) {
+namespace {
+
+// The shape with its addends at all combinations of where fits may begin.
+std::vector<ComponentLaw> begun(const ComponentLaw& shape, const ComponentProblem& problem) {
+  std::vector<ComponentLaw> laws{shape};
+  for (std::size_t k = 0; k < shape.addends.size(); ++k) {
+    const AddendKind& kind = shape.addends[k].kind();
+    std::vector<ComponentLaw> more;
+    for (const ComponentLaw& law : laws) {
+      for (const std::vector<double>& start : kind.starts) {
+        Eigen::VectorXd values(std::ssize(start));
+        for (std::size_t i = 0; i < start.size(); ++i) {
+          values(static_cast<Eigen::Index>(i)) =
+              start[i] *
+              data_unit(kind.parameters[i], problem.peak_stress(), problem.largest_strain());
+        }
+        more.push_back(law);
+        more.back().addends[k] = Addend(kind, values);
+      }
+    }
+    laws = std::move(more);
+  }
+  return laws;
+}
+
+// Those of a shape whose addends are where they begin.
+std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
+                                         const ComponentLaw& shape) {
   if (shape.friction_law == FrictionLaw::none) return {linear_start(problem, shape, 1)};
   std::vector<LinearStart> all;
   for (int i = 0; i < kTauSteps; ++i) {
@@ -192,6 +258,17 @@ std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const Co
     const bool below_left = i == 0 || all[i].cost <= all[i - 1].cost;
     const bool below_right = i + 1 == all.size() || all[i].cost < all[i + 1].cost;
     if (below_left && below_right) best.push_back(all[i]);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                       int most) {
+  std::vector<LinearStart> best;
+  for (const ComponentLaw& law : begun(shape, problem)) {
+    std::ranges::move(starts_over_tau(problem, law), std::back_inserter(best));
   }
   std::sort(best.begin(), best.end(),
             [](const LinearStart& x, const LinearStart& y) { return x.cost < y.cost; });

@@ -13,16 +13,18 @@ struct LinearStart {
   double cost = 0;  ///< sum of squared force errors, each experiment relative to its peak
 };
 
-/// For a fixed tau the force is linear in stiffness values, a and b: solves for them along the
-/// measured path, none of them negative, with a force offset for each experiment that has one as
-/// nuisance parameter. Slackness is left to the fit.
-/// @param shape  stiffness curve and friction law; its values are not used
+/// For a fixed tau the force is linear in stiffness values, a and b, and in a factor of each
+/// addend: solves for them along the measured path, none of them negative, with a force offset for
+/// each experiment that has one as nuisance parameter. Slackness is left to the fit.
+/// @param shape  stiffness curve, friction law and addends; of its values those of the addends
+/// alone
+///               are used
 /// @param tau    strain constant of friction; unused without friction
 /// @throws Interrupted
 LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau);
 
-/// Linear starts at the local minima of their cost over a range of tau, the best first, at most
-/// `most` of them.
+/// Linear starts at the local minima of their cost over a range of tau, for all of the addends'
+/// beginnings, the best first, at most `most` of them.
 std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
                                        int most);
 

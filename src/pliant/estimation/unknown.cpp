@@ -45,6 +45,20 @@ void limit_friction(const ComponentLaw& law, const DataScale& data,
   for (std::size_t i = first; i < first + 3; ++i) unknowns[i].of_friction = true;
 }
 
+void limit_addends(const ComponentLaw& law, const DataScale& data, std::vector<Unknown>& unknowns) {
+  auto next = static_cast<std::size_t>(law.first_addend_parameter());
+  for (const Addend& addend : law.addends) {
+    for (const AddendParameter& parameter : addend.kind().parameters) {
+      Unknown& unknown = unknowns[next++];
+      const double unit = data_unit(parameter, data.stress, data.strain);
+      unknown.lower = parameter.smallest * unit;
+      if (parameter.largest > 0) unknown.upper = parameter.largest * unit;
+      unknown.scale = parameter.step * unit;
+      unknown.of_friction = !addend.is_elastic();
+    }
+  }
+}
+
 /// What a study calls a parameter that is a control value: COMPONENT.k.
 std::string without_number(const std::string& parameter) {
   return parameter.ends_with(']') ? parameter.substr(0, parameter.rfind('[')) : parameter;
@@ -84,6 +98,7 @@ std::vector<Unknown> unknowns_of(const ComponentLaw& law, const ComponentGroup& 
   }
   limit_stiffness(law, data, unknowns);
   if (law.friction_law != FrictionLaw::none) limit_friction(law, data, unknowns);
+  limit_addends(law, data, unknowns);
   return unknowns;
 }
 

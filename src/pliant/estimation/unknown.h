@@ -43,8 +43,8 @@ struct DataScale {
 };
 
 /// The numbers of a law that a group shares, which begin at their values: control values of the
-/// stiffness, then those of friction. None is negative; tau lies between a thousandth of the
-/// largest strain and three times it.
+/// stiffness, then those of friction and of addends. None is negative; tau lies between a
+/// thousandth of the largest strain and three times it.
 std::vector<Unknown> unknowns_of(const ComponentLaw& law, const ComponentGroup& group,
                                  const DataScale& data);
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 
 namespace pliant {
 namespace {
@@ -110,7 +110,7 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
     start.friction_gradient(law.stiffness.size() + 1) = ratio * std::abs(first_strain);
     start.friction_gradient(first_index + kInitialFriction) = law.max_friction(first_strain);
   }
-  FrictionPath path(law, start);
+  LawPath path(law, start);
   for (const Stretch& stretch : specimen.stretches) {
     for (int i = stretch.first; i <= stretch.last; ++i) {
       const int row = specimen.rows.first + i;

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/material/material.h"
@@ -14,6 +15,7 @@ enum class FrictionChoice { automatic, dahl, none };
 struct ComponentModel {
   std::optional<CurveKind> stiffness;
   std::optional<FrictionChoice> friction;
+  std::vector<const AddendKind*> addends = {};
 };
 
 struct ModelOptions {

@@ -51,11 +51,18 @@ void read_numbers(Fields& fields, std::string_view key, double Instrument::*Chan
 
 void VirtualTable::require(const Material& material) const {
   const TestFacts& facts = type().facts;
-  if (!law_of(material, component_of_test(facts, direction))) {
+  const auto law = law_of(material, component_of_test(facts, direction));
+  if (!law) {
     throw InputError(
         where,
         "needs a component that the material " + quoted_value(material.name) + " does not have",
         "a direction that was measured or assumed");
+  }
+  if (facts.needs_density && law->addends_remember()) {
+    throw InputError(where,
+                     "bent strips are followed with friction of one branch, and the material " +
+                         quoted_value(material.name) + " has addends that remember",
+                     "a test that imposes the strain, or a material without them");
   }
   if (facts.needs_density && !(material.density > 0)) {
     throw InputError(where,

@@ -1,5 +1,10 @@
 #include "pliant/material/component_density.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
 #include "pliant/base/assert.h"
 #include "pliant/material/density/dahl_friction.h"
 #include "pliant/material/density/damping.h"
@@ -13,6 +18,33 @@ void add_names(const std::string& prefix, std::vector<std::string>& names) {
   for (const char* name : {"a", "b", "tau"}) names.push_back(prefix + name);
 }
 
+// Addends that remember are friction.
+void add_addends(const std::string& component, const std::vector<Addend>& addends, int strain,
+                 const DensityOptions& options, Sum& sum, AddedNames& names) {
+  std::vector<Addend> added;
+  std::ranges::copy_if(addends, std::back_inserter(added), [&](const Addend& addend) {
+    return addend.is_elastic() || options.friction;
+  });
+  for (const std::string& name : parameter_names(added)) {
+    names.parameters.push_back(component + "." + name);
+  }
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    for (int k = 0; k < added[i].history_size(); ++k) {
+      names.history.push_back(
+          fmt::format("{}.{}.{}.{}", added[i].kind().name, component, i + 1, k + 1));
+    }
+    sum.add_addend(added[i].kind().density(strain, added[i].values()));
+  }
+}
+
+// That at unit strain. Addends that stiffen without end are taken at the end of their range, or at
+// rest.
+double damped_stiffness(const MaterialComponent& component) {
+  if (component.addends.empty()) return component.stiffness->value(1);
+  const double end = component.range ? std::min(component.range->second, 1.0) : 0;
+  return law_of(component).elastic_secant(end);
+}
+
 }  // namespace
 
 AddedNames add_component(const Material& material, const std::string& component, int strain,
@@ -21,9 +53,11 @@ AddedNames add_component(const Material& material, const std::string& component,
   PLIANT_ASSERT(found != material.components.end() && found->second.stiffness,
                 "a component that was not measured has no law");
   const MaterialComponent& given = found->second;
-  ComponentLaw elastic{*given.stiffness, FrictionLaw::none, {}};
-  AddedNames names{parameter_names(elastic, component), {}};
-  sum.add_addend(std::make_unique<StiffnessDensity>(strain, *given.stiffness));
+  AddedNames names;
+  if (given.stiffness->kind() != CurveKind::none) {
+    names.parameters = parameter_names({*given.stiffness}, component);
+    sum.add_addend(std::make_unique<StiffnessDensity>(strain, *given.stiffness));
+  }
 
   if (given.friction && options.friction) {
     names.history.push_back("friction." + component);
@@ -40,8 +74,9 @@ AddedNames add_component(const Material& material, const std::string& component,
       add_names(component + ".friction.", names.parameters);
     }
   }
+  add_addends(component, given.addends, strain, options, sum, names);
   if (options.damping_fraction > 0) {
-    const double stiffness = given.stiffness->value(1);
+    const double stiffness = damped_stiffness(given);
     sum.add_addend(std::make_unique<Damping>(strain, options.damping_fraction * stiffness));
   }
   return names;

@@ -1,5 +1,6 @@
 #include "pliant/material/component_law.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pliant/base/assert.h"
@@ -7,11 +8,22 @@
 
 namespace pliant {
 
+int ComponentLaw::parameter_count() const {
+  int count = first_addend_parameter();
+  for (const Addend& addend : addends) count += addend.size();
+  return count;
+}
+
 Eigen::VectorXd ComponentLaw::parameters() const {
   Eigen::VectorXd all(parameter_count());
   for (int i = 0; i < stiffness.size(); ++i) all(i) = stiffness.values()[static_cast<size_t>(i)];
   for (int i = 0; i < friction_count(); ++i) {
     all(stiffness.size() + i) = friction[static_cast<size_t>(i)];
+  }
+  int next = first_addend_parameter();
+  for (const Addend& addend : addends) {
+    all.segment(next, addend.size()) = addend.values();
+    next += addend.size();
   }
   return all;
 }
@@ -23,11 +35,66 @@ ComponentLaw ComponentLaw::with_parameters(const Eigen::VectorXd& parameters) co
   for (int i = 0; i < friction_count(); ++i) {
     other.friction[static_cast<size_t>(i)] = parameters(stiffness.size() + i);
   }
+  int next = first_addend_parameter();
+  for (Addend& addend : other.addends) {
+    addend = Addend(addend.kind(), parameters.segment(next, addend.size()));
+    next += addend.size();
+  }
   return other;
 }
 
+bool ComponentLaw::addends_remember() const {
+  return std::ranges::any_of(addends, [](const Addend& addend) { return !addend.is_elastic(); });
+}
+
+ComponentLaw ComponentLaw::elastic_part() const {
+  ComponentLaw elastic = *this;
+  elastic.friction_law = FrictionLaw::none;
+  std::erase_if(elastic.addends, [](const Addend& addend) { return !addend.is_elastic(); });
+  return elastic;
+}
+
+double ComponentLaw::elastic_stress(double strain) const {
+  double stress = stiffness.value(strain) * strain;
+  for (const Addend& addend : addends) {
+    if (addend.is_elastic()) stress += addend.at(strain, strain, {}).stress;
+  }
+  return stress;
+}
+
 double ComponentLaw::elastic_tangent(double strain) const {
-  return stiffness.value(strain) + stiffness.slope(strain) * strain;
+  double tangent = stiffness.value(strain) + stiffness.slope(strain) * strain;
+  for (const Addend& addend : addends) {
+    if (addend.is_elastic()) tangent += addend.at(strain, strain, {}).tangent;
+  }
+  return tangent;
+}
+
+double ComponentLaw::elastic_energy(double strain) const {
+  double energy = stiffness.first_moment(strain);
+  for (const Addend& addend : addends) {
+    if (addend.is_elastic()) energy += addend.at(strain, strain, {}).stored;
+  }
+  return energy;
+}
+
+double ComponentLaw::elastic_secant(double strain) const {
+  if (addends.empty()) return stiffness.value(strain);
+  return strain == 0 ? elastic_tangent(0) : elastic_stress(strain) / strain;
+}
+
+Eigen::VectorXd ComponentLaw::elastic_gradient(double strain) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(parameter_count());
+  gradient.head(stiffness.size()) = strain * stiffness.weights(strain);
+  int next = first_addend_parameter();
+  for (const Addend& addend : addends) {
+    if (addend.is_elastic()) {
+      gradient.segment(next, addend.size()) =
+          addend.derivatives(strain, strain, {}).stress_by_parameter.row(0).transpose();
+    }
+    next += addend.size();
+  }
+  return gradient;
 }
 
 double ComponentLaw::max_friction(double strain) const {
@@ -52,6 +119,8 @@ FrictionStress ComponentLaw::friction_stress(double strain, const FrictionState&
 std::vector<std::string> parameter_names(const ComponentLaw& law, const std::string& component) {
   std::vector<std::string> names;
   switch (law.stiffness.kind()) {
+    case CurveKind::none:
+      break;
     case CurveKind::constant:
       names = {component + ".k"};
       break;
@@ -64,9 +133,15 @@ std::vector<std::string> parameter_names(const ComponentLaw& law, const std::str
       }
       break;
   }
-  if (law.friction_law == FrictionLaw::none) return names;
-  const char* third = law.friction_law == FrictionLaw::dahl ? ".friction.tau" : ".friction.alpha";
-  for (const char* name : {".friction.a", ".friction.b", third}) names.push_back(component + name);
+  if (law.friction_law != FrictionLaw::none) {
+    const char* third = law.friction_law == FrictionLaw::dahl ? ".friction.tau" : ".friction.alpha";
+    for (const char* name : {".friction.a", ".friction.b", third}) {
+      names.push_back(component + name);
+    }
+  }
+  for (const std::string& name : parameter_names(law.addends)) {
+    names.push_back(component + "." + name);
+  }
   return names;
 }
 
@@ -74,10 +149,16 @@ std::vector<std::string> parameter_units(const ComponentLaw& law, bool bending) 
   const std::string stiffness = bending ? "N m" : "N/m";
   std::vector<std::string> units(static_cast<size_t>(law.stiffness.size()), stiffness);
   if (law.stiffness.kind() == CurveKind::affine && bending) units[1] = "N m^2";
-  if (law.friction_law == FrictionLaw::none) return units;
-  const bool slope = law.friction_law == FrictionLaw::constant_slope;
-  units.insert(units.end(),
-               {bending ? "N" : "N/m", stiffness, slope ? stiffness : (bending ? "1/m" : "1")});
+  if (law.friction_law != FrictionLaw::none) {
+    const bool slope = law.friction_law == FrictionLaw::constant_slope;
+    units.insert(units.end(),
+                 {bending ? "N" : "N/m", stiffness, slope ? stiffness : (bending ? "1/m" : "1")});
+  }
+  for (const Addend& addend : law.addends) {
+    for (const AddendParameter& parameter : addend.kind().parameters) {
+      units.push_back(unit_of(parameter, bending));
+    }
+  }
   return units;
 }
 

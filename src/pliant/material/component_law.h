@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/material/addend/addend.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/math/scalar_curve.h"
 
@@ -18,23 +19,38 @@ enum class FrictionLaw {
   constant_slope,  ///< (a, b, alpha): maximum stress linear in strain, constant alpha ([T] Eq. 5.1)
 };
 
-/// The one-dimensional law of one strain component: elastic stress k(strain) strain plus friction.
+/// The one-dimensional law of one strain component: elastic stress k(strain) strain, friction, and
+/// further laws that add to them.
 ///
 /// Its parameters are numbered: first the control values of the stiffness, then the three of
-/// friction.
+/// friction, then those of the addends. Its elastic part is the stiffness with the addends that
+/// remember nothing.
 struct ComponentLaw {
   ScalarCurve stiffness = ScalarCurve::constant(0);
   FrictionLaw friction_law = FrictionLaw::none;
   std::array<double, 3> friction{};
+  std::vector<Addend> addends = {};
 
   int friction_count() const { return friction_law == FrictionLaw::none ? 0 : 3; }
-  int parameter_count() const { return stiffness.size() + friction_count(); }
+  int first_addend_parameter() const { return stiffness.size() + friction_count(); }
+  int parameter_count() const;
   Eigen::VectorXd parameters() const;
   ComponentLaw with_parameters(const Eigen::VectorXd& parameters) const;
+  /// Whether its stress hangs on more than the strain.
+  bool remembers() const { return friction_law != FrictionLaw::none || addends_remember(); }
+  bool addends_remember() const;
+  /// The same without friction and addends that remember.
+  ComponentLaw elastic_part() const;
 
-  double elastic_stress(double strain) const { return stiffness.value(strain) * strain; }
+  double elastic_stress(double strain) const;
   /// d elastic stress / d strain; may be negative.
   double elastic_tangent(double strain) const;
+  /// Integral of the elastic stress from 0 to a strain.
+  double elastic_energy(double strain) const;
+  /// Elastic stress over strain; at zero the tangent.
+  double elastic_secant(double strain) const;
+  /// d elastic stress / d parameters; zero for those of friction and of addends that remember.
+  Eigen::VectorXd elastic_gradient(double strain) const;
   double max_friction(double strain) const;
   /// Friction stress along one monotone stretch from `from`; zero where there is no friction.
   FrictionStress friction_stress(double strain, const FrictionState& from) const;

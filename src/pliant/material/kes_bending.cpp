@@ -5,6 +5,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/material/law_path.h"
 #include "pliant/math/root.h"
 
 namespace pliant {
@@ -12,13 +13,23 @@ namespace {
 
 constexpr double kReach = kStrainPerCurvature * kKesLargestCurvature;
 
+/// The law without friction, whose parameters hang on the side of zero.
+ComponentLaw without_friction(const MaterialComponent& component) {
+  ComponentLaw law = law_of(component);
+  law.friction_law = FrictionLaw::none;
+  return law;
+}
+
 /// Moment per width on the two branches of the closed loop.
 class ClosedLoop {
  public:
-  explicit ClosedLoop(const MaterialComponent& component) : stiffness_(*component.stiffness) {
-    if (!component.friction) return;
-    const ComponentFriction& friction = *component.friction;
-    friction_ = {friction.positive, friction.negative.value_or(friction.positive)};
+  explicit ClosedLoop(const MaterialComponent& component)
+      : lower_turn_{LawPath(without_friction(component), {-kReach, 0, {}, {}}), {-kReach, 0}},
+        upper_turn_(lower_turn_) {
+    if (component.friction) {
+      const ComponentFriction& friction = *component.friction;
+      friction_ = {friction.positive, friction.negative.value_or(friction.positive)};
+    }
     close();
   }
 
@@ -26,13 +37,28 @@ class ClosedLoop {
   double unloading(double curvature) const { return moment(curvature, upper_turn_); }
 
  private:
+  struct Turn {
+    LawPath others;  // what is no friction
+    FrictionState friction;
+
+    double remembered() const {
+      return std::abs(friction.stress) + others.start().history.lpNorm<1>();
+    }
+  };
+
   double friction_at(double strain, const FrictionState& from) const {
     return friction_ ? friction_stress(*friction_, strain, from).friction.stress : 0;
   }
 
-  double moment(double curvature, const FrictionState& from) const {
+  double moment(double curvature, const Turn& from) const {
     const double strain = kStrainPerCurvature * curvature;
-    return stiffness_.value(strain) * strain + friction_at(strain, from);
+    return from.others.stress_at(strain) + friction_at(strain, from.friction);
+  }
+
+  Turn turned(Turn from, double strain) const {
+    from.others.turn_at(strain, {});
+    from.friction = {strain, friction_at(strain, from.friction)};
+    return from;
   }
 
   // What is left of the start shrinks by exp(-2 reach / tau) a half cycle.
@@ -40,16 +66,16 @@ class ClosedLoop {
     constexpr int kMostCycles = 10000;
     constexpr double kClosed = 1e-14;
     for (int cycle = 0; cycle < kMostCycles; ++cycle) {
-      const double before = lower_turn_.stress;
-      upper_turn_ = {kReach, friction_at(kReach, lower_turn_)};
-      lower_turn_ = {-kReach, friction_at(-kReach, upper_turn_)};
-      if (std::abs(lower_turn_.stress - before) <= kClosed * std::abs(lower_turn_.stress)) return;
+      const double before = lower_turn_.remembered();
+      upper_turn_ = turned(lower_turn_, kReach);
+      lower_turn_ = turned(upper_turn_, -kReach);
+      const double after = lower_turn_.remembered();
+      if (std::abs(after - before) <= kClosed * after) return;
     }
   }
 
-  ScalarCurve stiffness_;
   std::optional<DahlBySide> friction_;
-  FrictionState lower_turn_{-kReach, 0}, upper_turn_{kReach, 0};
+  Turn lower_turn_, upper_turn_;
 };
 
 // On the side of positive (1) or negative (-1) curvature: the mean of its two branches.

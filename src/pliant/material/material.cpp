@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "pliant/base/assert.h"
+
 namespace pliant {
 
 std::string_view name_of(ComponentStatus status) {
@@ -47,17 +49,47 @@ const std::vector<std::string>& cloth_component_names() {
   return names;
 }
 
-std::optional<ComponentLaw> law_of(const Material& material, const std::string& component) {
-  const auto found = material.components.find(component);
-  if (found == material.components.end() || !found->second.stiffness) return std::nullopt;
+ComponentLaw law_of(const MaterialComponent& component) {
+  PLIANT_ASSERT(component.stiffness.has_value(), "a component with numbers");
   ComponentLaw law;
-  law.stiffness = *found->second.stiffness;
-  if (found->second.friction) {
-    const DahlParameters& dahl = found->second.friction->positive;
+  law.stiffness = *component.stiffness;
+  law.addends = component.addends;
+  if (component.friction) {
+    const DahlParameters& dahl = component.friction->positive;
     law.friction_law = FrictionLaw::dahl;
     law.friction = {dahl.a, dahl.b, dahl.tau};
   }
   return law;
+}
+
+void set_law(MaterialComponent& component, const ComponentLaw& law) {
+  component.stiffness = law.stiffness;
+  component.addends = law.addends;
+  component.friction.reset();
+  if (law.friction_law != FrictionLaw::dahl) return;
+  component.friction =
+      ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, std::nullopt};
+}
+
+MaterialComponent scaled(MaterialComponent component, double factor) {
+  std::vector<double> values = component.stiffness->values();
+  for (double& value : values) value *= factor;
+  component.stiffness = component.stiffness->with_values(values.data());
+  for (Addend& addend : component.addends) addend = addend.scaled(factor);
+  if (!component.friction) return component;
+  const auto scale = [&](DahlParameters& side) {
+    side.a *= factor;
+    side.b *= factor;
+  };
+  scale(component.friction->positive);
+  if (component.friction->negative) scale(*component.friction->negative);
+  return component;
+}
+
+std::optional<ComponentLaw> law_of(const Material& material, const std::string& component) {
+  const auto found = material.components.find(component);
+  if (found == material.components.end() || !found->second.stiffness) return std::nullopt;
+  return law_of(found->second);
 }
 
 }  // namespace pliant

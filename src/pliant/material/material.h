@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "pliant/material/component_law.h"
 #include "pliant/material/density/dahl.h"
@@ -37,10 +38,12 @@ struct ComponentFriction {
 
 /// One strain component of a cloth material.
 struct MaterialComponent {
-  std::optional<ScalarCurve> stiffness;
+  std::optional<ScalarCurve> stiffness;  ///< absent: nothing is known of the component; of the kind
+                                         ///< `none` where addends alone carry it
   std::optional<ComponentFriction> friction;
   ComponentStatus status = ComponentStatus::measured;
   std::optional<std::pair<double, double>> range;  ///< strains the data covered
+  std::vector<Addend> addends = {};
 };
 
 /// A cloth material: the content of a material/1 file (docs/formats.md).
@@ -67,7 +70,17 @@ bool is_even(std::string_view component);
 /// bend.weft, ...
 const std::vector<std::string>& cloth_component_names();
 
-/// The one-dimensional law of a component.
+/// The one-dimensional law of a component whose stiffness is given; friction is that of positive
+/// strain.
+ComponentLaw law_of(const MaterialComponent& component);
+
+/// Gives a component a law; friction with constant alpha, which materials do not have, is left out.
+void set_law(MaterialComponent& component, const ComponentLaw& law);
+
+/// The same component with its stress multiplied: stiffness, friction and addends.
+MaterialComponent scaled(MaterialComponent component, double factor);
+
+/// The law of a component of a material.
 /// @return nothing when the component is absent or unmeasured; friction is that of positive strain
 std::optional<ComponentLaw> law_of(const Material& material, const std::string& component);
 

@@ -6,6 +6,7 @@
 
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/material/addend/addend_registry.h"
 
 namespace pliant {
 namespace {
@@ -84,6 +85,22 @@ ComponentFriction read_friction(const Value& node) {
   return friction;
 }
 
+Addend read_addend(const Value& node) {
+  Fields fields = node.fields();
+  std::vector<std::string_view> names;
+  for (const AddendKind* kind : addend_kinds()) names.push_back(kind->name);
+  const AddendKind& kind = *find_addend_kind(fields.require("law").choice(names));
+  Eigen::VectorXd values(std::ssize(kind.parameters));
+  for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
+    const AddendParameter& parameter = kind.parameters[i];
+    const Value value = fields.require(parameter.name);
+    values(static_cast<Eigen::Index>(i)) =
+        parameter.smallest > 0 ? positive(value) : not_negative(value);
+  }
+  fields.finish();
+  return {kind, values};
+}
+
 ComponentStatus read_status(const Value& value) {
   const std::string name = value.choice({"measured", "assumed", "unmeasured"});
   for (const ComponentStatus status :
@@ -103,14 +120,22 @@ std::pair<double, double> read_range(const Value& value) {
 MaterialComponent read_component(const Value& node, bool even) {
   Fields fields = node.fields();
   MaterialComponent component;
-  const std::optional<Value> stiffness = fields.optional("stiffness");
-  if (stiffness) component.stiffness = read_curve(*stiffness, even);
+  if (auto stiffness = fields.optional("stiffness")) {
+    component.stiffness = read_curve(*stiffness, even);
+  }
+  if (auto addends = fields.optional("addends")) {
+    for (const Value& addend : addends->items()) component.addends.push_back(read_addend(addend));
+  }
+  if (!component.addends.empty() && !component.stiffness) {
+    component.stiffness = ScalarCurve::none();
+  }
+  const bool has_law = component.stiffness.has_value();
   if (auto friction = fields.optional("friction")) component.friction = read_friction(*friction);
   if (auto range = fields.optional("range")) component.range = read_range(*range);
-  component.status = stiffness ? ComponentStatus::measured : ComponentStatus::unmeasured;
+  component.status = has_law ? ComponentStatus::measured : ComponentStatus::unmeasured;
   if (auto status = fields.optional("status")) {
     component.status = read_status(*status);
-    if (component.status != ComponentStatus::unmeasured && !stiffness) {
+    if (component.status != ComponentStatus::unmeasured && !has_law) {
       status->fail("is `" + std::string(name_of(component.status)) + "` without a stiffness",
                    "`unmeasured`, or a stiffness");
     }
@@ -133,6 +158,8 @@ Document read_material_document(const std::filesystem::path& path) {
 Json curve_json(const ScalarCurve& curve) {
   Json json{{"curve", name_of(curve.kind())}};
   switch (curve.kind()) {
+    case CurveKind::none:
+      break;
     case CurveKind::constant:
       json["value"] = curve.values()[0];
       break;
@@ -163,10 +190,22 @@ Json friction_json(const ComponentFriction& friction) {
   return json;
 }
 
+Json addend_json(const Addend& addend) {
+  Json json{{"law", addend.kind().name}};
+  for (std::size_t i = 0; i < addend.kind().parameters.size(); ++i) {
+    json[std::string(addend.kind().parameters[i].name)] =
+        addend.values()(static_cast<Eigen::Index>(i));
+  }
+  return json;
+}
+
 Json component_json(const MaterialComponent& component) {
   Json json = Json::object();
-  if (component.stiffness) json["stiffness"] = curve_json(*component.stiffness);
+  if (component.stiffness && component.stiffness->kind() != CurveKind::none) {
+    json["stiffness"] = curve_json(*component.stiffness);
+  }
   if (component.friction) json["friction"] = friction_json(*component.friction);
+  for (const Addend& addend : component.addends) json["addends"].push_back(addend_json(addend));
   json["status"] = name_of(component.status);
   if (component.range) json["range"] = {component.range->first, component.range->second};
   return json;

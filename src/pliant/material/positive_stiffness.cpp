@@ -38,11 +38,11 @@ std::vector<double> samples_of(const ScalarCurve& curve) {
   return samples;
 }
 
-/// A strain where the stiffness is not positive, whatever the range.
-std::optional<double> soft_strain(const ScalarCurve& curve) {
-  const std::vector<double> strains = samples_of(curve);
+/// A strain where the stiffness, with that of addends, is not positive, whatever the range.
+std::optional<double> soft_strain(const ComponentLaw& law) {
+  const std::vector<double> strains = samples_of(law.stiffness);
   const auto soft = std::find_if(strains.begin(), strains.end(),
-                                 [&](double strain) { return curve.value(strain) <= 0; });
+                                 [&](double strain) { return law.elastic_secant(strain) <= 0; });
   return soft == strains.end() ? std::nullopt : std::optional(*soft);
 }
 
@@ -64,12 +64,13 @@ void require_positive_stiffness(const Material& material, std::span<const std::s
     const MaterialComponent& component = material.components.at(name);
     const std::string subject =
         fmt::format("the stiffness {} of the material {}", name, quoted_value(material.name));
-    if (const auto strain = soft_strain(*component.stiffness)) {
-      throw InputError(where,
-                       fmt::format("{} is {} at strain {}", subject,
-                                   format_number(component.stiffness->value(*strain), 4),
-                                   format_number(*strain, 4)),
-                       "a stiffness above 0");
+    const ComponentLaw law = law_of(component);
+    if (const auto strain = soft_strain(law)) {
+      throw InputError(
+          where,
+          fmt::format("{} is {} at strain {}", subject,
+                      format_number(law.elastic_secant(*strain), 4), format_number(*strain, 4)),
+          "a stiffness above 0");
     }
     if (const auto strain = turning_strain(component)) {
       throw InputError(

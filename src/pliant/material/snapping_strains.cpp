@@ -1,6 +1,7 @@
 #include "pliant/material/snapping_strains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -13,17 +14,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A cubic stiffness makes the tangent a cubic too: this many samples a span separate its roots.
 constexpr int kSamplesPerSpan = 64;
 
-double elastic_tangent(const ScalarCurve& stiffness, double strain) {
-  return stiffness.value(strain) + stiffness.slope(strain) * strain;
-}
-
-/// |strain| at which a Hermite curve is looked at: zero, samples of its spans on one side, its last
-/// knot.
-std::vector<double> hermite_samples(const ScalarCurve& stiffness, int side) {
+/// |strain| at which a law is looked at: zero, samples of the spans of its curve on one side, its
+/// last knot; where it has addends up to `reach` at least.
+std::vector<double> samples_of(const ComponentLaw& law, int side, double reach) {
   std::vector<double> ends{0};
-  for (const double knot : stiffness.knots()) {
+  for (const double knot : law.stiffness.knots()) {
     if (side * knot > 0) ends.push_back(side * knot);
   }
+  if (!law.addends.empty() && std::abs(reach) > ends.back()) ends.push_back(std::abs(reach));
   std::sort(ends.begin(), ends.end());
   std::vector<double> samples{0};
   for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -68,19 +66,18 @@ std::vector<StrainInterval> affine_snapping(double k1, double k2, double b) {
 
 }  // namespace
 
-std::vector<StrainInterval> snapping_strains(const ScalarCurve& stiffness, double b, int side) {
+std::vector<StrainInterval> snapping_strains(const ComponentLaw& law, double b, int side,
+                                             double reach) {
+  const ScalarCurve& stiffness = law.stiffness;
   const std::vector<double>& values = stiffness.values();
-  switch (stiffness.kind()) {
-    case CurveKind::constant:
-      return affine_snapping(values[0], 0, b);
-    case CurveKind::affine:
-      return affine_snapping(values[0], values[1], b);
-    case CurveKind::hermite:
-      break;
+  if (law.addends.empty() && stiffness.kind() == CurveKind::constant) {
+    return affine_snapping(values[0], 0, b);
   }
-  return negative_intervals(
-      [&](double strain) { return elastic_tangent(stiffness, side * strain) - b; },
-      hermite_samples(stiffness, stiffness.even() ? 1 : side));
+  if (law.addends.empty() && stiffness.kind() == CurveKind::affine) {
+    return affine_snapping(values[0], values[1], b);
+  }
+  return negative_intervals([&](double strain) { return law.elastic_tangent(side * strain) - b; },
+                            samples_of(law, stiffness.even() ? 1 : side, reach));
 }
 
 }  // namespace pliant

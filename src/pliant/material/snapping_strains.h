@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pliant/math/scalar_curve.h"
+#include "pliant/material/component_law.h"
 
 namespace pliant {
 
@@ -15,7 +15,10 @@ struct StrainInterval {
 /// Strains at which the slope of the friction stress on unloading, at worst -b, outweighs the
 /// elastic tangent k + k' strain: the law is not monotone there, and the material itself snaps
 /// while it unloads.
-/// @param side  1 or -1: the sign of the strains looked at
-std::vector<StrainInterval> snapping_strains(const ScalarCurve& stiffness, double b, int side);
+/// @param law    its elastic part
+/// @param side   1 or -1: the sign of the strains looked at
+/// @param reach  |strain| up to which addends are looked at, whose curves say no end themselves
+std::vector<StrainInterval> snapping_strains(const ComponentLaw& law, double b, int side,
+                                             double reach = 1);
 
 }  // namespace pliant

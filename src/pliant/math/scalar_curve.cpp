@@ -144,6 +144,8 @@ double sign(double x) { return x < 0 ? -1 : 1; }
 
 std::string_view name_of(CurveKind kind) {
   switch (kind) {
+    case CurveKind::none:
+      return "none";
     case CurveKind::constant:
       return "constant";
     case CurveKind::affine:
@@ -168,6 +170,8 @@ void ScalarCurve::update_tangents() {
   moments_.clear();
   for (const double knot : knots_) moments_.push_back(apply(shape.primitive(knot, 1)));
 }
+
+ScalarCurve ScalarCurve::none() { return {CurveKind::none, {}, {}, true}; }
 
 ScalarCurve ScalarCurve::constant(double value) { return {CurveKind::constant, {}, {value}, true}; }
 
@@ -199,6 +203,7 @@ double ScalarCurve::apply(const Eigen::VectorXd& weights) const {
 // value and slope are what paths and simulations ask for again and again: no weights, no
 // allocation.
 double ScalarCurve::value(double x) const {
+  if (kind_ == CurveKind::none) return 0;
   if (kind_ == CurveKind::constant) return values_[0];
   if (kind_ == CurveKind::affine) return values_[0] + values_[1] * std::abs(x);
   const HermiteShape shape{knots_, tangents_};
@@ -209,7 +214,7 @@ double ScalarCurve::value(double x) const {
 }
 
 double ScalarCurve::slope(double x) const {
-  if (kind_ == CurveKind::constant) return 0;
+  if (kind_ == CurveKind::none || kind_ == CurveKind::constant) return 0;
   if (kind_ == CurveKind::affine) return values_[1] * sign(x);
   const HermiteShape shape{knots_, tangents_};
   const double at = even_ ? std::abs(x) : x;
@@ -222,6 +227,7 @@ double ScalarCurve::slope(double x) const {
 double ScalarCurve::integral(double x) const { return apply(integral_weights(x)); }
 
 double ScalarCurve::first_moment(double x) const {
+  if (kind_ == CurveKind::none) return 0;
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return values_[0] * x * x / 2;
   if (kind_ == CurveKind::affine) return x * x * (values_[0] / 2 + values_[1] * magnitude / 3);
@@ -241,12 +247,14 @@ double ScalarCurve::first_moment_from_front(double x) const {
 }
 
 Eigen::VectorXd ScalarCurve::weights(double x) const {
+  if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(1);
   if (kind_ == CurveKind::affine) return pair(1, std::abs(x));
   return HermiteShape{knots_, tangents_}.value(even_ ? std::abs(x) : x);
 }
 
 Eigen::VectorXd ScalarCurve::slope_weights(double x) const {
+  if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(0);
   if (kind_ == CurveKind::affine) return pair(0, sign(x));
   const HermiteShape shape{knots_, tangents_};
@@ -255,6 +263,7 @@ Eigen::VectorXd ScalarCurve::slope_weights(double x) const {
 }
 
 Eigen::VectorXd ScalarCurve::integral_weights(double x) const {
+  if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(x);
   if (kind_ == CurveKind::affine) return pair(x, x * std::abs(x) / 2);
   const HermiteShape shape{knots_, tangents_};
@@ -263,6 +272,7 @@ Eigen::VectorXd ScalarCurve::integral_weights(double x) const {
 }
 
 Eigen::VectorXd ScalarCurve::first_moment_weights(double x) const {
+  if (kind_ == CurveKind::none) return {};
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return single(x * x / 2);
   if (kind_ == CurveKind::affine) return pair(x * x / 2, magnitude * magnitude * magnitude / 3);

@@ -9,6 +9,7 @@ namespace pliant {
 
 /// How a scalar curve interpolates its control values.
 enum class CurveKind {
+  none,      ///< zero everywhere, without control values
   constant,  ///< one value everywhere
   affine,    ///< values {k1, k2}: k1 + k2 |x| ([T] 5.3.2)
   hermite,   ///< piecewise cubic through (knots, values), constant outside ([T] 3.3)
@@ -24,6 +25,7 @@ std::string_view name_of(CurveKind kind);
 /// ends.
 class ScalarCurve {
  public:
+  static ScalarCurve none();
   static ScalarCurve constant(double value);
   static ScalarCurve affine(double k1, double k2);
 

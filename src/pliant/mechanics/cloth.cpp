@@ -102,7 +102,7 @@ BendingVector hinge_factors(const TriangleMesh& mesh, const std::vector<Hinge>& 
   for (int i = 0; i < 3; ++i) {
     const auto law = law_of(material, bending_components()[static_cast<size_t>(i)]);
     PLIANT_ASSERT(law.has_value(), "a component that was not measured has no law");
-    stiffness(i) = law->stiffness.value(0);
+    stiffness(i) = law->elastic_tangent(0);
   }
   if (stiffness.minCoeff() <= 0) return BendingVector::Ones();
   const BendingConversion conversion = bending_conversion(mesh, hinges, stiffness);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -21,6 +22,19 @@ std::string capitalised(std::string text) {
 constexpr double kBendingStrain = 3;  // times the curvature ([P] 4.3)
 
 bool is_bending(std::string_view component) { return component.starts_with("bend"); }
+
+/// The meaning of a number of an addend: "stretch.warp.dahl2.tau".
+std::string_view addend_meaning(std::string_view parameter) {
+  for (const AddendKind* kind : addend_kinds()) {
+    for (const AddendParameter& own : kind->parameters) {
+      if (!parameter.ends_with(fmt::format(".{}", own.name))) continue;
+      std::string_view law = parameter.substr(0, parameter.size() - own.name.size() - 1);
+      law.remove_suffix(law.size() - law.find_last_not_of("0123456789") - 1);
+      if (law.ends_with(fmt::format(".{}", kind->name))) return own.meaning;
+    }
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -90,6 +104,7 @@ std::string parameter_meaning(std::string_view parameter) {
        {".k1", "stiffness at zero strain"},
        {".k2", "growth of stiffness with strain"},
        {".k", "stiffness"}}};
+  if (const auto meaning = addend_meaning(parameter); !meaning.empty()) return std::string(meaning);
   for (const auto& [suffix, meaning] : kMeanings) {
     if (parameter.ends_with(suffix)) return std::string(meaning);
   }

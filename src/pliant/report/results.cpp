@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/material/material.h"
 #include "pliant/report/json_reader.h"
 
 namespace pliant::report {
@@ -19,9 +20,12 @@ std::filesystem::path results_file(const std::filesystem::path& directory) {
                    "a directory with fit.json, evaluation.json, summary.json or simulation.json");
 }
 
-/// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`.
+/// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`; empty for numbers of none.
 std::string component_of(const std::string& parameter) {
-  return parameter.substr(0, std::min(parameter.find(".friction."), parameter.find(".k")));
+  for (const std::string& name : cloth_component_names()) {
+    if (parameter.starts_with(name + ".")) return name;
+  }
+  return {};
 }
 
 ResultParameter read_parameter(const JsonReader& json) {

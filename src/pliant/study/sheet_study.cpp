@@ -220,6 +220,12 @@ void refuse_foreign_options(const FitSettings& settings) {
     refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
            "constant or hermite");
   }
+  for (const auto& [name, component] : settings.model.components) {
+    if (component.addends.empty()) continue;
+    const std::string field = "model.components." + name + ".addends";
+    refuse(field.c_str(), "sheets are fitted with stiffness and friction alone",
+           "none, or strips without sessions");
+  }
   if (settings.fit.loss != RobustLoss::none) {
     refuse("fit.loss", "sheets are fitted by least squares alone", "none");
   }

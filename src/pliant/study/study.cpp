@@ -13,6 +13,7 @@
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/measurement/data_source.h"
 
 namespace pliant {
@@ -107,8 +108,8 @@ std::vector<ExperimentSpec> read_experiments(const Value& list, const SpecimenDe
   return specs;
 }
 
-CurveKind read_curve_kind(const Value& value) {
-  const std::string kind = value.choice({"constant", "affine", "hermite"});
+CurveKind curve_kind(const std::string& kind) {
+  if (kind == "none") return CurveKind::none;
   if (kind == "constant") return CurveKind::constant;
   return kind == "affine" ? CurveKind::affine : CurveKind::hermite;
 }
@@ -119,10 +120,25 @@ FrictionChoice read_friction_choice(const Value& value) {
   return choice == "dahl" ? FrictionChoice::dahl : FrictionChoice::none;
 }
 
+std::vector<const AddendKind*> read_addends(const Value& list) {
+  std::vector<std::string_view> names;
+  for (const AddendKind* kind : addend_kinds()) names.push_back(kind->name);
+  std::vector<const AddendKind*> addends;
+  for (const Value& item : list.items()) addends.push_back(find_addend_kind(item.choice(names)));
+  return addends;
+}
+
 ComponentModel read_component_model(const Value& node) {
   Fields fields = node.fields();
   ComponentModel model;
-  if (auto v = fields.optional("stiffness")) model.stiffness = read_curve_kind(*v);
+  if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
+  if (auto v = fields.optional("stiffness")) {
+    model.stiffness = curve_kind(v->choice({"none", "constant", "affine", "hermite"}));
+    if (model.stiffness == CurveKind::none && model.addends.empty()) {
+      v->fail("is `none`, and no addends are there to carry anything",
+              "constant, affine or hermite, or `addends`");
+    }
+  }
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   fields.finish();
   return model;
@@ -158,7 +174,9 @@ ModelOptions read_model(Fields& study) {
   if (auto v = fields.optional("strips")) {
     model.strips_as_sheets = v->choice({"one-dimensional", "sheet"}) == "sheet";
   }
-  if (auto v = fields.optional("stiffness")) model.stiffness = read_curve_kind(*v);
+  if (auto v = fields.optional("stiffness")) {
+    model.stiffness = curve_kind(v->choice({"constant", "affine", "hermite"}));
+  }
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
     Fields components = v->fields();

@@ -93,6 +93,9 @@ YAML::Node model_node(const ModelOptions& model) {
     YAML::Node inner;
     if (component.stiffness) inner["stiffness"] = std::string(name_of(*component.stiffness));
     if (component.friction) inner["friction"] = std::string(name_of(*component.friction));
+    for (const AddendKind* kind : component.addends) {
+      inner["addends"].push_back(std::string(kind->name));
+    }
     node["components"][name] = inner;
   }
   return node;

@@ -165,14 +165,7 @@ ComponentLaw law_of(const Material& material, const ComponentGroup& group) {
 }
 
 void set_law(Material& material, const ComponentGroup& group, const ComponentLaw& law) {
-  for (const std::string& name : group) {
-    MaterialComponent& component = material.components[name];
-    component.stiffness = law.stiffness;
-    component.friction.reset();
-    if (law.friction_law == FrictionLaw::none) continue;
-    component.friction =
-        ComponentFriction{{law.friction[0], law.friction[1], law.friction[2]}, std::nullopt};
-  }
+  for (const std::string& name : group) set_law(material.components[name], law);
 }
 
 std::vector<Unknown> unknowns_of(const Material& material,

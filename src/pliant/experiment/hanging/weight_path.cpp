@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 #include "pliant/math/root.h"
 
 namespace pliant {
@@ -30,11 +30,11 @@ std::optional<HungLengths> hang_weights(const ComponentLaw& law, const UniaxialG
   HungLengths out{Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::MatrixXd(rows, parameters)};
   const PathPoint rest{0, 0, Eigen::VectorXd::Zero(parameters), Eigen::VectorXd::Zero(parameters)};
   const double step = search_step(law);
-  FrictionPath path(law, rest);
+  LawPath path(law, rest);
 
   for (Eigen::Index i = 0; i < rows; ++i) {
     const double force = forces[static_cast<size_t>(i)];
-    if (rested[static_cast<size_t>(i)]) path = FrictionPath(law, rest);
+    if (rested[static_cast<size_t>(i)]) path = LawPath(law, rest);
     const auto excess = [&](double strain) {
       return force_factor(geometry, strain) * path.stress_at(strain) - force;
     };

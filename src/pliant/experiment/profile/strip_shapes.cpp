@@ -1,13 +1,13 @@
 #include "pliant/experiment/profile/strip_shapes.h"
 
-#include "pliant/experiment/friction_path.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/material/law_path.h"
 
 namespace pliant {
 
 BendingPath bent_and_released(const ComponentLaw& law, double setting, double curvature) {
   constexpr int kPoints = 120;  // each way
-  FrictionPath stress(law, {});
+  LawPath stress(law, {});
   BendingPath path;
   path.setting = setting;
   const auto add = [&](int share) {

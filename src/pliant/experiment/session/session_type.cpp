@@ -55,6 +55,9 @@ Material specimen_material(Material material, double variation, RandomStream ran
     std::vector<double> values = component.stiffness->values();
     for (double& value : values) value = varied(value);
     component.stiffness = component.stiffness->with_values(values.data());
+    for (Addend& addend : component.addends) {
+      addend = Addend(addend.kind(), addend.values().unaryExpr(varied));
+    }
     if (!component.friction) continue;
     vary(component.friction->positive);
     if (component.friction->negative) vary(*component.friction->negative);

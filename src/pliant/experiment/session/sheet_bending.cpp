@@ -66,7 +66,7 @@ Material as_hinges(const Material& sheet, const TriangleMesh& mesh) {
   for (std::size_t d = 0; d < 3; ++d) {
     const auto law = law_of(sheet, kDirections[d]);
     PLIANT_ASSERT(law.has_value(), "a sheet that is simulated bends in all directions");
-    at_rest(static_cast<Eigen::Index>(d)) = law->stiffness.value(0);
+    at_rest(static_cast<Eigen::Index>(d)) = law->elastic_tangent(0);
   }
   Material hinges = sheet;
   hinges.bending_of = "hinges";
@@ -75,17 +75,7 @@ Material as_hinges(const Material& sheet, const TriangleMesh& mesh) {
   for (std::size_t d = 0; d < 3; ++d) {
     const double factor = factors(static_cast<Eigen::Index>(d));
     MaterialComponent& component = hinges.components.at(kDirections[d]);
-    std::vector<double> values = component.stiffness->values();
-    for (double& value : values) value *= factor;
-    component.stiffness = component.stiffness->with_values(values.data());
-    if (!component.friction) continue;
-    for (DahlParameters* side :
-         {&component.friction->positive,
-          component.friction->negative ? &*component.friction->negative : nullptr}) {
-      if (!side) continue;
-      side->a *= factor;
-      side->b *= factor;
-    }
+    component = scaled(component, factor);
   }
   return hinges;
 }

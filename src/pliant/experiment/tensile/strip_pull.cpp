@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 #include "pliant/math/root.h"
 
 namespace pliant {
@@ -32,7 +32,7 @@ class StripWalk {
              law_.elastic_stress(strain) + setup_.initial_friction * law_.max_friction(strain) < 0;
     const auto point = slack_ ? slack_start() : taut_start(strain, strain_gradient(length));
     if (!point) return false;
-    path_ = FrictionPath(law_, *point);
+    path_ = LawPath(law_, *point);
     return true;
   }
 
@@ -133,7 +133,7 @@ class StripWalk {
     if (!strain) return std::nullopt;
     Eigen::VectorXd gradient = friction_gradient(*strain);
     if (parameters_ > 0) {
-      gradient.head(law_.stiffness.size()) += *strain * law_.stiffness.weights(*strain);
+      gradient.head(law_.parameter_count()) += law_.elastic_gradient(*strain);
       gradient /= -(law_.elastic_tangent(*strain) + friction_slope());
     }
     return taut_start(*strain, gradient);
@@ -144,7 +144,7 @@ class StripWalk {
   StripSetup setup_;
   StripColumns columns_;
   int parameters_;
-  FrictionPath path_;
+  LawPath path_;
   bool slack_ = false;
   std::optional<double> slack_strain_;  // kept by the material while the present stretch is slack
 };

@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 
 #include "pliant/base/assert.h"
+#include "pliant/base/errors.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -36,7 +37,7 @@ void add_loads(const StripEnds& ends, const Eigen::VectorXd& change, StripShape&
 
 // Work per width and length since the history at `strain`: of the moment on the curvature.
 double bending_work(const ComponentLaw& law, double strain, const FrictionState& from) {
-  double work = law.stiffness.first_moment(strain) - law.stiffness.first_moment(from.strain);
+  double work = law.elastic_energy(strain) - law.elastic_energy(from.strain);
   if (law.friction_law == FrictionLaw::dahl) {
     const DahlParameters dahl{law.friction[0], law.friction[1], law.friction[2]};
     work += friction_work({dahl, dahl}, strain, from);
@@ -96,6 +97,10 @@ StripHistory Elastica::rested(const ComponentLaw& law) const { return rolled(law
 
 StripHistory Elastica::rolled(const ComponentLaw& law, double curvature) const {
   PLIANT_ASSERT(law.friction_law != FrictionLaw::constant_slope, "no energy is known of this law");
+  if (law.addends_remember()) {
+    throw InputError({}, "the law of a bent strip has addends that remember",
+                     "stiffness, friction and addends without memory");
+  }
   const FrictionStress friction = law.friction_stress(kStrainPerCurvature * curvature, {});
   const int parameters = law.parameter_count() + 1;
   StripHistory history;
@@ -305,8 +310,7 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
       -(w.asDiagonal() * friction_by_parameter(law, history, friction_of(law, history, shape)));
   for (int i = 0; i < n; ++i) {
     const double strain = kStrainPerCurvature * shape.curvature(i);
-    right.row(i).head(law.stiffness.size()) -=
-        w(i) * strain * law.stiffness.weights(strain).transpose();
+    right.row(i).head(law.parameter_count()) -= w(i) * law.elastic_gradient(strain).transpose();
   }
   right.col(parameters - 1).head(n) -= line_.transposed_integrals(
       w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine)));

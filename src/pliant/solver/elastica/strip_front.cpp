@@ -45,7 +45,7 @@ PointMoment moment_at(const ComponentLaw& law, const StripHistory& history, Inde
       friction.from_strain * kStrainPerCurvature * history.curvature_by_parameter.row(i) +
       friction.from_stress * history.friction_by_parameter.row(i);
   const int stiffness = law.stiffness.size();
-  point.by_parameter.head(stiffness) += strain * law.stiffness.weights(strain).transpose();
+  point.by_parameter.head(law.parameter_count()) += law.elastic_gradient(strain).transpose();
   for (int k = 0; k < law.friction_count(); ++k) {
     point.by_parameter(stiffness + k) += friction.parameters[static_cast<size_t>(k)];
   }
@@ -57,7 +57,8 @@ std::optional<double> snapping_curvature(const ComponentLaw& law, const StripHis
   constexpr int kSamples = 64;
   const double from = start.curvature(0);
   if (law.friction_law != FrictionLaw::dahl || from == 0 ||
-      snapping_strains(law.stiffness, law.friction[1], from > 0 ? 1 : -1).empty()) {
+      snapping_strains(law, law.friction[1], from > 0 ? 1 : -1, kStrainPerCurvature * from)
+          .empty()) {
     return std::nullopt;
   }
   const auto tangent = [&](double share) { return moment_at(law, start, 0, share * from).tangent; };

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/experiment/friction_path.h"
 #include "pliant/experiment/session/sheet_equilibria.h"
 #include "pliant/experiment/session/sheet_test.h"
+#include "pliant/material/law_path.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/measurement/session/frame_measures.h"
 #include "pliant/solver/elastica/strip_release.h"
@@ -63,7 +63,7 @@ TEST(VirtualStretch, PullsWithTheForceOfTheLaw) {
 TEST(VirtualStretch, RemembersAsTheLawDoes) {
   VirtualSession options = small_session("stretch-warp", 21);
   const Session session = made(cotton(), options);
-  FrictionPath path(*law_of(cotton(), "stretch.warp"), {});
+  LawPath path(*law_of(cotton(), "stretch.warp"), {});
   for (int f = 0; f < 21; ++f) {
     const double strain = 0.002 + 0.048 * (1 - std::abs(f - 10) / 10.0);
     const double stress = path.at(green(strain)).stress;

@@ -1,12 +1,14 @@
-#include "pliant/experiment/friction_path.h"
+#include "pliant/material/law_path.h"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/math/check_derivatives.h"
 
+#include "support/added_stiffness.h"
 #include "support/random_laws.h"
 
 namespace pliant {
@@ -20,6 +22,17 @@ struct Route {
   std::vector<double> turns;
   std::vector<double> on_the_way;
 };
+
+/// One that remembers between two that do not.
+std::vector<Addend> random_addends(RandomStream& random) {
+  const DahlParameters dahl = test::random_dahl(random);
+  const auto elastic = [&] {
+    return Addend(test::added_stiffness(),
+                  Eigen::Vector2d(random.uniform(1, 20), random.uniform(1, 20)));
+  };
+  const Addend first = elastic();
+  return {first, {*find_addend_kind("dahl"), Eigen::Vector3d(dahl.a, dahl.b, dahl.tau)}, elastic()};
+}
 
 Route random_route(RandomStream& random) {
   Route route;
@@ -37,7 +50,7 @@ Route random_route(RandomStream& random) {
 /// factor on all strains and the friction stress at the start.
 Eigen::VectorXd stresses(const ComponentLaw& like, const Route& route, const Eigen::VectorXd& x) {
   const int count = like.parameter_count();
-  FrictionPath path(like.with_parameters(x.head(count)), {0, x(count + 1), {}, {}});
+  LawPath path(like.with_parameters(x.head(count)), {0, x(count + 1), {}, {}});
   std::vector<double> values;
   for (size_t i = 0; i < route.turns.size(); ++i) {
     const PathStress stress = path.at(x(count) * route.on_the_way[i]);
@@ -52,8 +65,8 @@ Eigen::MatrixXd carried_jacobian(const ComponentLaw& like, const Route& route,
                                  const Eigen::VectorXd& x) {
   const int count = like.parameter_count();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count + 2);
-  FrictionPath path(like.with_parameters(x.head(count)),
-                    {0, x(count + 1), zero, Eigen::VectorXd::Unit(count + 2, count + 1)});
+  LawPath path(like.with_parameters(x.head(count)),
+               {0, x(count + 1), zero, Eigen::VectorXd::Unit(count + 2, count + 1)});
   Eigen::MatrixXd jacobian(2 * route.turns.size(), count + 2);
   for (size_t i = 0; i < route.turns.size(); ++i) {
     const Eigen::VectorXd moved = Eigen::VectorXd::Unit(count + 2, count) * route.on_the_way[i];
@@ -67,13 +80,14 @@ Eigen::MatrixXd carried_jacobian(const ComponentLaw& like, const Route& route,
   return jacobian;
 }
 
-TEST(FrictionPath, CarriesTheDerivativesThroughReversals) {
+TEST(LawPath, CarriesTheDerivativesThroughReversals) {
   RandomStream random(21);
   for (const CurveKind curve : {CurveKind::constant, CurveKind::affine, CurveKind::hermite}) {
     for (const FrictionLaw friction :
          {FrictionLaw::none, FrictionLaw::dahl, FrictionLaw::constant_slope}) {
       for (int draw = 0; draw < 10; ++draw) {
-        const ComponentLaw law = random_law(random, curve, friction);
+        ComponentLaw law = random_law(random, curve, friction);
+        if (draw % 2 == 1) law.addends = random_addends(random);
         const Route route = random_route(random);
         const int count = law.parameter_count();
         Eigen::VectorXd at(count + 2), scale(count + 2);
@@ -90,20 +104,20 @@ TEST(FrictionPath, CarriesTheDerivativesThroughReversals) {
   }
 }
 
-TEST(FrictionPath, StressesDoNotDependOnTheSamplesBetweenTurningPoints) {
+TEST(LawPath, StressesDoNotDependOnTheSamplesBetweenTurningPoints) {
   RandomStream random(22);
   const ComponentLaw law = random_law(random, CurveKind::affine);
-  FrictionPath path(law, {});
+  LawPath path(law, {});
   path.turn_at(0.2, {});
   const double direct = path.at(0.05).stress;
   for (const double strain : {0.19, 0.15, 0.1}) path.turn_at(strain, {});
   EXPECT_NEAR(path.at(0.05).stress, direct, 1e-12);  // rounding of four exponentials
 }
 
-TEST(FrictionPath, SlopesAreThoseAlongTheStretch) {
+TEST(LawPath, SlopesAreThoseAlongTheStretch) {
   RandomStream random(23);
   const ComponentLaw law = random_law(random, CurveKind::hermite);
-  FrictionPath path(law, {});
+  LawPath path(law, {});
   path.turn_at(0.2, {});
   for (const double strain : {0.18, 0.12, 0.02}) {
     const PathStress here = path.at(strain);
@@ -119,12 +133,12 @@ TEST(FrictionPath, SlopesAreThoseAlongTheStretch) {
   }
 }
 
-TEST(FrictionPath, WithoutGradientsGivesTheSameStressAndNone) {
+TEST(LawPath, WithoutGradientsGivesTheSameStressAndNone) {
   RandomStream random(24);
   const ComponentLaw law = random_law(random, CurveKind::affine);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(law.parameter_count());
-  FrictionPath with(law, {0, 0, zero, zero});
-  FrictionPath without(law, {});
+  LawPath with(law, {0, 0, zero, zero});
+  LawPath without(law, {});
   with.turn_at(0.1, zero);
   without.turn_at(0.1, {});
   EXPECT_EQ(with.at(0.04).stress, without.at(0.04).stress);

@@ -13,9 +13,12 @@ struct PathPoint {
   double friction = 0;
   Eigen::VectorXd strain_gradient;
   Eigen::VectorXd friction_gradient;
+  /// What the law's addends remember, one after the other; empty: they are at rest.
+  Eigen::VectorXd history = {};
+  Eigen::MatrixXd history_gradient = {};  ///< a row a number
 };
 
-/// Total stress (elastic plus friction) at one strain of a monotone stretch.
+/// Total stress at one strain of a monotone stretch.
 struct PathStress {
   double stress = 0;
   double friction = 0;
@@ -30,11 +33,11 @@ struct PathStress {
 ///
 /// Within a stretch every strain is evaluated from the turning point that began it, so that noise
 /// of single samples does not add up; the state changes at turning points alone.
-class FrictionPath {
+class LawPath {
  public:
   /// @param law         its parameters are the first of the gradient
   /// @param start       state at the first turning point
-  FrictionPath(const ComponentLaw& law, PathPoint start);
+  LawPath(const ComponentLaw& law, PathPoint start);
 
   /// The state at the turning point that began the present stretch.
   const PathPoint& start() const { return start_; }
@@ -50,6 +53,9 @@ class FrictionPath {
 
  private:
   bool with_gradients() const { return start_.strain_gradient.size() > 0; }
+
+  void add_memory(double strain, PathStress& result) const;
+  void advance_memory(double strain, const Eigen::VectorXd& strain_gradient);
 
   ComponentLaw law_;
   PathPoint start_;

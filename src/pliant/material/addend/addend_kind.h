@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/material/density/density.h"
+
+namespace pliant {
+
+/// A number of an addend. Bounds, step and starts of a fit are told in units of its data: the
+/// largest stress to the power `stress` times the largest strain to the power `strain`.
+struct AddendParameter {
+  std::string_view name;     ///< in files and results: "tau"
+  std::string_view meaning;  ///< for readers of a report
+  int stress = 0;            ///< power of the stress in its unit
+  int strain = 0;            ///< power of the strain in its unit
+  bool scales = false;       ///< the stress is proportional to all such numbers together
+  double smallest = 0;       ///< where it is above 0 no number may be 0; none may be negative
+  double largest = 0;        ///< 0: there is no bound
+  double step = 1;           ///< a change that matters
+};
+
+/// A law that a component of a material may have beside its stiffness and its friction
+/// (docs/extending.md): one entry of the registry (addend_registry.h) is all that files, fits,
+/// labs, simulations and reports know of it.
+struct AddendKind {
+  std::string_view name;         ///< in files
+  std::string_view description;  ///< one line for users
+  std::vector<AddendParameter> parameters;
+  std::vector<std::vector<double>> starts;  ///< where a fit begins, one value a parameter each
+
+  /// The law on one strain of a material point; its parameters in the same order.
+  std::unique_ptr<ParametricDensity> (*density)(int strain, const Eigen::VectorXd& values);
+};
+
+/// The unit of a parameter: that of membrane components unless `bending`.
+std::string unit_of(const AddendParameter& parameter, bool bending);
+
+/// The unit of a parameter in the scale of data.
+/// @param stress, strain  largest of the data
+double data_unit(const AddendParameter& parameter, double stress, double strain);
+
+}  // namespace pliant

@@ -1,0 +1,20 @@
+#include "pliant/material/addend/addend_registry.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pliant/material/addend/dahl_branch.h"
+
+namespace pliant {
+
+std::span<const AddendKind* const> addend_kinds() {
+  static const std::array kinds{&dahl_branch()};
+  return kinds;
+}
+
+const AddendKind* find_addend_kind(std::string_view name) {
+  const auto found = std::ranges::find(addend_kinds(), name, &AddendKind::name);
+  return found == addend_kinds().end() ? nullptr : *found;
+}
+
+}  // namespace pliant

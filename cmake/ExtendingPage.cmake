@@ -1,6 +1,7 @@
-# The program test_extending: the code of docs/extending.md, put where the page says, built and run.
-# It is built without optimisation: what matters is that it builds.
-function(pliant_test_extending_page)
+# The code of docs/extending.md and docs/adding-a-test.md, put where the pages say, built and run:
+# the program test_extending holds their tests, pliant_extended the laws and tests that they add, and
+# runs the commands that stand there. Built without optimisation: what matters is that they build.
+function(pliant_test_extending_pages)
   set(new
     src/pliant/material/strain/fibre_strain.h
     src/pliant/material/density/fung_density.h
@@ -8,6 +9,9 @@ function(pliant_test_extending_page)
     tests/mechanics/fibre_sheet_test.cpp)
   set(changed
     src/pliant/mechanics/element_potential.cpp
+    src/pliant/material/addend/addend_registry.cpp
+    docs/schema/material.schema.json
+    docs/schema/study.schema.json
     tests/material/strain_measures_test.cpp
     tests/material/density_derivatives_test.cpp
     tests/mechanics/element_potential_test.cpp)
@@ -18,10 +22,11 @@ function(pliant_test_extending_page)
   set(files ${new} ${changed})
   list(TRANSFORM files PREPEND "${out}/")
   add_custom_command(OUTPUT ${files}
-    COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DOUT=${out}"
+    COMMAND "${CMAKE_COMMAND}" "-DPAGES=${page}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DOUT=${out}"
             -P "${script}"
     DEPENDS "${page}" "${script}" ${originals}
     COMMENT "Following docs/extending.md" VERBATIM)
+  add_custom_target(extending_pages DEPENDS ${files})
 
   set(sources ${files})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
@@ -36,4 +41,23 @@ function(pliant_test_extending_page)
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS fast TIMEOUT 300)
+
+  if(NOT TARGET pliant_app)
+    return()
+  endif()
+  # A registry that the program brings itself takes the place of the library's.
+  set(added
+    "${out}/src/pliant/material/addend/addend_registry.cpp"
+    "${out}/src/pliant/material/density/fung_density.cpp")
+  add_executable(pliant_extended "${PROJECT_SOURCE_DIR}/apps/pliant/main.cpp" ${added})
+  add_dependencies(pliant_extended extending_pages)
+  target_include_directories(pliant_extended PRIVATE "${out}/src")
+  target_compile_options(pliant_extended PRIVATE -O0)
+  target_link_libraries(pliant_extended PRIVATE pliant_app)
+  add_test(NAME ExtendingPage.RunsItsCommands
+    COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DPROGRAM=$<TARGET_FILE:pliant_extended>"
+            "-DOUT=${out}/run"
+            "-DEXPECT=stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2"
+            -P "${PROJECT_SOURCE_DIR}/cmake/RunPage.cmake")
+  set_tests_properties(ExtendingPage.RunsItsCommands PROPERTIES LABELS fast TIMEOUT 300)
 endfunction()

@@ -1,15 +1,20 @@
-# cmake -DPAGE=page.md -DSOURCE=checkout -DOUT=folder -P ExtractPage.cmake
+# cmake -DPAGES=page.md[,page.md...] -DSOURCE=checkout -DOUT=folder -P ExtractPage.cmake
 #
-# Does what a page of the documentation tells its reader to do, in a copy below OUT:
+# Does what pages of the documentation tell their reader to do, in a copy below OUT:
 # - a block of C++ whose first line is `// PATH` becomes the file OUT/PATH;
-# - a block of diff whose first line is `+++ PATH` adds its lines that start with `+` to SOURCE/PATH,
-#   below or above its other lines, which must stand there once; `@@` separates places. The result
-#   is OUT/PATH.
+# - a block of diff whose first line is `+++ PATH` changes SOURCE/PATH: its lines that start with `-`
+#   or a blank must stand there once, those that start with `+` or a blank take their place; `@@`
+#   separates places. The result is OUT/PATH.
 # Lines are never made a CMake list: C++ is full of semicolons and brackets.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${OUT}")
-file(READ "${PAGE}" page)
+set(page "")
+string(REPLACE "," ";" PAGES "${PAGES}")
+foreach(file IN LISTS PAGES)
+  file(READ "${file}" text)
+  string(APPEND page "${text}")
+endforeach()
 set(changed "") # files that OUT holds already
 
 # add_lines(PATH HUNK): HUNK starts with a line end, its lines with a blank or `+`.
@@ -20,12 +25,13 @@ function(add_lines path hunk)
     file(READ "${SOURCE}/${path}" text)
   endif()
   string(REGEX REPLACE "\n\\+[^\n]*" "" old "${hunk}")
-  string(REGEX REPLACE "\n " "\n" old "${old}")
-  string(REGEX REPLACE "\n[+ ]" "\n" new "${hunk}")
+  string(REGEX REPLACE "\n[- ]" "\n" old "${old}")
+  string(REGEX REPLACE "\n-[^\n]*" "" new "${hunk}")
+  string(REGEX REPLACE "\n[+ ]" "\n" new "${new}")
   string(FIND "${text}" "${old}\n" first)
   string(FIND "${text}" "${old}\n" last REVERSE)
   if(first EQUAL -1 OR NOT first EQUAL last)
-    message(FATAL_ERROR "${PAGE}: these lines do not stand once in ${path}:${old}")
+    message(FATAL_ERROR "${PAGES}: these lines do not stand once in ${path}:${old}")
   endif()
   string(REPLACE "${old}\n" "${new}\n" text "${text}")
   file(WRITE "${OUT}/${path}" "${text}")

@@ -8,7 +8,9 @@
 namespace pliant {
 
 std::span<const AddendKind* const> addend_kinds() {
-  static const std::array kinds{&dahl_branch()};
+  static const std::array kinds{
+      &dahl_branch(),
+  };
   return kinds;
 }
 

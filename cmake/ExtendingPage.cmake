@@ -6,30 +6,37 @@ function(pliant_test_extending_pages)
     src/pliant/material/strain/fibre_strain.h
     src/pliant/material/density/fung_density.h
     src/pliant/material/density/fung_density.cpp
+    src/pliant/experiment/picture_frame/picture_frame.h
+    src/pliant/experiment/picture_frame/picture_frame.cpp
+    src/pliant/experiment/picture_frame/picture_frame_type.h
+    src/pliant/experiment/picture_frame/picture_frame_type.cpp
     tests/mechanics/fibre_sheet_test.cpp)
   set(changed
     src/pliant/mechanics/element_potential.cpp
     src/pliant/material/addend/addend_registry.cpp
+    src/pliant/experiment/registry.cpp
     docs/schema/material.schema.json
     docs/schema/study.schema.json
     tests/material/strain_measures_test.cpp
     tests/material/density_derivatives_test.cpp
     tests/mechanics/element_potential_test.cpp)
-  set(page "${PROJECT_SOURCE_DIR}/docs/extending.md")
+  set(law_page "${PROJECT_SOURCE_DIR}/docs/extending.md")
+  set(test_page "${PROJECT_SOURCE_DIR}/docs/adding-a-test.md")
   set(script "${PROJECT_SOURCE_DIR}/cmake/ExtractPage.cmake")
   set(out "${PROJECT_BINARY_DIR}/extending")
   list(TRANSFORM changed PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE originals)
   set(files ${new} ${changed})
   list(TRANSFORM files PREPEND "${out}/")
   add_custom_command(OUTPUT ${files}
-    COMMAND "${CMAKE_COMMAND}" "-DPAGES=${page}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DOUT=${out}"
+    COMMAND "${CMAKE_COMMAND}" "-DPAGES=${law_page},${test_page}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DOUT=${out}"
             -P "${script}"
-    DEPENDS "${page}" "${script}" ${originals}
-    COMMENT "Following docs/extending.md" VERBATIM)
+    DEPENDS "${law_page}" "${test_page}" "${script}" ${originals}
+    COMMENT "Following docs/extending.md and docs/adding-a-test.md" VERBATIM)
   add_custom_target(extending_pages DEPENDS ${files})
 
   set(sources ${files})
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/experiment/")
   add_executable(test_extending ${sources} "${out}/src/pliant/material/strain/fibre_strain.h")
   target_include_directories(test_extending PRIVATE "${out}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
   target_compile_definitions(test_extending PRIVATE PLIANT_SOURCE_DIR="${out}")
@@ -45,19 +52,30 @@ function(pliant_test_extending_pages)
   if(NOT TARGET pliant_app)
     return()
   endif()
-  # A registry that the program brings itself takes the place of the library's.
+  # Registries that the program brings itself take the place of the library's.
   set(added
     "${out}/src/pliant/material/addend/addend_registry.cpp"
-    "${out}/src/pliant/material/density/fung_density.cpp")
+    "${out}/src/pliant/material/density/fung_density.cpp"
+    "${out}/src/pliant/experiment/registry.cpp"
+    "${out}/src/pliant/experiment/picture_frame/picture_frame.cpp"
+    "${out}/src/pliant/experiment/picture_frame/picture_frame_type.cpp")
   add_executable(pliant_extended "${PROJECT_SOURCE_DIR}/apps/pliant/main.cpp" ${added})
   add_dependencies(pliant_extended extending_pages)
   target_include_directories(pliant_extended PRIVATE "${out}/src")
   target_compile_options(pliant_extended PRIVATE -O0)
   target_link_libraries(pliant_extended PRIVATE pliant_app)
-  add_test(NAME ExtendingPage.RunsItsCommands
+  pliant_run_page(extending "${law_page}"
+    stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2)
+  pliant_run_page(adding-a-test "${test_page}"
+    shear.friction.a:2.85:3.15,shear.friction.tau:0.028:0.032)
+endfunction()
+
+# The commands of a page by the program pliant_extended.
+function(pliant_run_page name page expected)
+  add_test(NAME "ExtendingPage.RunsTheCommandsOf/${name}"
     COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DPROGRAM=$<TARGET_FILE:pliant_extended>"
-            "-DOUT=${out}/run"
-            "-DEXPECT=stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2"
+            "-DOUT=${PROJECT_BINARY_DIR}/extending/run/${name}" "-DEXPECT=${expected}"
             -P "${PROJECT_SOURCE_DIR}/cmake/RunPage.cmake")
-  set_tests_properties(ExtendingPage.RunsItsCommands PROPERTIES LABELS fast TIMEOUT 300)
+  set_tests_properties("ExtendingPage.RunsTheCommandsOf/${name}"
+    PROPERTIES LABELS fast TIMEOUT 300)
 endfunction()

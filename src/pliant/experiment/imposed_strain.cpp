@@ -13,10 +13,15 @@ namespace {
 
 enum NuisanceIndex { kOffset, kInitialFriction };
 
+std::vector<double> factors_of(StrainRecord& record) {
+  if (record.factor.empty()) record.factor.assign(record.driven.size(), 1);
+  return std::move(record.factor);
+}
+
 }  // namespace
 
 ImposedStrain::ImposedStrain(StrainRecord record, std::vector<Stretch> stretches)
-    : apparatus_(std::move(record.apparatus)) {
+    : apparatus_(std::move(record.apparatus)), factor_(factors_of(record)) {
   for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
   for (Stretch& stretch : stretches) stretch.turn = record.strain_of(stretch.turn);
   const auto rows = static_cast<int>(strain_.size());
@@ -29,7 +34,7 @@ ImposedStrain::ImposedStrain(StrainRecord record, std::vector<Stretch> stretches
 
 ImposedStrain::ImposedStrain(const ExperimentSpec& spec, InitialFriction start,
                              const DataRows& data, StrainRecord record)
-    : apparatus_(std::move(record.apparatus)) {
+    : apparatus_(std::move(record.apparatus)), factor_(factors_of(record)) {
   require_rows(data.specimens(), data, 3);
   for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
   measured_ = Eigen::Map<const Eigen::VectorXd>(record.measured.data(),
@@ -63,7 +68,7 @@ void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& r
 
   const auto load = [this](int row, int) {
     const auto index = static_cast<size_t>(row);
-    return CarriedLoad{strain_[index], measured_(row) - apparatus_[index], 1};
+    return CarriedLoad{strain_[index], measured_(row) - apparatus_[index], factor_[index]};
   };
   append_stretches(rows, static_cast<int>(number), specimen.stretches, load, path_);
   specimens_.push_back(std::move(specimen));
@@ -116,9 +121,9 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
       const int row = specimen.rows.first + i;
       const auto index = static_cast<size_t>(row);
       const PathStress here = path.at(strain_[index]);
-      prediction.value(row) = offset + here.stress + apparatus_[index];
+      prediction.value(row) = offset + factor_[index] * here.stress + apparatus_[index];
       if (!with_jacobian) continue;
-      prediction.jacobian.row(row) = here.gradient;
+      prediction.jacobian.row(row) = factor_[index] * here.gradient;
       prediction.jacobian(row, first_index + kOffset) += 1;
     }
     path.turn_at(stretch.turn, fixed);

@@ -19,6 +19,7 @@ struct StrainRecord {
   std::vector<double> measured;             ///< stress, and what the apparatus adds to it; empty
                                             ///< of a path that is only predicted
   std::vector<double> apparatus;            ///< known share of the apparatus in `measured`
+  std::vector<double> factor;               ///< `measured` per stress; empty: 1
   MeasuredQuantity quantity;
   std::string offset;  ///< name of the nuisance parameter for an offset of `measured`
 };
@@ -59,6 +60,7 @@ class ImposedStrain : public ComponentExperiment {
 
   std::vector<double> strain_;
   std::vector<double> apparatus_;
+  std::vector<double> factor_;
   std::vector<Specimen> specimens_;
 };
 

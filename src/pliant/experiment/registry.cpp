@@ -26,7 +26,8 @@ std::span<const TestType* const> test_types() {
   static const std::array types{
       &hanging_weights_type(), &tensile_cycles_type(), &shear_cycles_type(),
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
-      &bending_length_type(),  &buckling_bend_type(),  &session_type()};
+      &bending_length_type(),  &buckling_bend_type(),  &session_type(),
+  };
   return types;
 }
 

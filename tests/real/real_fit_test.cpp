@@ -46,6 +46,27 @@ TEST(RealFab, FourNestedCyclesAreOneLaw) {
   EXPECT_LT(real.run.peak_memory_kb, 200 * 1024);
 }
 
+// A second branch of friction explains what one leaves of the loops, and what it leaves of the
+// short strips' prediction too. The bounds are those asked for in a trial with two branches.
+TEST(RealFab, TwoBranchesOfFrictionFollowTheLoopsCloser) {
+  const auto record = measurement("cloth_hysteresis_fab/fab_knit_cotton_300gsm.json");
+  SKIP_WITHOUT(record);
+  const TemporaryFolder folder;
+  const auto study = folder.path() / "imported";
+  ASSERT_EQ(run_program({"import", record.string(), "-o", study.string()}).status, 0);
+  std::ofstream(study / "study.yaml", std::ios::app)
+      << "model:\n  components:\n    stretch.warp: {addends: [dahl]}\n"
+         "    stretch.weft: {addends: [dahl]}\n    stretch.bias: {addends: [dahl]}\n";
+  const json fit = fit_file(folder, study / "study.yaml").fit;
+  print_table(fit);
+  const std::map<std::string, double> highest{
+      {"warp-stretch-8cm", 0.70}, {"weft-stretch-8cm", 0.70}, {"bias-stretch-8cm", 0.65},
+      {"warp-stretch-2cm", 3.9},  {"weft-stretch-2cm", 1.4},  {"bias-stretch-2cm", 2.9}};
+  for (const auto& [name, percent] : highest) {
+    EXPECT_LE(experiment_named(fit, name)["rms_percent_of_peak"], percent) << name;
+  }
+}
+
 // The same strips as sheets, one material for length, width and bias. What is asked of the fit is
 // 3 % of the peak of each loop; the predictions are a third above what was found.
 TEST(RealFab, StripsOfThreeDirectionsAreOneSheet) {

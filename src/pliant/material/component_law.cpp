@@ -85,16 +85,20 @@ double ComponentLaw::elastic_secant(double strain) const {
 
 Eigen::VectorXd ComponentLaw::elastic_gradient(double strain) const {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(parameter_count());
-  gradient.head(stiffness.size()) = strain * stiffness.weights(strain);
+  add_elastic_gradient(strain, gradient);
+  return gradient;
+}
+
+void ComponentLaw::add_elastic_gradient(double strain, Eigen::VectorXd& gradient) const {
+  gradient.head(stiffness.size()) += strain * stiffness.weights(strain);
   int next = first_addend_parameter();
   for (const Addend& addend : addends) {
     if (addend.is_elastic()) {
-      gradient.segment(next, addend.size()) =
+      gradient.segment(next, addend.size()) +=
           addend.derivatives(strain, strain, {}).stress_by_parameter.row(0).transpose();
     }
     next += addend.size();
   }
-  return gradient;
 }
 
 double ComponentLaw::max_friction(double strain) const {

@@ -51,6 +51,8 @@ struct ComponentLaw {
   double elastic_secant(double strain) const;
   /// d elastic stress / d parameters; zero for those of friction and of addends that remember.
   Eigen::VectorXd elastic_gradient(double strain) const;
+  /// Adds it to the first numbers of a gradient.
+  void add_elastic_gradient(double strain, Eigen::VectorXd& gradient) const;
   double max_friction(double strain) const;
   /// Friction stress along one monotone stretch from `from`; zero where there is no friction.
   FrictionStress friction_stress(double strain, const FrictionState& from) const;

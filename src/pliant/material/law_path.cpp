@@ -41,7 +41,7 @@ PathStress LawPath::at(double strain) const {
       result.friction_gradient(stiffness + i) += friction.parameters[static_cast<size_t>(i)];
     }
     result.gradient = result.friction_gradient;
-    result.gradient.head(law_.parameter_count()) += law_.elastic_gradient(strain);
+    law_.add_elastic_gradient(strain, result.gradient);
   }
   if (start_.history.size() > 0) add_memory(strain, result);
   return result;

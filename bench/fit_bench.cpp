@@ -93,11 +93,11 @@ void strip_sample(benchmark::State& state) {
   const bool derivatives = state.range(0) != 0;
   std::vector<double> lengths;
   for (int i = 0; i < 2000; ++i) lengths.push_back(0.1 + 0.06 * std::abs((i % 500) / 250.0 - 1));
-  const auto stretches = monotone_stretches(lengths, 1e-4);
+  const auto half_cycles = half_cycles_of(lengths, 1e-4);
   const UniaxialGeometry geometry{0.1, 0.05, MembraneMeasure::stvk};
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        pull_strip(spandex(), geometry, {}, {}, lengths, stretches, derivatives ? 5 : 0));
+        pull_strip(spandex(), geometry, {}, {}, lengths, half_cycles, derivatives ? 5 : 0));
   }
   state.counters["per_sample"] = benchmark::Counter(
       2000, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

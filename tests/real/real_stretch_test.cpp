@@ -36,19 +36,19 @@ ClipPath path_of(const std::filesystem::path& file, const std::string& clip, dou
   return path;
 }
 
-/// The monotone stretches of a path that turns at samples.
-std::vector<Stretch> stretches_of(const std::vector<double>& path) {
-  std::vector<Stretch> stretches;
+/// The half cycles of a path that turns at samples.
+std::vector<HalfCycle> half_cycles_in(const std::vector<double>& path) {
+  std::vector<HalfCycle> half_cycles;
   int first = 0;
   for (int i = 1; i < static_cast<int>(path.size()); ++i) {
     const auto at = [&](int sample) { return path[static_cast<size_t>(sample)]; };
     const bool last = i + 1 == static_cast<int>(path.size());
     const int direction = at(i) > at(i - 1) ? 1 : -1;
     if (!last && (at(i + 1) - at(i)) * direction > 0) continue;
-    stretches.push_back({first, i, direction, at(i)});
+    half_cycles.push_back({first, i, direction, at(i)});
     first = i + 1;
   }
-  return stretches;
+  return half_cycles;
 }
 
 // The loops of examples/fab-stretch.yaml.
@@ -70,7 +70,7 @@ TEST(RealFabInSpace, PullsAtItsClipAsTheOneDimensionalModelPredicts) {
   const Material material = read_material(fit / "material.json");
   const auto predicted =
       pull_strip(*law_of(material, "stretch.warp"), {kLength, kWidth, material.membrane}, {}, {},
-                 path.lengths, stretches_of(path.lengths), 0);
+                 path.lengths, half_cycles_in(path.lengths), 0);
   ASSERT_TRUE(predicted);
   const double peak = *std::max_element(path.forces.begin(), path.forces.end());
   double largest = 0;

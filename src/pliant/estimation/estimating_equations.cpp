@@ -1,8 +1,63 @@
 #include "pliant/estimation/estimating_equations.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace pliant {
+namespace {
+
+/// Adds up J^T W J and J^T W r of the frames of a part.
+class SummedFrames : public FrameSink {
+ public:
+  SummedFrames(int part, const Experiment& experiment, const Eigen::VectorXd& weight,
+               const std::vector<Eigen::Index>& free, std::vector<char> told)
+      : part_(part),
+        experiment_(experiment),
+        frames_(experiment.frames()),
+        weight_(weight),
+        free_(free),
+        told_(std::move(told)),
+        sums_(frames_.size()) {}
+
+  void take(int frame, const PredictedFrame& rows) override {
+    const auto index = static_cast<std::size_t>(frame);
+    const Frame& at = frames_[index];
+    const auto weight = weight_.segment(at.first, at.count);
+    const Eigen::VectorXd residual =
+        weight.cwiseProduct(rows.value - experiment_.measured().segment(at.first, at.count));
+    const Eigen::MatrixXd jacobian =
+        weight.asDiagonal() * Eigen::MatrixXd(rows.by(Eigen::all, free_));
+    sums_[index] = group_sum(part_, jacobian, residual, told_);
+  }
+
+  std::vector<GroupSum> sums() && { return std::move(sums_); }
+
+ private:
+  int part_;
+  const Experiment& experiment_;
+  std::vector<Frame> frames_;
+  const Eigen::VectorXd& weight_;
+  const std::vector<Eigen::Index>& free_;
+  std::vector<char> told_;
+  std::vector<GroupSum> sums_;
+};
+
+Eigen::MatrixXd sums_of_priors(const Problem& problem, const std::vector<Eigen::Index>& free) {
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  for (const SumPrior& prior : problem.priors()) {
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(n);
+    for (const auto& [unknown, factor] : prior.sum) {
+      const auto at = std::ranges::find(free, unknown);
+      if (at != free.end()) direction(at - free.begin()) += factor / prior.sd;
+    }
+    sum += direction * direction.transpose();
+  }
+  return sum;
+}
+
+}  // namespace
 
 std::vector<char> told_of(const std::vector<std::vector<char>>& told, std::size_t part,
                           const std::vector<Eigen::Index>& free) {
@@ -28,26 +83,30 @@ EstimatingSums estimating_sums(const Problem& problem, const std::vector<Predict
   EstimatingSums sums;
   for (std::size_t p = 0; p < rows.size(); ++p) {
     const Experiment& experiment = *problem.parts()[p].experiment;
-    const Eigen::VectorXd residual = weight[p].cwiseProduct(rows[p].value - experiment.measured());
-    const Eigen::MatrixXd jacobian =
-        weight[p].asDiagonal() * Eigen::MatrixXd(rows[p].by(Eigen::all, free));
-    const std::vector<char> own = told_of(told, p, free);
+    SummedFrames summed(static_cast<int>(p), experiment, weight[p], free, told_of(told, p, free));
+    int number = 0;
     for (const Frame& frame : experiment.frames()) {
-      sums.groups.push_back(group_sum(static_cast<int>(p),
-                                      jacobian.middleRows(frame.first, frame.count),
-                                      residual.segment(frame.first, frame.count), own));
+      summed.take(number++, {rows[p].value.segment(frame.first, frame.count),
+                             rows[p].by.middleRows(frame.first, frame.count)});
     }
+    std::ranges::move(std::move(summed).sums(), std::back_inserter(sums.groups));
   }
-  const auto n = static_cast<Eigen::Index>(free.size());
-  sums.priors.setZero(n, n);
-  for (const SumPrior& prior : problem.priors()) {
-    Eigen::VectorXd direction = Eigen::VectorXd::Zero(n);
-    for (const auto& [unknown, factor] : prior.sum) {
-      const auto at = std::ranges::find(free, unknown);
-      if (at != free.end()) direction(at - free.begin()) += factor / prior.sd;
-    }
-    sums.priors += direction * direction.transpose();
+  sums.priors = sums_of_priors(problem, free);
+  return sums;
+}
+
+std::optional<EstimatingSums> predicted_sums(const Problem& problem, const Eigen::VectorXd& values,
+                                             const std::vector<Eigen::VectorXd>& weight,
+                                             const std::vector<Eigen::Index>& free,
+                                             const std::vector<std::vector<char>>& told) {
+  EstimatingSums sums;
+  for (std::size_t p = 0; p < problem.parts().size(); ++p) {
+    SummedFrames summed(static_cast<int>(p), *problem.parts()[p].experiment, weight[p], free,
+                        told_of(told, p, free));
+    if (!problem.predict(p, values, summed)) return std::nullopt;
+    std::ranges::move(std::move(summed).sums(), std::back_inserter(sums.groups));
   }
+  sums.priors = sums_of_priors(problem, free);
   return sums;
 }
 

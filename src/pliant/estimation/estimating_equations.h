@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,6 +27,14 @@ EstimatingSums estimating_sums(const Problem& problem, const std::vector<Predict
                                const std::vector<Eigen::VectorXd>& weight,
                                const std::vector<Eigen::Index>& free,
                                const std::vector<std::vector<char>>& told);
+
+/// The same of a prediction whose rows are not stored: each frame is added up as it comes, which is
+/// what problems of very many rows need.
+/// @return nothing where the laws cannot carry the loads
+std::optional<EstimatingSums> predicted_sums(const Problem& problem, const Eigen::VectorXd& values,
+                                             const std::vector<Eigen::VectorXd>& weight,
+                                             const std::vector<Eigen::Index>& free,
+                                             const std::vector<std::vector<char>>& told);
 
 /// The specimen of each group, numbered over all parts, and the cycle (two frames of a specimen).
 struct GroupLabels {

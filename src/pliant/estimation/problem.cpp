@@ -10,23 +10,42 @@
 namespace pliant {
 namespace {
 
+/// Turns derivatives by parameters into those by unknowns, which may set several.
+class ByUnknowns : public FrameSink {
+ public:
+  /// @param unknowns  of each column of what comes
+  /// @param count     of all unknowns; 0: no derivatives are wanted
+  ByUnknowns(std::vector<int> unknowns, Eigen::Index count, FrameSink& frames)
+      : unknowns_(std::move(unknowns)), count_(count), frames_(frames) {}
+
+  void take(int frame, const PredictedFrame& rows) override {
+    PredictedFrame by_unknowns{rows.value, {}, rows.length_gain};
+    by_unknowns.by.setZero(count_ > 0 ? rows.value.size() : 0, count_);
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+      by_unknowns.by.col(unknowns_[i]) += rows.by.col(static_cast<Eigen::Index>(i));
+    }
+    frames_.take(frame, by_unknowns);
+  }
+
+ private:
+  std::vector<int> unknowns_;
+  Eigen::Index count_;
+  FrameSink& frames_;
+};
+
 /// Puts the rows of all frames of an experiment in one place.
 class StoredRows : public FrameSink {
  public:
-  /// @param unknowns  of each column of what comes; -1 has none
-  StoredRows(const Experiment& experiment, std::vector<int> unknowns, Eigen::Index unknown_count)
-      : frames_(experiment.frames()), unknowns_(std::move(unknowns)) {
+  /// @param unknowns  0: no derivatives are wanted
+  StoredRows(const Experiment& experiment, Eigen::Index unknowns) : frames_(experiment.frames()) {
     rows_.value.resize(experiment.rows());
-    if (!unknowns_.empty()) rows_.by.setZero(experiment.rows(), unknown_count);
+    if (unknowns > 0) rows_.by.resize(experiment.rows(), unknowns);
   }
 
   void take(int frame, const PredictedFrame& rows) override {
     const Frame& at = frames_[static_cast<std::size_t>(frame)];
     rows_.value.segment(at.first, at.count) = rows.value;
-    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-      rows_.by.block(at.first, unknowns_[i], at.count, 1) +=
-          rows.by.col(static_cast<Eigen::Index>(i));
-    }
+    if (rows_.by.size() > 0) rows_.by.middleRows(at.first, at.count) = rows.by;
     if (rows.length_gain.size() == 0) return;
     rows_.length_gain.conservativeResize(rows_.value.size());
     rows_.length_gain.segment(at.first, at.count) = rows.length_gain;
@@ -36,7 +55,6 @@ class StoredRows : public FrameSink {
 
  private:
   std::vector<Frame> frames_;
-  std::vector<int> unknowns_;
   PredictedRows rows_;
 };
 
@@ -98,18 +116,31 @@ std::optional<PredictedRows> Problem::predict(std::size_t part, const Eigen::Vec
   return rows;
 }
 
+bool Problem::predict(std::size_t part, const Eigen::VectorXd& values, FrameSink& frames) const {
+  const Stopwatch watch;
+  const bool found = predict(part, values, /*derivatives=*/true, workers_.threads, frames);
+  seconds_ += watch.seconds();
+  return found;
+}
+
 std::optional<PredictedRows> Problem::predict(std::size_t part, const Eigen::VectorXd& values,
                                               bool derivatives, int threads) const {
+  StoredRows rows(*parts_[part].experiment, derivatives ? values.size() : 0);
+  if (!predict(part, values, derivatives, threads, rows)) return std::nullopt;
+  return std::move(rows).rows();
+}
+
+bool Problem::predict(std::size_t part, const Eigen::VectorXd& values, bool derivatives,
+                      int threads, FrameSink& frames) const {
   const Places& places = places_[part];
   Predictor& predictor = *parts_[part].predictor;
   Eigen::VectorXd parameters = predictor.values();
   parameters(places.parameters) = values(places.unknowns);
   const auto free = static_cast<std::ptrdiff_t>(derivatives ? places.free : 0);
   const std::vector<int> by(places.parameters.begin(), places.parameters.begin() + free);
-  StoredRows rows(*parts_[part].experiment,
-                  {places.unknowns.begin(), places.unknowns.begin() + free}, values.size());
-  if (!predictor.predict(parameters, by, {threads, workers_.stop}, rows)) return std::nullopt;
-  return std::move(rows).rows();
+  ByUnknowns by_unknowns({places.unknowns.begin(), places.unknowns.begin() + free},
+                         derivatives ? values.size() : 0, frames);
+  return predictor.predict(parameters, by, {threads, workers_.stop}, by_unknowns);
 }
 
 bool Problem::evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,

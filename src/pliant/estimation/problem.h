@@ -64,6 +64,9 @@ class Problem {
   /// @return nothing where the laws cannot carry the loads
   std::optional<PredictedRows> predict(std::size_t part, const Eigen::VectorXd& values,
                                        bool derivatives) const;
+  /// The same without storing it: frames go to a sink one by one, with derivatives by all unknowns.
+  /// @return false where the laws cannot carry the loads; the sink may have seen some frames
+  bool predict(std::size_t part, const Eigen::VectorXd& values, FrameSink& frames) const;
 
   /// `evaluate` refers to this problem.
   LeastSquaresProblem least_squares() const;
@@ -86,6 +89,8 @@ class Problem {
   Places places_in(const Predictor& predictor) const;
   std::optional<PredictedRows> predict(std::size_t part, const Eigen::VectorXd& values,
                                        bool derivatives, int threads) const;
+  bool predict(std::size_t part, const Eigen::VectorXd& values, bool derivatives, int threads,
+               FrameSink& frames) const;
   bool evaluate(const Eigen::VectorXd& values, Eigen::VectorXd& residual,
                 Eigen::MatrixXd* jacobian) const;
 

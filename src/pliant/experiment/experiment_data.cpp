@@ -90,21 +90,22 @@ std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::stri
   return fmt::format("{}.{}.{}", info.name, info.specimens[specimen], name);
 }
 
-void append_stretches(const SpecimenRows& rows, int specimen, std::span<const Stretch> stretches,
-                      const std::function<CarriedLoad(int row, int direction)>& load,
-                      MeasuredPath& path) {
+void append_half_cycles(const SpecimenRows& rows, int specimen,
+                        std::span<const HalfCycle> half_cycles,
+                        const std::function<CarriedLoad(int row, int direction)>& load,
+                        MeasuredPath& path) {
   int anchor = rows.first;
-  for (const Stretch& stretch : stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
-      const CarriedLoad here = load(rows.first + i, stretch.direction);
+  for (const HalfCycle& half : half_cycles) {
+    for (int i = half.first; i <= half.last; ++i) {
+      const CarriedLoad here = load(rows.first + i, half.direction);
       path.strain.push_back(here.strain);
       path.force.push_back(here.force);
       path.factor.push_back(here.factor);
-      path.direction.push_back(stretch.direction);
+      path.direction.push_back(half.direction);
       path.anchor.push_back(anchor);
       path.specimen.push_back(specimen);
     }
-    anchor = rows.first + stretch.last;
+    anchor = rows.first + half.last;
   }
 }
 

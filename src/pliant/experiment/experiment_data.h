@@ -42,12 +42,13 @@ struct CarriedLoad {
   double factor = 1;
 };
 
-/// Appends the rows of a specimen to a measured path; each stretch is anchored at the last row of
-/// the one before.
+/// Appends the rows of a specimen to a measured path; each half cycle is anchored at the last row
+/// of the one before.
 /// @param load  of a row of the experiment, and the direction in which the path moves there
-void append_stretches(const SpecimenRows& rows, int specimen, std::span<const Stretch> stretches,
-                      const std::function<CarriedLoad(int row, int direction)>& load,
-                      MeasuredPath& path);
+void append_half_cycles(const SpecimenRows& rows, int specimen,
+                        std::span<const HalfCycle> half_cycles,
+                        const std::function<CarriedLoad(int row, int direction)>& load,
+                        MeasuredPath& path);
 
 /// A length as it reads in a sentence, e.g. 0.0123 -> "12.3 mm".
 std::string millimetres(double metres);

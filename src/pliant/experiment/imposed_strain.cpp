@@ -20,15 +20,15 @@ std::vector<double> factors_of(StrainRecord& record) {
 
 }  // namespace
 
-ImposedStrain::ImposedStrain(StrainRecord record, std::vector<Stretch> stretches)
+ImposedStrain::ImposedStrain(StrainRecord record, std::vector<HalfCycle> half_cycles)
     : apparatus_(std::move(record.apparatus)), factor_(factors_of(record)) {
   for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
-  for (Stretch& stretch : stretches) stretch.turn = record.strain_of(stretch.turn);
+  for (HalfCycle& half : half_cycles) half.turn = record.strain_of(half.turn);
   const auto rows = static_cast<int>(strain_.size());
   measured_ = Eigen::VectorXd::Zero(rows);
   Specimen specimen;
   specimen.rows.count = rows;
-  specimen.stretches = std::move(stretches);
+  specimen.half_cycles = std::move(half_cycles);
   specimens_.push_back(std::move(specimen));
 }
 
@@ -54,8 +54,8 @@ void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& r
   // Turning points lie where even speed puts them: in what the machine moves, not in the strain.
   const std::span<const double> driven(record.driven.data() + rows.first,
                                        static_cast<size_t>(rows.count));
-  specimen.stretches = monotone_stretches(driven, reversal_threshold(driven, 0));
-  for (Stretch& stretch : specimen.stretches) stretch.turn = record.strain_of(stretch.turn);
+  specimen.half_cycles = half_cycles_of(driven, reversal_threshold(driven, 0));
+  for (HalfCycle& half : specimen.half_cycles) half.turn = record.strain_of(half.turn);
 
   const size_t number = specimens_.size();
   const double peak = measured_.segment(rows.first, rows.count).cwiseAbs().maxCoeff();
@@ -70,7 +70,7 @@ void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& r
     const auto index = static_cast<size_t>(row);
     return CarriedLoad{strain_[index], measured_(row) - apparatus_[index], factor_[index]};
   };
-  append_stretches(rows, static_cast<int>(number), specimen.stretches, load, path_);
+  append_half_cycles(rows, static_cast<int>(number), specimen.half_cycles, load, path_);
   specimens_.push_back(std::move(specimen));
 }
 
@@ -116,8 +116,8 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
     start.friction_gradient(first_index + kInitialFriction) = law.max_friction(first_strain);
   }
   LawPath path(law, start);
-  for (const Stretch& stretch : specimen.stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
+  for (const HalfCycle& half : specimen.half_cycles) {
+    for (int i = half.first; i <= half.last; ++i) {
       const int row = specimen.rows.first + i;
       const auto index = static_cast<size_t>(row);
       const PathStress here = path.at(strain_[index]);
@@ -126,7 +126,7 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
       prediction.jacobian.row(row) = factor_[index] * here.gradient;
       prediction.jacobian(row, first_index + kOffset) += 1;
     }
-    path.turn_at(stretch.turn, fixed);
+    path.turn_at(half.turn, fixed);
   }
 }
 

@@ -41,14 +41,14 @@ class ImposedStrain : public ComponentExperiment {
   ImposedStrain(const ExperimentSpec& spec, InitialFriction start, const DataRows& data,
                 StrainRecord record);
   /// A path from rest, without measured values.
-  /// @param stretches  of what is driven
-  ImposedStrain(StrainRecord record, std::vector<Stretch> stretches);
+  /// @param half_cycles  of what is driven
+  ImposedStrain(StrainRecord record, std::vector<HalfCycle> half_cycles);
 
  private:
   struct Specimen {
     SpecimenRows rows;
-    std::vector<Stretch> stretches;  // their turning values are strains
-    int first_nuisance = -1;         // none: an ideal apparatus
+    std::vector<HalfCycle> half_cycles;  // their turning values are strains
+    int first_nuisance = -1;             // none: an ideal apparatus
     bool rested = true;
   };
 

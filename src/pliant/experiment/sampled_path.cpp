@@ -11,19 +11,19 @@ SampledPath sample_path(const std::vector<double>& turns, double spacing) {
   for (size_t leg = 0; leg + 1 < turns.size(); ++leg) {
     const double from = turns[leg], to = turns[leg + 1];
     const double distance = std::abs(to - from);
-    Stretch stretch;
-    stretch.first = static_cast<int>(path.value.size());
-    stretch.direction = to > from ? 1 : -1;
-    stretch.turn = to;
+    HalfCycle half;
+    half.first = static_cast<int>(path.value.size());
+    half.direction = to > from ? 1 : -1;
+    half.turn = to;
     const bool last_leg = leg + 2 == turns.size();
     while (next < travelled + distance || (last_leg && next <= travelled + distance)) {
-      path.value.push_back(from + stretch.direction * (next - travelled));
+      path.value.push_back(from + half.direction * (next - travelled));
       path.cycle.push_back(static_cast<int>(leg / 2) + 1);
       next += spacing;
     }
     travelled += distance;
-    stretch.last = static_cast<int>(path.value.size()) - 1;
-    if (stretch.last >= stretch.first) path.stretches.push_back(stretch);
+    half.last = static_cast<int>(path.value.size()) - 1;
+    if (half.last >= half.first) path.half_cycles.push_back(half);
   }
   return path;
 }

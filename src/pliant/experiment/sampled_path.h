@@ -11,7 +11,7 @@ namespace pliant {
 struct SampledPath {
   std::vector<double> value;
   std::vector<int> cycle;  ///< 1, 2, ...
-  std::vector<Stretch> stretches;
+  std::vector<HalfCycle> half_cycles;
 };
 
 /// @param turns    first value, then each at which the path turns, then the last

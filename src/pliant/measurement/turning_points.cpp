@@ -7,7 +7,8 @@ namespace pliant {
 namespace {
 
 constexpr double kRangeShare = 0.002;
-constexpr int kDenseSamples = 8;  // samples a stretch needs on both sides before it counts as dense
+constexpr int kDenseSamples =
+    8;  // samples a half cycle needs on both sides before it counts as dense
 
 struct Turn {
   int last = 0;  // last sample before the path turned
@@ -51,9 +52,9 @@ std::vector<int> turning_samples(std::span<const double> path, double threshold)
   return turns;
 }
 
-std::vector<Stretch> monotone_stretches(std::span<const double> path, double threshold) {
+std::vector<HalfCycle> half_cycles_of(std::span<const double> path, double threshold) {
   const std::vector<int> extremes = turning_samples(path, threshold);
-  std::vector<Stretch> stretches;
+  std::vector<HalfCycle> half_cycles;
   int first = 0;
   for (size_t i = 0; i < extremes.size(); ++i) {
     const int extreme = extremes[i];
@@ -64,10 +65,10 @@ std::vector<Stretch> monotone_stretches(std::span<const double> path, double thr
     const bool dense = !ends_path && extreme - first >= kDenseSamples &&
                        extremes[i + 1] - extreme >= kDenseSamples;
     if (dense) turn = turn_near(path, extreme, direction);
-    stretches.push_back({first, turn.last, direction, turn.value});
+    half_cycles.push_back({first, turn.last, direction, turn.value});
     first = turn.last + 1;
   }
-  return stretches;
+  return half_cycles;
 }
 
 double reversal_threshold(std::span<const double> path, double noise) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
-
 #include "pliant/base/assert.h"
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
@@ -25,26 +23,6 @@ Eigen::Matrix3d block_of(const auto& hessian, int lane, int pair) {
   Eigen::Matrix3d block;
   for (int k = 0; k < 9; ++k) block(k % 3, k / 3) = hessian(lane, 9 * pair + k);
   return block;
-}
-
-void make_tangent_convex(Response& response, int strains) {
-  bool diagonal = true;
-  for (int k = 0; k < strains * strains; ++k) {
-    if (k % (strains + 1) == 0) continue;
-    diagonal = diagonal && (response.tangent.col(k) == 0).all();
-  }
-  if (diagonal) {
-    response.tangent = response.tangent.max(0);
-    return;
-  }
-  for (int l = 0; l < kLanes; ++l) {
-    Eigen::MatrixXd tangent(strains, strains);
-    for (int k = 0; k < tangent.size(); ++k) tangent(k) = response.tangent(l, k);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(tangent);
-    tangent = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-              eigen.eigenvectors().transpose();
-    for (int k = 0; k < tangent.size(); ++k) response.tangent(l, k) = tangent(k);
-  }
 }
 
 }  // namespace

@@ -179,8 +179,7 @@ TEST(WeightPath, AStripPulledToTheseLengthsCarriesTheseWeights) {
     const auto hung = hang_weights(law, kSquare, forces, rested_once(forces), false);
     ASSERT_TRUE(hung);
     const std::vector<double> lengths(hung->length.begin(), hung->length.end());
-    const auto pulled =
-        pull_strip(law, kSquare, {}, {}, lengths, monotone_stretches(lengths, 1e-9), 0);
+    const auto pulled = pull_strip(law, kSquare, {}, {}, lengths, half_cycles_of(lengths, 1e-9), 0);
     ASSERT_TRUE(pulled);
     for (size_t i = 0; i < forces.size(); ++i) {
       EXPECT_NEAR(pulled->force(static_cast<Eigen::Index>(i)), forces[i], 1e-12);  // rounding

@@ -33,8 +33,7 @@ std::vector<double> lengths_between(const std::vector<double>& turns, int rows_a
 
 StripForces pull(const ComponentLaw& law, const std::vector<double>& lengths,
                  const StripSetup& setup = {}) {
-  const auto forces =
-      pull_strip(law, kStrip, setup, {}, lengths, monotone_stretches(lengths, 1e-6), 0);
+  const auto forces = pull_strip(law, kStrip, setup, {}, lengths, half_cycles_of(lengths, 1e-6), 0);
   EXPECT_TRUE(forces);
   return forces.value_or(StripForces{});
 }
@@ -71,8 +70,8 @@ TEST(StripPull, RestLengthIsGaugeLengthPlusChange) {
   const std::vector<double> lengths = lengths_between({0.085, 0.095, 0.088}, 5);
   const StripForces changed = pull(law, lengths, {.rest_length_change = 0.002});
   const UniaxialGeometry longer{0.082, 0.04, MembraneMeasure::stvk};
-  const auto stretches = monotone_stretches(lengths, 1e-6);
-  const auto expected = pull_strip(law, longer, {}, {}, lengths, stretches, 0);
+  const auto half_cycles = half_cycles_of(lengths, 1e-6);
+  const auto expected = pull_strip(law, longer, {}, {}, lengths, half_cycles, 0);
   EXPECT_LT((changed.force - expected->force).cwiseAbs().maxCoeff(), kRounding);
 }
 
@@ -161,7 +160,7 @@ TEST(StripPull, HasNoAnswerWhereThePersistentStrainHasNoValue) {
   law.friction = {1, 5, 0.01};  // friction grows faster with strain than the elastic stress
   const std::vector<double> lengths = lengths_between({0.078, 0.1}, 5);
   EXPECT_FALSE(pull_strip(law, kStrip, {.initial_friction = -0.9}, {}, lengths,
-                          monotone_stretches(lengths, 1e-6), 0));
+                          half_cycles_of(lengths, 1e-6), 0));
 }
 
 TEST(StripPull, NeverPushes) {
@@ -204,7 +203,7 @@ struct StripCase {
     const StripColumns columns =
         jacobian ? StripColumns{count, count + 1, count + 2} : StripColumns{};
     return pull_strip(law.with_parameters(parameters), kStrip, changed, columns, lengths,
-                      monotone_stretches(lengths, 1e-5), jacobian ? count + 3 : 0);
+                      half_cycles_of(lengths, 1e-5), jacobian ? count + 3 : 0);
   }
 };
 
@@ -270,7 +269,7 @@ TEST(StripPull, LengthGainIsTheSizeOfForcePerLength) {
   RandomStream random(46);
   const ComponentLaw law = random_law(random, CurveKind::affine);
   const std::vector<double> lengths = lengths_between({0.079, 0.095, 0.0785, 0.1}, 12);
-  const auto stretches = monotone_stretches(lengths, 1e-6);
+  const auto half_cycles = half_cycles_of(lengths, 1e-6);
   const StripForces forces = pull(law, lengths);
   for (size_t row = 1; row + 1 < lengths.size(); ++row) {
     if (row % 12 == 0) continue;  // the state turns there: its length moves all rows after it
@@ -278,7 +277,7 @@ TEST(StripPull, LengthGainIsTheSizeOfForcePerLength) {
     const VectorFunction force = [&](const Eigen::VectorXd& length) {
       std::vector<double> moved = lengths;
       moved[row] = length(0);
-      const auto pulled = pull_strip(law, kStrip, {}, {}, moved, stretches, 0);
+      const auto pulled = pull_strip(law, kStrip, {}, {}, moved, half_cycles, 0);
       return Eigen::VectorXd::Constant(1, pulled->force(index));
     };
     const double estimated = estimate_jacobian(force, Eigen::VectorXd::Constant(1, lengths[row]),

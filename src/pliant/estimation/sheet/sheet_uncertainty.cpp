@@ -70,20 +70,15 @@ Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Pro
     weight.push_back(coarser[t]->weights() / (noise.sd * std::sqrt(noise.correlation_length)));
   }
   const Problem coarse(std::move(parts), fine.unknowns, {context.threads, context.stop});
-  std::vector<PredictedRows> rows;
-  for (std::size_t t = 0; t < coarser.size(); ++t) {
-    auto found = coarse.predict(t, fine.values, /*derivatives=*/true);
-    if (!found) return {};
-    rows.push_back(std::move(*found));
-  }
+  const auto there = predicted_sums(coarse, fine.values, weight, known.free, told);
+  if (!there) return {};
   work += coarse.work();
   const EstimatingSums here =
       estimating_sums(problem, known.noise.rows, known.noise.weight, known.free, told);
-  const EstimatingSums there = estimating_sums(coarse, rows, weight, known.free, told);
   const std::vector<double> infinite(coarser.size(), INFINITY);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
-  shift(known.free) = formula_covariance(there, known.unit, infinite).inverse_slope *
-                      (gradient_of(here) - gradient_of(there));
+  shift(known.free) = formula_covariance(*there, known.unit, infinite).inverse_slope *
+                      (gradient_of(here) - gradient_of(*there));
   return shift;
 }
 

@@ -53,7 +53,7 @@ BucklingBend::BucklingBend(const BucklingStrip& strip, const SampledPath& path)
   measured_ = Eigen::VectorXd::Zero(rows);
   Specimen specimen;
   specimen.rows.count = rows;
-  specimen.stretches = path.stretches;
+  specimen.half_cycles = path.half_cycles;
   specimens_.push_back(std::move(specimen));
 }
 
@@ -92,8 +92,8 @@ void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& 
   specimen.first_nuisance = static_cast<int>(nuisance_.size());
   const std::span<const double> distances(distance_.data() + rows.first,
                                           static_cast<size_t>(rows.count));
-  specimen.stretches =
-      monotone_stretches(distances, reversal_threshold(distances, spec.noise.length.value_or(0)));
+  specimen.half_cycles =
+      half_cycles_of(distances, reversal_threshold(distances, spec.noise.length.value_or(0)));
   specimen.length_is_known = rest_length == RestLength::known;
   const size_t number = specimens_.size();
   add_nuisance(number, rows, rest_length);
@@ -127,9 +127,9 @@ void BucklingBend::read_path(const Specimen& specimen, int number) {
     return CarriedLoad{kStrainPerCurvature * rise * wave * wave,
                        (offset - measured_(row)) / strip_.width * rise, 1};
   };
-  std::vector<Stretch> stretches = specimen.stretches;
-  for (Stretch& stretch : stretches) stretch.direction = -stretch.direction;
-  append_stretches(specimen.rows, number, stretches, load, path_);
+  std::vector<HalfCycle> half_cycles = specimen.half_cycles;
+  for (HalfCycle& half : half_cycles) half.direction = -half.direction;
+  append_half_cycles(specimen.rows, number, half_cycles, load, path_);
 }
 
 std::optional<BucklingBend::Followed> BucklingBend::follow(const Specimen& specimen,
@@ -140,8 +140,8 @@ std::optional<BucklingBend::Followed> BucklingBend::follow(const Specimen& speci
   const int parameters = law.parameter_count();
   Followed followed{Eigen::VectorXd(count), Eigen::VectorXd(count),
                     Eigen::MatrixXd(count, with_derivatives ? parameters : 0)};
-  for (const Stretch& stretch : specimen.stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
+  for (const HalfCycle& half : specimen.half_cycles) {
+    for (int i = half.first; i <= half.last; ++i) {
       const double distance = distance_[static_cast<size_t>(specimen.rows.first + i)];
       if (!strip.move_to(distance, with_derivatives)) return std::nullopt;
       const StripShape& shape = strip.shape();
@@ -150,7 +150,7 @@ std::optional<BucklingBend::Followed> BucklingBend::follow(const Specimen& speci
       if (!with_derivatives) continue;
       followed.by_law.row(i) = shape.far_load_by_parameter.row(0).head(parameters);
     }
-    if (!strip.move_to(stretch.turn, with_derivatives)) return std::nullopt;
+    if (!strip.move_to(half.turn, with_derivatives)) return std::nullopt;
   }
   return followed;
 }
@@ -169,9 +169,9 @@ bool BucklingBend::predict_specimen(const Specimen& specimen, const ComponentLaw
         strip_.width * followed->force(i) + own(kForceOffset) + own(kForceDrift) * i / last;
   }
   prediction.strain.segment(first, count) = followed->strain;
-  for (const Stretch& stretch : specimen.stretches) {
-    for (int i = stretch.first; i <= stretch.last; ++i) {
-      const int before = std::max(i - 1, stretch.first), after = std::min(i + 1, stretch.last);
+  for (const HalfCycle& half : specimen.half_cycles) {
+    for (int i = half.first; i <= half.last; ++i) {
+      const int before = std::max(i - 1, half.first), after = std::min(i + 1, half.last);
       const double way = distance_[static_cast<size_t>(first + after)] -
                          distance_[static_cast<size_t>(first + before)];
       const double rise = strip_.width * (followed->force(after) - followed->force(before));

@@ -43,7 +43,7 @@ class BucklingBend : public ComponentExperiment {
  private:
   struct Specimen {
     SpecimenRows rows;
-    std::vector<Stretch> stretches;  ///< of the distance
+    std::vector<HalfCycle> half_cycles;  ///< of the distance
     int first_nuisance = 0;
     bool length_is_known = true;
   };

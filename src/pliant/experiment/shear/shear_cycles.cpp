@@ -44,7 +44,7 @@ StrainRecord read_record(const DataRows& data, double transverse_tension) {
 }  // namespace
 
 ShearCycles::ShearCycles(const SampledPath& path, double transverse_tension)
-    : ImposedStrain(record_of(path.value, transverse_tension), path.stretches) {}
+    : ImposedStrain(record_of(path.value, transverse_tension), path.half_cycles) {}
 
 ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts&)
     : ImposedStrain(spec, spec_of<ShearCyclesSpec>(spec).initial_friction, data,

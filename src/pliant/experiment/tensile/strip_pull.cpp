@@ -36,14 +36,14 @@ class StripWalk {
     return true;
   }
 
-  // Must be called before the rows of a stretch: finds where it goes slack.
-  void begin(const Stretch& stretch) {
+  // Must be called before the rows of a half cycle: finds where it goes slack.
+  void begin(const HalfCycle& half) {
     slack_strain_.reset();
     if (slack_) slack_strain_ = path_.start().strain;
-    if (slack_ || stretch.direction == 1) return;
+    if (slack_ || half.direction == 1) return;
     const auto stress = [&](double strain) { return path_.stress_at(strain); };
     const double from = path_.start().strain;
-    const double lowest = std::min(strain_at(geometry_, stretch.turn), from);
+    const double lowest = std::min(strain_at(geometry_, half.turn), from);
     if (stress(from) <= 0) {
       slack_strain_ = from;
     } else if (stress(lowest) < 0) {
@@ -51,9 +51,9 @@ class StripWalk {
     }
   }
 
-  void row(const Stretch& stretch, double length, Eigen::Index i, StripForces& out) const {
+  void row(const HalfCycle& half, double length, Eigen::Index i, StripForces& out) const {
     const double strain = strain_at(geometry_, length);
-    out.force(i) = setup_.force_offset + stretch.direction * setup_.apparatus_friction;
+    out.force(i) = setup_.force_offset + half.direction * setup_.apparatus_friction;
     out.length_gain(i) = 0;
     if (parameters_ > 0) out.jacobian.row(i).setZero();
     if (columns_.force_offset >= 0) out.jacobian(i, columns_.force_offset) = 1;
@@ -74,11 +74,11 @@ class StripWalk {
     }
   }
 
-  void end(const Stretch& stretch) {
-    const double turn = strain_at(geometry_, stretch.turn);
+  void end(const HalfCycle& half) {
+    const double turn = strain_at(geometry_, half.turn);
     const bool ends_slack = slack_strain_ && turn < *slack_strain_;
     if (!ends_slack) {
-      path_.turn_at(turn, strain_gradient(stretch.turn));
+      path_.turn_at(turn, strain_gradient(half.turn));
     } else if (!slack_) {
       // The stress stays zero there whatever the parameters: d strain = -d stress / slope.
       const PathStress here = path_.at(*slack_strain_);
@@ -146,7 +146,8 @@ class StripWalk {
   int parameters_;
   LawPath path_;
   bool slack_ = false;
-  std::optional<double> slack_strain_;  // kept by the material while the present stretch is slack
+  std::optional<double>
+      slack_strain_;  // kept by the material while the present half cycle is slack
 };
 
 }  // namespace
@@ -154,18 +155,18 @@ class StripWalk {
 std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
                                       const StripSetup& setup, const StripColumns& columns,
                                       std::span<const double> lengths,
-                                      std::span<const Stretch> stretches, int parameters) {
+                                      std::span<const HalfCycle> half_cycles, int parameters) {
   const auto rows = static_cast<Eigen::Index>(lengths.size());
   StripForces out{Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::VectorXd(rows),
                   Eigen::MatrixXd(rows, parameters)};
   StripWalk walk(law, geometry, setup, columns, parameters);
   if (!walk.start(lengths.front())) return std::nullopt;
-  for (const Stretch& stretch : stretches) {
-    walk.begin(stretch);
-    for (int i = stretch.first; i <= stretch.last; ++i) {
-      walk.row(stretch, lengths[static_cast<size_t>(i)], i, out);
+  for (const HalfCycle& half : half_cycles) {
+    walk.begin(half);
+    for (int i = half.first; i <= half.last; ++i) {
+      walk.row(half, lengths[static_cast<size_t>(i)], i, out);
     }
-    walk.end(stretch);
+    walk.end(half);
   }
   return out;
 }

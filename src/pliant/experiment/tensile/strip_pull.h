@@ -42,12 +42,12 @@ struct StripForces {
 /// have come back to that length. A strip that is slack at the start may hold a persistent strain,
 /// told by a negative initial friction.
 /// @param lengths     clamp distances (m)
-/// @param stretches   of `lengths`
+/// @param half_cycles   of `lengths`
 /// @param parameters  number of columns of the Jacobian; 0: no derivatives
 /// @return nothing when the persistent strain at the start has no value
 std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
                                       const StripSetup& setup, const StripColumns& columns,
                                       std::span<const double> lengths,
-                                      std::span<const Stretch> stretches, int parameters);
+                                      std::span<const HalfCycle> half_cycles, int parameters);
 
 }  // namespace pliant

@@ -19,13 +19,13 @@ constexpr double kRestLengthShare = 0.1;   // and of the gauge length
 }  // namespace
 
 TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
-                             std::vector<Stretch> stretches)
+                             std::vector<HalfCycle> half_cycles)
     : geometry_(geometry), length_(std::move(lengths)) {
   const auto rows = static_cast<int>(length_.size());
   measured_ = Eigen::VectorXd::Zero(rows);
   Specimen specimen;
   specimen.rows.count = rows;
-  specimen.stretches = std::move(stretches);
+  specimen.half_cycles = std::move(half_cycles);
   specimens_.push_back(std::move(specimen));
 }
 
@@ -59,7 +59,7 @@ void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec&
   const std::span<const double> lengths(length_.data() + rows.first,
                                         static_cast<size_t>(rows.count));
   const double threshold = reversal_threshold(lengths, spec.noise.length.value_or(0));
-  specimen.stretches = monotone_stretches(lengths, threshold);
+  specimen.half_cycles = half_cycles_of(lengths, threshold);
   for (int i = rows.first; i < rows.first + rows.count; ++i) {
     if (length_[static_cast<size_t>(i)] >= kSlackShare * geometry_.gauge_length) continue;
     specimen.slack_force += measured_(i);
@@ -79,11 +79,11 @@ void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec&
 // The first cycles condition the specimen: they carry its state and stay out of the fit.
 void TensileCycles::exclude_conditioning(const Specimen& specimen, int cycles) {
   int loadings = 0;
-  for (const Stretch& stretch : specimen.stretches) {
-    if (stretch.direction == 1) ++loadings;
+  for (const HalfCycle& half : specimen.half_cycles) {
+    if (half.direction == 1) ++loadings;
     if (cycles == 0 || loadings > cycles) return;
-    std::fill_n(info_.used.begin() + specimen.rows.first + stretch.first,
-                stretch.last - stretch.first + 1, 0);
+    std::fill_n(info_.used.begin() + specimen.rows.first + half.first, half.last - half.first + 1,
+                0);
   }
 }
 
@@ -118,7 +118,7 @@ void TensileCycles::read_path(const Specimen& specimen, int number) {
     return CarriedLoad{strain, measured_(row) - direction * apparatus_friction_,
                        force_factor(geometry_, strain)};
   };
-  append_stretches(specimen.rows, number, specimen.stretches, load, path_);
+  append_half_cycles(specimen.rows, number, specimen.half_cycles, load, path_);
 }
 
 void TensileCycles::describe(const ExperimentSpec& spec) {
@@ -127,10 +127,10 @@ void TensileCycles::describe(const ExperimentSpec& spec) {
   double overshoot = 0;
   for (const Specimen& specimen : specimens_) {
     slack += specimen.slack_rows;
-    turns += static_cast<int>(specimen.stretches.size()) - 1;
-    for (const Stretch& stretch : specimen.stretches) {
-      const double last = length_[static_cast<size_t>(specimen.rows.first + stretch.last)];
-      overshoot = std::max(overshoot, std::abs(stretch.turn - last));
+    turns += static_cast<int>(specimen.half_cycles.size()) - 1;
+    for (const HalfCycle& half : specimen.half_cycles) {
+      const double last = length_[static_cast<size_t>(specimen.rows.first + half.last)];
+      overshoot = std::max(overshoot, std::abs(half.turn - last));
     }
   }
   auto& handled = info_.handled;
@@ -197,7 +197,7 @@ std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
     const std::span<const double> lengths(length_.data() + specimen.rows.first,
                                           static_cast<size_t>(specimen.rows.count));
     const auto forces =
-        pull_strip(law, geometry_, setup, columns, lengths, specimen.stretches, parameters);
+        pull_strip(law, geometry_, setup, columns, lengths, specimen.half_cycles, parameters);
     if (!forces) return std::nullopt;
     prediction.value.segment(specimen.rows.first, specimen.rows.count) = forces->force;
     prediction.strain.segment(specimen.rows.first, specimen.rows.count) = forces->strain;

@@ -19,7 +19,7 @@ class TensileCycles : public ComponentExperiment {
   TensileCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
   /// A path of the clamps (m) without measured forces, of a fresh strip in an ideal apparatus.
   TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
-                std::vector<Stretch> stretches);
+                std::vector<HalfCycle> half_cycles);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
@@ -35,8 +35,8 @@ class TensileCycles : public ComponentExperiment {
  private:
   struct Specimen {
     SpecimenRows rows;
-    std::vector<Stretch> stretches;  // rows counted from the specimen's first
-    double slack_force = 0;          // mean force while the clamps are nearer than the gauge length
+    std::vector<HalfCycle> half_cycles;  // rows counted from the specimen's first
+    double slack_force = 0;  // mean force while the clamps are nearer than the gauge length
     int slack_rows = 0;
     StripColumns nuisance;  // indices of the specimen's nuisance parameters
   };

@@ -88,7 +88,7 @@ std::string VirtualTensileCycles::rows(const ComponentLaw& law, const ClothFacts
                                        RandomStream& random) const {
   const SampledPath path = clamp_path(1);
   const Prediction pulled =
-      predicted(TensileCycles({length, width, cloth.membrane}, path.value, path.stretches), law);
+      predicted(TensileCycles({length, width, cloth.membrane}, path.value, path.half_cycles), law);
   return table_text({{"force_N", {pulled.value.begin(), pulled.value.end()}, 1, force()},
                      {"length_mm", path.value, 1e3, lengths()},
                      {"cycle", {path.cycle.begin(), path.cycle.end()}}},

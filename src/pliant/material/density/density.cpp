@@ -1,5 +1,7 @@
 #include "pliant/material/density/density.h"
 
+#include <Eigen/Eigenvalues>
+
 namespace pliant {
 
 Response::Response(int strains)
@@ -7,6 +9,26 @@ Response::Response(int strains)
       work(Lane::Zero()),
       stress(LaneStrains::Zero(kLanes, strains)),
       tangent(LaneTangents::Zero(kLanes, strains * strains)) {}
+
+void make_tangent_convex(Response& response, int strains) {
+  bool diagonal = true;
+  for (int k = 0; k < strains * strains; ++k) {
+    if (k % (strains + 1) == 0) continue;
+    diagonal = diagonal && (response.tangent.col(k) == 0).all();
+  }
+  if (diagonal) {
+    response.tangent = response.tangent.max(0);
+    return;
+  }
+  for (int l = 0; l < kLanes; ++l) {
+    Eigen::MatrixXd tangent(strains, strains);
+    for (int k = 0; k < tangent.size(); ++k) tangent(k) = response.tangent(l, k);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(tangent);
+    tangent = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+              eigen.eigenvectors().transpose();
+    for (int k = 0; k < tangent.size(); ++k) response.tangent(l, k) = tangent(k);
+  }
+}
 
 SampleDerivatives::SampleDerivatives(int strains, int history, int parameters)
     : stress_by_last(Eigen::MatrixXd::Zero(strains, strains)),

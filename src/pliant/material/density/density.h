@@ -55,6 +55,9 @@ struct Response {
   LaneTangents tangent;  ///< d stress / d strain
 };
 
+/// Puts the nearest tangents without negative eigenvalues in place of those of a response.
+void make_tangent_convex(Response& response, int strains);
+
 /// Derivatives of one material point's stress and history along a quasi-static path ([T] 5.2; a
 /// path's sensitivity carries them from step to step).
 struct SampleDerivatives {

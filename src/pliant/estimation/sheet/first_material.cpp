@@ -30,4 +30,21 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
   return material;
 }
 
+std::vector<double> first_bending(const Material& material, const ComponentGroup& group) {
+  const auto known = [&](const char* component) {
+    return material.components.at(component).stiffness->value(0);
+  };
+  std::vector<double> values;
+  if (group.front() == "bend.diagonal") {
+    const double mean = (known("bend.weft") + known("bend.warp")) / 2;
+    for (const double share : {2.0, 1.0, 0.5, 0.25}) values.push_back(share * mean);
+    return values;
+  }
+  const bool springs = material.bending == "spring";
+  for (double value = springs ? 0.1 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
+    values.push_back(value);
+  }
+  return values;
+}
+
 }  // namespace pliant

@@ -132,11 +132,16 @@ class Fitter {
     if (!worthwhile) restore(elastic);
   }
 
-  /// Whether the residual falls by what more parameters are worth. The noise of a pose is in all
-  /// forces of a frame: frames count, not rows.
-  static bool is_worth(const SheetStage& stage, int parameters, double without, double with) {
+  /// The noise of a pose is in all forces of a frame: frames count, not rows.
+  static double frames_of(const SheetStage& stage) {
     double frames = 0;
     for (const SheetTest* test : stage.tests) frames += test->frame_count();
+    return frames;
+  }
+
+  /// Whether the residual falls by what more parameters are worth.
+  static bool is_worth(const SheetStage& stage, int parameters, double without, double with) {
+    const double frames = frames_of(stage);
     return pliant::is_worth({without, 0, 0, frames}, {with, parameters, 0, frames});
   }
 
@@ -190,36 +195,39 @@ class Fitter {
   }
 
   /// One control point after the other, at equal distances.
-  double add_points(const SheetStage& stage, const ComponentGroup& group, double best) {
-    if (settings_.model.stiffness == CurveKind::constant || is_fixed(group)) return best;
-    const bool even = is_even(group.front());
-    const double largest = strain_of(group);
-    int enough = stiffness_of(group).size();
-    State accepted = state();
-    // Each search along a path with friction takes long.
-    const int patience = law_of(fit_.material, group).friction_law == FrictionLaw::none ? 2 : 1;
-    int useless = 0;
-    for (int points = enough + 1; points <= settings_.fit.control_points && useless < patience;
-         ++points) {
-      if (best < accuracy_of(stage)) break;
-      const ScalarCurve last = stiffness_of(group);
-      std::vector<double> knots, values;
-      for (int i = 0; i < points; ++i) {
-        knots.push_back(largest * i / (points - 1));
-        values.push_back(last.value(knots.back()));
+  double add_points(const SheetStage& stage, const ComponentGroup& group, double rms) {
+    if (settings_.model.stiffness == CurveKind::constant || is_fixed(group)) return rms;
+    const int first = stiffness_of(group).size();
+    std::vector<State> states;  // of each number of points that was tried
+    const auto fit_of = [&](int points) -> std::optional<FittedModel> {
+      if (points > first) {
+        give_stiffness(going_along({group}).front(), at_equal_distances(group, points));
+        rms = solve(stage);
       }
-      give_stiffness(going_along({group}).front(), ScalarCurve::hermite(knots, values, even));
-      const double rms = solve(stage);
-      const bool worthwhile = is_worth(stage, points - enough, best, rms);
-      record(stage, rms, worthwhile);
-      useless = worthwhile ? 0 : useless + 1;
-      if (!worthwhile) continue;
-      enough = points;
-      best = rms;
-      accepted = state();
+      states.push_back(state());
+      return FittedModel{rms, points, 0, frames_of(stage)};
+    };
+    // Each search along a path with friction takes long.
+    const bool rubs = law_of(fit_.material, group).friction_law != FrictionLaw::none;
+    const Growth growth = grow_model(first, settings_.fit.control_points, fit_of,
+                                     accuracy_of(stage), /*patience=*/rubs ? 1 : 2);
+    for (const GrowthStep& step : growth.steps) {
+      restore(states[static_cast<std::size_t>(step.points - first)]);
+      if (step.points > first) record(stage, step.fit.rms, step.accepted);
     }
-    restore(accepted);
-    return best;
+    restore(states[static_cast<std::size_t>(growth.points - first)]);
+    return growth.steps[static_cast<std::size_t>(growth.points - first)].fit.rms;
+  }
+
+  /// The curve of a group through another number of control points.
+  ScalarCurve at_equal_distances(const ComponentGroup& group, int points) const {
+    const ScalarCurve& curve = stiffness_of(group);
+    std::vector<double> knots, values;
+    for (int i = 0; i < points; ++i) {
+      knots.push_back(strain_of(group) * i / (points - 1));
+      values.push_back(curve.value(knots.back()));
+    }
+    return ScalarCurve::hermite(knots, values, is_even(group.front()));
   }
 
   /// The control points once more, denser towards rest. They stay there where that pays.
@@ -324,7 +332,7 @@ class Fitter {
     constexpr double kPlateau = 1.1;  // of the least cost: stiffness may not matter yet
     double least = INFINITY, best = 0;
     int worse = 0;
-    for (const double value : first_bending(group)) {
+    for (const double value : first_bending(fit_.material, group)) {
       constant(value);
       SheetProblem problem(stage.tests, fit_.material, stage.groups, usual_strains(stage),
                            context_);
@@ -338,25 +346,6 @@ class Fitter {
       if (worse == 2) break;
     }
     constant(best);
-  }
-
-  /// Stiffnesses to try, stiff ones first: soft sheets fold, and take long. What bends diagonally
-  /// is not far from what bends along the threads.
-  std::vector<double> first_bending(const ComponentGroup& group) const {
-    const auto known = [&](const char* component) {
-      return fit_.material.components.at(component).stiffness->value(0);
-    };
-    std::vector<double> values;
-    if (group.front() == "bend.diagonal") {
-      const double mean = (known("bend.weft") + known("bend.warp")) / 2;
-      for (const double share : {2.0, 1.0, 0.5, 0.25}) values.push_back(share * mean);
-      return values;
-    }
-    const bool springs = fit_.material.bending == "spring";
-    for (double value = springs ? 0.1 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
-      values.push_back(value);
-    }
-    return values;
   }
 
   /// Without a test of shear the sheet has a fifth of its stretch stiffness.

@@ -22,14 +22,17 @@ bool is_worth(const FittedModel& simple, const FittedModel& rich, double accurac
   return 2 * spare * std::log(simple.rms / rich.rms) > std::log(rows) * cost;
 }
 
-Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy) {
+Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy, int patience) {
   Growth growth;
   const auto start = fit_of(first);
   if (!start) return growth;
   growth.points = first;
   growth.steps.push_back({first, *start, true});
   FittedModel accepted = *start;
-  for (int points = first + 1; points <= most && points <= growth.points + 2; ++points) {
+  const auto goes_on = [&](int points) {
+    return accepted.rms > accuracy && points <= most && points <= growth.points + patience;
+  };
+  for (int points = first + 1; goes_on(points); ++points) {
     const auto fit = fit_of(points);
     if (!fit) break;
     const bool worth = is_worth(accepted, *fit, accuracy);

@@ -47,9 +47,12 @@ struct Growth {
   std::vector<GrowthStep> steps;  ///< in the order they were fitted
 };
 
-/// Grows a model from `first` points to `most`. One point more may do nothing where two do (a curve
-/// that falls and rises again): growth ends only when neither one nor two more are worth it.
-/// @param fit_of  is called with rising numbers of points, each once
-Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy = 0);
+/// Grows a model from `first` points to `most`, or until it is as good as any. One point more may
+/// do nothing where two do (a curve that falls and rises again): growth ends only when neither one
+/// nor two more are worth it.
+/// @param fit_of    is called with rising numbers of points, each once
+/// @param patience  how many points more are tried; 1 where a fit takes very long
+Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy = 0,
+                  int patience = 2);
 
 }  // namespace pliant

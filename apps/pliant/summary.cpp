@@ -71,6 +71,7 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
   for (const std::string& warning : result.warnings) {
     context.run.progress.message(Level::warning, warning);
   }
+  context.say(result.judgement.headline);
 }
 
 void say_fit(const CommandContext& context, const StudyResult& result) {

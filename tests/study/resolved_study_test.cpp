@@ -51,6 +51,7 @@ model:
 fit: {estimator: anchor, control_points: 3, loss: cauchy, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
       fix: {stretch.warp.k1: 4.5}, priors: {"*.k2": {mean: -30, sd: 2}}}
 validate: ["b", "c*"]
+accept: {rms: 3 %, loop: 12.5 %}
 )yaml";
 
 /// Quantities are written with 15 significant digits.
@@ -114,6 +115,10 @@ void expect_same(const Study& a, const Study& b) {
     EXPECT_EQ(prior.sd, b.fit.priors.at(name).sd);
   }
   EXPECT_EQ(a.validate, b.validate);
+  expect_near(a.accept.rms, b.accept.rms);
+  expect_near(a.accept.span, b.accept.span);
+  expect_near(a.accept.loop, b.accept.loop);
+  expect_near(a.accept.unexplained, b.accept.unexplained);
 }
 
 TEST(ResolvedStudy, ReadsBackAsTheSameStudyFromAnyFolder) {

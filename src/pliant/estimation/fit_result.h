@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/judgement.h"
 #include "pliant/estimation/statistics/determination.h"
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/experiment/component_experiment.h"
@@ -138,6 +139,7 @@ struct StudyResult {
   std::vector<ModelRank> models;
   std::vector<Profile> profiles;
   std::vector<std::string> assumptions, undetermined, warnings;
+  Judgement judgement;
   Material material;
 };
 

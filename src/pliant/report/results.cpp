@@ -168,6 +168,17 @@ SingularValues read_singular_values(const JsonReader& json) {
   return {json.text_or("component", ""), json.numbers("values")};
 }
 
+ResultJudgement read_judgement(const std::optional<JsonReader>& json) {
+  ResultJudgement judgement;
+  if (!json) return judgement;
+  judgement.fitness = json->text("fitness");
+  judgement.headline = json->text("headline");
+  for (const JsonReader& e : json->objects("experiments")) {
+    if (e.text("fitness") != "fit") judgement.misses.push_back(e.text("name"));
+  }
+  return judgement;
+}
+
 template <typename Item>
 std::vector<Item> read_all(const JsonReader& json, std::string_view key,
                            Item (*read)(const JsonReader&)) {
@@ -230,6 +241,7 @@ Results read_results(const std::filesystem::path& directory) {
   r.starts = read_all(json, "starts", read_start);
   r.models = read_all(json, "models", read_model);
   r.profiles = read_all(json, "profiles", read_profile);
+  r.judgement = read_judgement(json.object("judgement"));
   r.undetermined = json.texts("undetermined");
   r.assumptions = json.texts("assumptions");
   r.warnings = json.texts("warnings");

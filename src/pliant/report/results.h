@@ -98,6 +98,12 @@ struct FitWork {
 };
 
 /// fit.json or evaluation.json of a results directory.
+/// What the fit says of its own fitness for use; empty in results of earlier versions.
+struct ResultJudgement {
+  std::string fitness, headline;
+  std::vector<std::string> misses;  ///< experiments that are not accepted, the worst first
+};
+
 struct Results {
   bool evaluation = false;
   std::string name, material, command, created, version, estimator;
@@ -117,6 +123,7 @@ struct Results {
   /// What the fit says is not determined, with reasons; may be empty although something is not.
   std::vector<std::string> undetermined;
   std::vector<std::string> assumptions, warnings;
+  ResultJudgement judgement;
 };
 
 /// Reads `directory`/fit.json, or evaluation.json where there is no fit.json.

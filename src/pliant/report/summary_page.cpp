@@ -109,6 +109,14 @@ std::vector<std::size_t> representative_experiments(const Results& results) {
         e.validation != rival.validation ? rival.validation : e.points > rival.points;
     if (better) *same = i;
   }
+  if (results.judgement.misses.empty()) return chosen;
+  // What is missed most is shown first.
+  const auto worst = std::ranges::find(results.experiments, results.judgement.misses.front(),
+                                       &ResultExperiment::name);
+  if (worst == results.experiments.end()) return chosen;
+  const auto index = static_cast<std::size_t>(worst - results.experiments.begin());
+  std::erase(chosen, index);
+  chosen.insert(chosen.begin(), index);
   return chosen;
 }
 
@@ -336,6 +344,15 @@ std::string warnings(const Results& results) {
          bullet_list(first_of(results.warnings, kMaxListed)) + "</section>\n";
 }
 
+std::string headline(const ReportData& data) {
+  const ResultJudgement& judgement = data.results.judgement;
+  const std::string details = data.is_of_sheets() ? sheet_verdict(data) : verdict(data.results);
+  const std::string text = escape_html(shortened(details, 560));
+  if (judgement.headline.empty()) return fmt::format("<p class=\"verdict\">{}</p>\n", text);
+  return fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n", judgement.fitness,
+                     escape_html(judgement.headline), text);
+}
+
 constexpr std::string_view kSignature =
     "<div class=\"signature\"><span>Name</span><span>Date</span><span>Signature</span></div>\n";
 
@@ -348,9 +365,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html +=
       results.evaluation ? " <span>evaluation of a material</span>" : " <span>material fit</span>";
   html += "</h1></header>\n";
-  html += fmt::format(
-      "<p class=\"verdict\">{}</p>\n",
-      escape_html(shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(results), 560)));
+  html += headline(data);
   html += facts(data);
   html += data.is_of_sheets() ? sheet_findings(data, figures)
                               : loops(data, figures) + experiment_table(results);

@@ -119,6 +119,22 @@ Json experiment_json(const ExperimentResult& e) {
   return json;
 }
 
+Json judgement_json(const Judgement& judgement) {
+  Json json{{"fitness", name_of(judgement.fitness)},
+            {"headline", judgement.headline},
+            {"experiments", Json::array()}};
+  for (const ExperimentJudgement& e : judgement.experiments) {
+    json["experiments"].push_back({{"name", e.experiment},
+                                   {"fitness", name_of(e.fitness())},
+                                   {"excess", number(e.excess)},
+                                   {"span_ratio", number(e.span_ratio)},
+                                   {"loop_ratio", number(e.loop_ratio)},
+                                   {"explained_variance", number(e.explained)},
+                                   {"reasons", e.reasons}});
+  }
+  return json;
+}
+
 Json covariance_json(const Eigen::MatrixXd& covariance) {
   Json rows = Json::array();
   for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
@@ -318,6 +334,7 @@ std::string summary_text(const StudyResult& result, const RunFacts& facts, bool 
     json["experiments"].push_back(experiment_json(e));
   }
   if (fitted) add_searches(result, json);
+  json["judgement"] = judgement_json(result.judgement);
   json["undetermined"] = result.undetermined;
   json["assumptions"] = result.assumptions;
   json["warnings"] = result.warnings;

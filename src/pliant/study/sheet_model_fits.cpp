@@ -79,6 +79,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
+      fit.result.judgement = judge(fit.result, fit.study.accept, /*evaluation=*/false);
       solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {
       fail(error);

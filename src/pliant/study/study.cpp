@@ -272,6 +272,20 @@ void refuse_oblique_strips_in_one_dimension(const Study& study) {
   }
 }
 
+Acceptance read_acceptance(const Value& node) {
+  Fields fields = node.fields();
+  Acceptance accept;
+  const auto read = [&](const char* key, double& share) {
+    if (auto v = fields.optional(key)) share = v->positive_quantity(Dimension::fraction);
+  };
+  read("rms", accept.rms);
+  read("span", accept.span);
+  read("loop", accept.loop);
+  read("unexplained", accept.unexplained);
+  fields.finish();
+  return accept;
+}
+
 void apply_validate(const Value& list, Study& study) {
   for (const Value& item : list.items()) {
     const std::string pattern = item.text();
@@ -315,6 +329,7 @@ Study read_study(const std::filesystem::path& path) {
   refuse_oblique_strips_in_one_dimension(study);
   study.fit = read_fit(fields);
   if (auto v = fields.optional("validate")) apply_validate(*v, study);
+  if (auto v = fields.optional("accept")) study.accept = read_acceptance(*v);
   fields.finish();
   return study;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/judgement.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/registry.h"
@@ -19,6 +20,7 @@ struct Study : FitSettings {
   std::map<std::string, std::string> conditions;
   std::vector<ExperimentSpec> experiments;
   std::vector<std::string> validate;
+  Acceptance accept;
 };
 
 /// Reads a study/1 file.

@@ -50,6 +50,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
   evaluate_sheets(with_measure, material, context, result);
   result.assumptions = assumptions_of(study, experiments);
   result.seconds = watch.seconds();
+  result.judgement = judge(result, study.accept, /*evaluation=*/true);
   return result;
 }
 

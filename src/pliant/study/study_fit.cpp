@@ -48,12 +48,8 @@ void warn_of_sheets(const Study& study, StudyResult& result) {
   }
 }
 
-}  // namespace
-
-StudyResult fit_study(const Study& study, const StudyFitOptions& options,
-                      const RunContext& context) {
-  if (fits_sheets(study) && fits_strips(study)) return fit_joint_study(study, options, context);
-  if (fits_sheets(study)) return fit_sheet_study(study, context);
+StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
+                       const RunContext& context) {
   if (study.model.isotropic) {
     throw InputError({study.file, 0, "model.variant"},
                      "components are fitted one by one: weft and warp have nothing to share",
@@ -83,6 +79,20 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
   result.seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace
+
+StudyResult fit_study(const Study& study, const StudyFitOptions& options,
+                      const RunContext& context) {
+  const auto fit = [&] {
+    if (!fits_sheets(study)) return fit_strips(study, options, context);
+    return fits_strips(study) ? fit_joint_study(study, options, context)
+                              : fit_sheet_study(study, context);
+  };
+  StudyResult result = fit();
+  result.judgement = judge(result, study.accept, /*evaluation=*/false);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include <yaml-cpp/yaml.h>
 
+#include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/test_type.h"
 #include "pliant/study/study.h"
@@ -139,6 +140,12 @@ std::string resolved_study_text(const Study& study, const std::filesystem::path&
   node["model"] = model_node(study.model);
   node["fit"] = fit_node(study.fit);
   for (const std::string& pattern : study.validate) node["validate"].push_back(pattern);
+  for (const auto& [key, share] : {std::pair("rms", study.accept.rms),
+                                   {"span", study.accept.span},
+                                   {"loop", study.accept.loop},
+                                   {"unexplained", study.accept.unexplained}}) {
+    node["accept"][key] = format_number(100 * share, 15) + " %";
+  }
 
   YAML::Emitter emitter;
   emitter.SetDoublePrecision(17);

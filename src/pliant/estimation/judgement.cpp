@@ -1,0 +1,170 @@
+#include "pliant/estimation/judgement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/estimation/fit_result.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kReservation = 3;  // times what is accepted: more is no use
+
+/// Rows of a table that take part; empty where what is measured has no scale of its own, such as
+/// distances from a profile.
+struct ComparedRows {
+  Eigen::ArrayXd measured, predicted;
+};
+
+ComparedRows compared_rows(const ExperimentResult& e) {
+  if (e.quantity.kind == "distance" || e.measured.size() != e.predicted.size()) return {};
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < e.measured.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (row >= e.used.size() || e.used[row]) rows.push_back(i);
+  }
+  return {e.measured(rows).array(), e.predicted(rows).array()};
+}
+
+double span_of(const Eigen::ArrayXd& values) { return values.maxCoeff() - values.minCoeff(); }
+
+/// A figure of an experiment over what is accepted of it, and how it is told.
+struct Figure {
+  double excess = 0;
+  std::string reason;
+};
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+std::string_view reference_of(const ExperimentResult& e) {
+  if (e.quantity.kind == "distance") return e.sheet ? "the sheet's side" : "the strip's length";
+  return e.quantity.kind == "length" ? "the largest extension" : "the peak";
+}
+
+std::string with_unit(double value, const MeasuredQuantity& quantity) {
+  return fmt::format("{:.3g} {}", value * quantity.per_si, quantity.unit);
+}
+
+ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) {
+  ExperimentJudgement own;
+  own.experiment = e.name;
+  own.predicted = e.role == ExperimentRole::validate;
+  std::vector<Figure> figures{
+      {e.rms_percent / 100 / accept.rms,
+       fmt::format("RMS error {} of {} (accepted: {})", percent(e.rms_percent / 100),
+                   reference_of(e), percent(accept.rms))}};
+  const ComparedRows rows = compared_rows(e);
+  if (rows.measured.size() > 2 && span_of(rows.measured) > 0) {
+    const double measured = span_of(rows.measured), predicted = span_of(rows.predicted);
+    own.span_ratio = predicted / measured;
+    figures.push_back(
+        {std::abs(*own.span_ratio - 1) / accept.span,
+         fmt::format("the measured span of {} is predicted as {}", with_unit(measured, e.quantity),
+                     with_unit(predicted, e.quantity))});
+    const double variance = (rows.measured - rows.measured.mean()).square().sum();
+    own.explained = 1 - (rows.predicted - rows.measured).square().sum() / variance;
+    figures.push_back(
+        {(1 - *own.explained) / accept.unexplained,
+         fmt::format("{} of the variance is explained (accepted: {})",
+                     percent(std::max(*own.explained, 0.0)), percent(1 - accept.unexplained))});
+  }
+  if (e.measured_loop && e.predicted_loop && e.measured_loop->loop_loss > 0) {
+    own.loop_ratio = e.predicted_loop->loop_loss / e.measured_loop->loop_loss;
+    figures.push_back(
+        {std::abs(*own.loop_ratio - 1) / accept.loop,
+         fmt::format("the loop loses {}, predicted {}", percent(e.measured_loop->loop_loss),
+                     percent(e.predicted_loop->loop_loss))});
+  }
+  std::ranges::stable_sort(figures, std::greater(), &Figure::excess);
+  own.excess = figures.front().excess;
+  for (Figure& figure : figures) {
+    if (!(figure.excess <= 1)) own.reasons.push_back(std::move(figure.reason));
+  }
+  return own;
+}
+
+Fitness fitness_of(double excess) {
+  if (excess <= 1) return Fitness::fit;
+  return excess <= kReservation ? Fitness::reservations : Fitness::unfit;
+}
+
+std::string worst_of(const std::vector<ExperimentJudgement>& experiments) {
+  const ExperimentJudgement& worst = experiments.front();
+  return fmt::format("{}: {}", worst.experiment, fmt::join(worst.reasons, "; "));
+}
+
+/// " in bend.warp" where what is no use are some components among others.
+std::string where_unfit(const StudyResult& result, const Judgement& judgement) {
+  std::set<std::string> unfit, all;
+  for (const ExperimentResult& e : result.experiments) {
+    all.insert(e.component);
+    const auto own =
+        std::ranges::find(judgement.experiments, e.name, &ExperimentJudgement::experiment);
+    if (own->fitness() == Fitness::unfit) unfit.insert(e.component);
+  }
+  if (unfit.empty() || unfit.contains("") || unfit.size() == all.size()) return {};
+  return fmt::format(" in {}", fmt::join(unfit, ", "));
+}
+
+std::string headline_of(const StudyResult& result, const Judgement& judgement, bool validated,
+                        bool evaluation) {
+  if (judgement.experiments.empty()) return "There is no experiment to judge the material by.";
+  const bool missed = !judgement.experiments.front().reasons.empty();
+  std::string text;
+  switch (judgement.fitness) {
+    case Fitness::fit:
+      text = "Fit for use within the range of the data.";
+      break;
+    case Fitness::reservations:
+      text = "Fit for use with reservations.";
+      if (missed) text += " " + worst_of(judgement.experiments) + ".";
+      break;
+    case Fitness::unfit:
+      text = "Not fit for use" + where_unfit(result, judgement) + ".";
+      if (missed) text += " " + worst_of(judgement.experiments) + ".";
+      break;
+  }
+  if (!result.converged) text += " The fit did not converge.";
+  if (!validated && !evaluation) text += " No experiment was kept to validate it.";
+  return text;
+}
+
+}  // namespace
+
+std::string_view name_of(Fitness fitness) {
+  switch (fitness) {
+    case Fitness::fit:
+      return "fit";
+    case Fitness::reservations:
+      return "reservations";
+    case Fitness::unfit:
+      return "unfit";
+  }
+  return "";
+}
+
+Fitness ExperimentJudgement::fitness() const { return fitness_of(excess); }
+
+Judgement judge(const StudyResult& result, const Acceptance& accept, bool evaluation) {
+  Judgement judgement;
+  for (const ExperimentResult& e : result.experiments) {
+    judgement.experiments.push_back(judged(e, accept));
+  }
+  std::ranges::stable_sort(judgement.experiments, std::greater(), &ExperimentJudgement::excess);
+  const bool validated =
+      std::ranges::any_of(judgement.experiments, &ExperimentJudgement::predicted);
+  if (!judgement.experiments.empty()) {
+    judgement.fitness = judgement.experiments.front().fitness();
+  }
+  if (judgement.fitness == Fitness::fit && !validated) judgement.fitness = Fitness::reservations;
+  if (!result.converged) judgement.fitness = Fitness::unfit;
+  judgement.headline = headline_of(result, judgement, validated, evaluation);
+  return judgement;
+}
+
+}  // namespace pliant

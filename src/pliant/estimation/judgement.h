@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+struct StudyResult;
+
+/// How large the errors of an experiment may be (`accept:` of a study).
+struct Acceptance {
+  double rms = 0.05;          ///< RMS error over the peak (the largest extension, the length)
+  double span = 0.1;          ///< difference of the predicted span of what is measured from 1
+  double loop = 0.3;          ///< difference of the predicted loss of the loop from 1
+  double unexplained = 0.05;  ///< share of the variance of what is measured that is not predicted
+};
+
+/// Whether a material may be used within the range of its data.
+enum class Fitness { fit, reservations, unfit };
+
+std::string_view name_of(Fitness fitness);
+
+/// How well an experiment is predicted, by its own scale.
+struct ExperimentJudgement {
+  std::string experiment;
+  bool predicted = false;                        ///< nothing was fitted to it
+  double excess = 0;                             ///< the worst of its figures over what is accepted
+  std::optional<double> span_ratio, loop_ratio;  ///< predicted over measured
+  std::optional<double> explained;               ///< share of the variance
+  std::vector<std::string> reasons;              ///< figures that are not accepted, the worst first
+
+  /// Up to three times what is accepted is a reservation.
+  Fitness fitness() const;
+};
+
+/// What the errors of a fit or an evaluation allow to be said of its material.
+struct Judgement {
+  Fitness fitness = Fitness::reservations;
+  std::string headline;                          ///< one or two sentences
+  std::vector<ExperimentJudgement> experiments;  ///< the worst first
+};
+
+/// Judges all experiments of a result. A fit that did not converge is not fit for use; one of which
+/// nothing was kept for validation has that for a reservation.
+/// @param evaluation  nothing was fitted
+Judgement judge(const StudyResult& result, const Acceptance& accept, bool evaluation);
+
+}  // namespace pliant

@@ -62,7 +62,9 @@ FrictionFacts friction_facts(const ComponentLaw& law, const DahlParameters& dahl
   if (at_zero > 0) facts.appearance = appearance_of({dahl.a, dahl.tau}, at_zero);
   const double scale = facts.appearance ? facts.appearance->saturation : dahl.tau;
   const double reach = end && *end > 0 ? *end : kReachWithoutRange * scale;
-  facts.persistent_strain = law.addends_remember() ? strain_left(law, side, reach)
+  ComponentLaw own = law;
+  own.friction = {dahl.a, dahl.b, dahl.tau};
+  facts.persistent_strain = law.addends_remember() ? strain_left(own, side, reach)
                                                    : persistent_strain(law, dahl, side, reach);
   facts.snapping = snapping_strains(law, dahl.b, side, reach);
   return facts;

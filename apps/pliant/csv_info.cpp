@@ -11,6 +11,7 @@
 #include "pliant/experiment/registry.h"
 #include "pliant/experiment/standard_figures.h"
 #include "pliant/io/csv.h"
+#include "pliant/measurement/column_synonyms.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -33,6 +34,7 @@ const std::vector<KnownQuantity>& known_quantities() {
       {"force", {Dimension::force, force_per_length}},
       {"length", {Dimension::length}},
       {"extension", {Dimension::length}},
+      {"strain", {fraction}},
       {"weight", {Dimension::force, mass}},
       {"peak", {Dimension::force}},
       {"angle", {Dimension::angle}},
@@ -61,10 +63,10 @@ struct UnderstoodColumn {
 std::map<std::string, UnderstoodColumn> understood_columns(const CsvTable& table) {
   std::map<std::string, UnderstoodColumn> columns;
   for (const auto& [name, dimensions] : known_quantities()) {
-    const std::optional<std::string> header = table.quantity_column(name);
-    if (!header) continue;
-    const std::string unit = *table.quantity_unit(name);
     for (const Dimension dimension : dimensions) {
+      const std::optional<std::string> header = table.quantity_column(name, dimension);
+      if (!header || columns.contains(*header)) continue;
+      const std::string unit = *table.quantity_unit(name, dimension);
       if (unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
     }
   }
@@ -162,6 +164,7 @@ std::vector<const TestType*> usable_types(const std::map<std::string, Understood
 void add_standard_figures(const TestType& type, const std::filesystem::path& path, FileInfo& info) {
   DataSource source;
   source.files = {path};
+  source.csv.synonyms = column_synonyms();
   const StandardFigures figures = type.standard_figures(DataRows(source), nullptr, 0);
   info.json[figures.key] = figures.json;
   for (const std::string& text : figures.texts) info.lines.push_back(labelled(figures.label, text));
@@ -170,7 +173,7 @@ void add_standard_figures(const TestType& type, const std::filesystem::path& pat
 }  // namespace
 
 FileInfo csv_info(const std::filesystem::path& path) {
-  const CsvTable table = read_csv(path);
+  const CsvTable table = read_csv(path, {.synonyms = column_synonyms()});
   const auto understood = understood_columns(table);
   FileInfo info = begin_info(path, "csv");
   info.json["rows"] = table.rows();

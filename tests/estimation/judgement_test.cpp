@@ -25,6 +25,7 @@ ExperimentResult pulled(const std::string& name, double measured_peak, double pr
   e.measured = measured_peak * rise;
   e.predicted = predicted_peak * rise;
   e.used.assign(kRows, 1);
+  e.points = kRows;
   e.rms = (e.measured - e.predicted).norm() / std::sqrt(kRows);
   e.rms_percent = 100 * e.rms / measured_peak;
   return e;
@@ -115,6 +116,23 @@ TEST(Judgement, DistancesAreJudgedByTheLengthOfTheStrip) {
   const Judgement judgement = judge(result_of({e}), {}, false);
   EXPECT_FALSE(judgement.experiments.front().span_ratio);
   EXPECT_THAT(judgement.headline, HasSubstr("RMS error 7 % of the strip's length (accepted: 5 %)"));
+}
+
+TEST(Judgement, WhatHasNoPredictionIsNoFit) {
+  ExperimentResult e = pulled("sheet", 1, 1);
+  e.points = 0;
+  e.rms = e.rms_percent = 0;
+  const Judgement judgement = judge(result_of({e}), {}, false);
+  EXPECT_EQ(judgement.fitness, Fitness::unfit);
+  EXPECT_THAT(judgement.headline, HasSubstr("nothing of it can be predicted"));
+}
+
+TEST(Judgement, AnErrorThatIsNoNumberIsTheWorst) {
+  ExperimentResult e = pulled("b", 1, 1);
+  e.rms_percent = NAN;
+  const Judgement judgement = judge(result_of({pulled("a", 1, 1.2), e}), {}, false);
+  EXPECT_EQ(judgement.experiments.front().experiment, "b");
+  EXPECT_EQ(judgement.fitness, Fitness::unfit);
 }
 
 TEST(Judgement, WithoutExperimentsThereIsNothingToSay) {

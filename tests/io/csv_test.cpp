@@ -67,6 +67,59 @@ TEST(Csv, TakesUnitsInBracketsAndCompoundUnits) {
   EXPECT_EQ(table("stretch,stretch_2\n1,2\n").quantity("stretch", Dimension::number), Numbers{1});
 }
 
+TEST(Csv, FindsNamesInAnyCaseAndUnitsAsTestersWriteThem) {
+  for (const char* header : {"Force (N)", "FORCE [N]", "Force/N", "Force / N", "force in N",
+                             "Force, N", "Force N", "force_N"}) {
+    EXPECT_EQ(
+        table(std::string("time_s\t") + header + "\n0\t2\n").quantity("force", Dimension::force),
+        Numbers{2})
+        << header;
+  }
+  // Columns that only name something are called as we call them.
+  EXPECT_FALSE(table("Cycle,x\n1,2\n").has("cycle"));
+  EXPECT_FALSE(table("forces_N\n1\n").optional_quantity("force", Dimension::force));
+}
+
+TEST(Csv, TakesAUnitsRowWithoutBrackets) {
+  const CsvTable csv = table("Force;Time\nN;s\n2,5;1\n");
+  EXPECT_EQ(csv.quantity("force", Dimension::force), Numbers{2.5});
+  EXPECT_EQ(csv.rows(), 1U);
+}
+
+TEST(Csv, FindsSynonymsWhoseUnitFits) {
+  const CsvOptions options{.synonyms = {{"force", {"load"}},
+                                        {"extension", {"elongation", "stroke"}},
+                                        {"strain", {"elongation"}}}};
+  const CsvTable csv = table("Load (kN),Elongation (%),Stroke (mm)\n2,10,5\n", options);
+  EXPECT_EQ(csv.quantity("force", Dimension::force), Numbers{2000});
+  EXPECT_EQ(csv.quantity("extension", Dimension::length), Numbers{0.005});
+  EXPECT_EQ(csv.quantity("strain", Dimension::fraction), Numbers{0.1});
+  // Our own name is meant where it stands, and a unit that does not fit is told.
+  EXPECT_EQ(table("load_N,force_mN\n1,2\n", options).quantity("force", Dimension::force),
+            Numbers{0.002});
+}
+
+TEST(Csv, TakesTheColumnWhoseUnitFitsOfSeveralThatATesterCallsAlike) {
+  const CsvOptions options{.synonyms = {{"force", {"load"}}, {"extension", {"elongation"}}}};
+  const CsvTable csv =
+      table("Elongation (%),Elongation (mm),Load (N),Load (kgf),Load min\n5,2,3,4,5\n", options);
+  EXPECT_EQ(csv.quantity("extension", Dimension::length), Numbers{0.002});
+  EXPECT_EQ(csv.quantity("force", Dimension::force), Numbers{3});
+  EXPECT_EQ(table("Force (raw),force_N\n1,2\n").quantity("force", Dimension::force), Numbers{2});
+  EXPECT_EQ(force_error("force_N,force_kN\n1,2\n").where().field, "force_kN");
+}
+
+TEST(Csv, LeavesOutWhatAnInstrumentWritesAboveTheHeader) {
+  const CsvTable csv = table(
+      "\"Test Method\",\"strip, 50 mm\"\nSpecimen,1\nWidth,50,mm\n\n"
+      "Time,Extension,Load\n(s),(mm),(N)\n0,0,0.1\n1,2,0.2\n");
+  EXPECT_EQ(csv.header_line(), 5);
+  EXPECT_EQ(csv.rows(), 2U);
+  EXPECT_EQ(csv.quantity("load", Dimension::force), (Numbers{0.1, 0.2}));
+  const CsvTable german = table("Prüfung;17\nKraft;Weg\nN;mm\n1,5;2,0\n1,6;2,1\n");
+  EXPECT_EQ(german.quantity("Kraft", Dimension::force), (Numbers{1.5, 1.6}));
+}
+
 TEST(Csv, ReadsEveryLineEndMarkAndSeparator) {
   for (const char* text :
        {"a,b\n1,2\n3,4\n", "a,b\r\n1,2\r\n3,4\r\n", "a,b\r1,2\r3,4\r", "a,b\n1,2\n3,4",
@@ -146,9 +199,9 @@ TEST(Csv, MapsOurNamesToTheFilesHeaders) {
 }
 
 TEST(Csv, RefusesAMappingThatTheFileContradicts) {
-  const InputError missing = force_error("Load (N),x\n1,2\n", {.columns = {{"force", "load (N)"}}});
+  const InputError missing = force_error("Load (N),x\n1,2\n", {.columns = {{"force", "Laod (N)"}}});
   EXPECT_STREQ(missing.what(),
-               "w.csv:1: force: there is no column \"load (N)\" (did you mean \"Load (N)\"?); "
+               "w.csv:1: force: there is no column \"Laod (N)\" (did you mean \"Load (N)\"?); "
                "expected \"Load (N)\" or \"x\"");
   EXPECT_EQ(force_error("Load (kN)\n1\n", {.columns = {{"force_N", "Load (kN)"}}}).problem(),
             "its unit is kN, not N");
@@ -205,9 +258,9 @@ TEST(Csv, RefusesEmptyFilesAndFilesWithoutRows) {
   EXPECT_EQ(table("a\n1\n").rows(), 1U);
 }
 
-TEST(Csv, RefusesAPreambleAndNamesSkipRows) {
+TEST(Csv, RefusesAPreambleWithoutATableAndNamesSkipRows) {
   EXPECT_NE(csv_error("1,2\n3,4\n").expected().find("skip_rows"), std::string::npos);
-  const InputError ragged = csv_error("Instrument X\nforce_N,length_mm\n1,2\n");
+  const InputError ragged = csv_error("Instrument X\nforce_N,length_mm\nlow,high\n");
   EXPECT_EQ(ragged.where().line, 2);
   EXPECT_NE(ragged.expected().find("skip_rows"), std::string::npos);
   EXPECT_EQ(csv_error("a\n1\n", {.skip_rows = 5}).problem(), "the file is empty");

@@ -9,20 +9,23 @@
 #include <fmt/ranges.h>
 
 #include "pliant/estimation/fit_result.h"
+#include "pliant/experiment/registry.h"
 
 namespace pliant {
 namespace {
 
 constexpr double kReservation = 3;  // times what is accepted: more is no use
 
-/// Rows of a table that take part; empty where what is measured has no scale of its own, such as
-/// distances from a profile.
+/// Rows of a table that take part; empty where what is measured has no span of its own, such as
+/// distances from a profile and repeated readings.
 struct ComparedRows {
   Eigen::ArrayXd measured, predicted;
 };
 
 ComparedRows compared_rows(const ExperimentResult& e) {
-  if (e.quantity.kind == "distance" || e.measured.size() != e.predicted.size()) return {};
+  const bool repeats = facts_of_test(e.type).bends_by_weight;  // readings of one length
+  if (repeats || e.quantity.kind == "distance") return {};
+  if (e.measured.size() != e.predicted.size()) return {};
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < e.measured.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -42,6 +45,8 @@ struct Figure {
 std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
 
 std::string_view reference_of(const ExperimentResult& e) {
+  if (facts_of_test(e.type).bends_by_weight) return "the mean overhang";
+  if (facts_of_test(e.type).has_unknown_zero) return "the span of the force";
   if (e.quantity.kind == "distance") return e.sheet ? "the sheet's side" : "the strip's length";
   return e.quantity.kind == "length" ? "the largest extension" : "the peak";
 }
@@ -58,6 +63,11 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
       {e.rms_percent / 100 / accept.rms,
        fmt::format("RMS error {} of {} (accepted: {})", percent(e.rms_percent / 100),
                    reference_of(e), percent(accept.rms))}};
+  if (e.points == 0) figures.push_back({INFINITY, "nothing of it can be predicted"});
+  const std::size_t missing = e.sheet ? e.sheet->missing_frames().size() : 0;
+  if (missing > 0 && e.points > 0) {
+    figures.push_back({kReservation, fmt::format("{} of its frames have no equilibrium", missing)});
+  }
   const ComparedRows rows = compared_rows(e);
   if (rows.measured.size() > 2 && span_of(rows.measured) > 0) {
     const double measured = span_of(rows.measured), predicted = span_of(rows.predicted);
@@ -79,6 +89,9 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
         {std::abs(*own.loop_ratio - 1) / accept.loop,
          fmt::format("the loop loses {}, predicted {}", percent(e.measured_loop->loop_loss),
                      percent(e.predicted_loop->loop_loss))});
+  }
+  for (Figure& figure : figures) {
+    if (std::isnan(figure.excess)) figure.excess = INFINITY;
   }
   std::ranges::stable_sort(figures, std::greater(), &Figure::excess);
   own.excess = figures.front().excess;

@@ -7,6 +7,7 @@
 
 #include <Eigen/QR>
 
+#include "pliant/base/assert.h"
 #include "pliant/material/law_path.h"
 
 namespace pliant {
@@ -226,6 +227,7 @@ std::vector<ComponentLaw> begun(const ComponentLaw& shape, const ComponentProble
   std::vector<ComponentLaw> laws{shape};
   for (std::size_t k = 0; k < shape.addends.size(); ++k) {
     const AddendKind& kind = shape.addends[k].kind();
+    PLIANT_ASSERT(!kind.starts.empty(), "a kind says where fits begin");
     std::vector<ComponentLaw> more;
     for (const ComponentLaw& law : laws) {
       for (const std::vector<double>& start : kind.starts) {

@@ -1,6 +1,7 @@
 #include "pliant/experiment/experiment_data.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -38,8 +39,18 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   info.used = used_rows(spec, data.rows());
   info.force_noise = spec.noise.force;
   info.length_noise = spec.noise.length;
-  if (auto time = data.optional_quantity("time", Dimension::time)) info.time = *time;
+  if (data.is_stated("time")) {
+    info.time = data.quantity("time", Dimension::time);
+  } else if (unit_conversion(data.quantity_unit("time"), Dimension::time)) {
+    // Nothing needs the time: another name's that cannot be read is left out.
+    try {
+      info.time = *data.optional_quantity("time", Dimension::time);
+    } catch (const InputError&) {
+      info.warnings.push_back("the column of the time cannot be read, and is not used");
+    }
+  }
   data.optional_integers("cycle");
+  std::ranges::copy(data.columns_by_synonym(), std::back_inserter(info.handled));
   for (const ExcludedRows& range : spec.excluded) {
     info.handled.push_back(
         fmt::format("rows {}-{} are left out: {}", range.first, range.last, range.reason));

@@ -41,17 +41,33 @@ std::string problem_of_number(std::string_view cell) {
   return cell.empty() ? "the cell is empty" : quoted_value(cell) + " is not a finite number";
 }
 
-/// The unit of a header that names the quantity `name`, as NAME_UNIT, NAME (UNIT), NAME [UNIT] or
-/// NAME alone (empty); none when the header is something else.
+/// Letters' case aside; other letters than those of English are as they are.
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+/// The unit of a header that names the quantity `name`, as NAME_UNIT, NAME (UNIT), NAME [UNIT],
+/// NAME / UNIT, NAME in UNIT, or NAME alone (empty); none when the header is something else.
 std::optional<std::string> unit_of_quantity(std::string_view header, std::string_view name) {
-  if (!header.starts_with(name)) return std::nullopt;
+  if (header.size() < name.size() || !same_letters(header.substr(0, name.size()), name)) {
+    return std::nullopt;
+  }
   const std::string_view rest = header.substr(name.size());
   if (rest.empty()) return std::string();
-  if (rest[0] == '_' && is_unit(rest.substr(1))) return std::string(rest.substr(1));
-  const std::string_view bracketed = trimmed(rest);
-  if (bracketed.front() != '(' && bracketed.front() != '[') return std::nullopt;
-  const auto unit = bracketed_unit(bracketed);
-  return unit ? std::optional<std::string>(*unit) : std::nullopt;
+  const std::string_view words = trimmed(rest);
+  if (words.empty()) return std::string();
+  if (words.front() == '(' || words.front() == '[') {
+    const auto unit = bracketed_unit(words);
+    return unit ? std::optional<std::string>(*unit) : std::nullopt;
+  }
+  for (const std::string_view before : {"_", "/", ",", " in ", " "}) {
+    if (!rest.starts_with(before) && !words.starts_with(before)) continue;
+    const std::string_view start = rest.starts_with(before) ? rest : words;
+    const std::string_view unit = trimmed(start.substr(before.size()));
+    if (is_unit(unit)) return std::string(unit);
+  }
+  return std::nullopt;
 }
 
 std::optional<double> parse_comma_number(std::string_view text, std::size_t comma) {
@@ -70,13 +86,15 @@ std::vector<std::string> CsvTable::headers() const {
 
 bool CsvTable::has(std::string_view column) const { return find_column(column).has_value(); }
 
-std::optional<std::string> CsvTable::quantity_column(std::string_view name) const {
-  const std::optional<QuantityColumn> column = find_quantity(name);
+std::optional<std::string> CsvTable::quantity_column(std::string_view name,
+                                                     std::optional<Dimension> dimension) const {
+  const std::optional<QuantityColumn> column = find_quantity(name, dimension);
   return column ? std::optional(columns_[column->index].header) : std::nullopt;
 }
 
-std::optional<std::string> CsvTable::quantity_unit(std::string_view name) const {
-  const std::optional<QuantityColumn> column = find_quantity(name);
+std::optional<std::string> CsvTable::quantity_unit(std::string_view name,
+                                                   std::optional<Dimension> dimension) const {
+  const std::optional<QuantityColumn> column = find_quantity(name, dimension);
   return column ? std::optional(column->unit) : std::nullopt;
 }
 
@@ -90,8 +108,12 @@ std::vector<double> CsvTable::quantity(std::string_view name, Dimension dimensio
 
 std::optional<std::vector<double>> CsvTable::optional_quantity(std::string_view name,
                                                                Dimension dimension) const {
-  const std::optional<QuantityColumn> column = find_quantity(name);
+  const std::optional<QuantityColumn> column = find_quantity(name, dimension);
   if (!column) return std::nullopt;
+  const std::string& header = columns_[column->index].header;
+  if (!mapping_.contains(std::string(name)) && !unit_of_quantity(header, name)) {
+    found_[std::string(name)] = header;
+  }
   const UnitConversion conversion = conversion_of(*column, dimension);
   std::vector<double> values = read_numbers(column->index);
   for (double& value : values) value = conversion.to_si(value);
@@ -141,7 +163,19 @@ std::optional<std::size_t> CsvTable::find_header(std::string_view header) const 
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].header == header) return i;
   }
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (same_letters(columns_[i].header, header)) return i;
+  }
   return std::nullopt;
+}
+
+std::vector<std::string> CsvTable::names_for(std::string_view name) const {
+  std::vector<std::string> names{std::string(name)};
+  const auto others = synonyms_.find(names.front());
+  if (others != synonyms_.end()) {
+    names.insert(names.end(), others->second.begin(), others->second.end());
+  }
+  return names;
 }
 
 std::size_t CsvTable::mapped_column(const std::string& name, const std::string& header) const {
@@ -157,7 +191,8 @@ std::size_t CsvTable::mapped_column(const std::string& name, const std::string& 
 std::optional<std::size_t> CsvTable::find_column(std::string_view name) const {
   const auto mapped = mapping_.find(std::string(name));
   if (mapped != mapping_.end()) return mapped_column(mapped->first, mapped->second);
-  return find_header(name);
+  const auto column = find_header(name);
+  return column && columns_[*column].header == name ? column : std::nullopt;
 }
 
 std::size_t CsvTable::require_column(std::string_view name) const {
@@ -177,7 +212,7 @@ std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_vi
            fmt::format("one column for {}", name));
     }
     const std::string& row_unit = columns_[index].unit;
-    const std::string told = row_unit.empty() ? unit_of_header(header) : row_unit;
+    const std::string told = row_unit.empty() ? unit_of_header(columns_[index].header) : row_unit;
     if (!stated->empty() && is_unit(told) && told != *stated) {
       fail(header_line_, index, fmt::format("its unit is {}, not {}", told, *stated));
     }
@@ -186,22 +221,46 @@ std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_vi
   return found;
 }
 
-std::optional<CsvTable::QuantityColumn> CsvTable::find_quantity(std::string_view name) const {
+std::optional<CsvTable::QuantityColumn> CsvTable::find_quantity(
+    std::string_view name, std::optional<Dimension> dimension) const {
   if (auto mapped = mapped_quantity(name)) return mapped;
-  std::optional<QuantityColumn> found;
+  for (const std::string& own : names_for(name)) {
+    if (auto found = quantity_called(own, own == name, dimension)) return found;
+  }
+  return std::nullopt;
+}
+
+bool CsvTable::is_stated(std::string_view name) const {
+  if (mapped_quantity(name)) return true;
+  return std::ranges::any_of(columns_, [&](const Column& column) {
+    return column.header.starts_with(name) && unit_of_quantity(column.header, name);
+  });
+}
+
+std::optional<CsvTable::QuantityColumn> CsvTable::quantity_called(
+    std::string_view name, bool ours, std::optional<Dimension> dimension) const {
+  std::vector<QuantityColumn> found, stated;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     std::optional<std::string> unit = unit_of_quantity(columns_[i].header, name);
     if (!unit) continue;
-    if (found) {
-      fail(header_line_, i,
-           fmt::format("a second column for {} (the first is {})", name,
-                       quoted_value(columns_[found->index].header)),
-           fmt::format("one column for {}", name));
-    }
     if (unit->empty()) unit = columns_[i].unit;
-    found = QuantityColumn{i, *unit};
+    found.push_back({i, *unit});
+    if (ours && columns_[i].header.starts_with(name)) stated.push_back(found.back());
   }
-  return found;
+  if (stated.size() > 1) {
+    fail(header_line_, stated[1].index,
+         fmt::format("a second column for {} (the first is {})", name,
+                     quoted_value(columns_[stated[0].index].header)),
+         fmt::format("one column for {}", name));
+  }
+  if (!stated.empty()) return stated.front();
+  // Elongation may be in mm, or in per cent: then it is another quantity.
+  const auto fits = [&](const QuantityColumn& column) {
+    return column.unit.empty() || !dimension || unit_conversion(column.unit, *dimension);
+  };
+  const auto first = std::ranges::find_if(found, fits);
+  if (first != found.end()) return *first;
+  return ours && !found.empty() ? std::optional(found.front()) : std::nullopt;
 }
 
 UnitConversion CsvTable::conversion_of(const QuantityColumn& column, Dimension dimension) const {

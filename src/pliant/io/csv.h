@@ -19,6 +19,8 @@ struct CsvOptions {
   /// Our name of a column -> its header in the file, e.g. force -> "Load (N)". A unit may stand in
   /// our name (force_N -> "Load") where the file does not tell it.
   std::map<std::string, std::string> columns = {};
+  /// Other names that headers may have for ours, the likeliest first: force -> load, ...
+  std::map<std::string, std::vector<std::string>> synonyms = {};
   bool rows_optional = false;  ///< a header alone is a table too
 };
 
@@ -26,9 +28,11 @@ struct CsvOptions {
 /// testing machines write them.
 ///
 /// Columns are separated by tab, `;` or `,`, whichever fits the header and the row after it. Cells
-/// may be quoted (RFC 4180). Lines that start with `#` and empty rows are left out. A row of
-/// bracketed units under the header, "(s);(mm);(N)", gives the units of its columns. Numbers have a
-/// decimal point, or a decimal comma where the separator is none.
+/// may be quoted (RFC 4180). Lines that start with `#` and empty rows are left out, and so is what
+/// an instrument writes above: the header is the first row of names with a row of numbers under it.
+/// A row of units under the header, "(s);(mm);(N)" or "s;mm;N", gives the units of its columns.
+/// Numbers have a decimal point, or a decimal comma where the separator is none. Names are found in
+/// upper and lower case.
 ///
 /// Every access by name throws an InputError, with line and column, where the column is missing or
 /// a cell is not what was asked for; it also marks the column as used.
@@ -45,16 +49,22 @@ class CsvTable {
 
   /// Whether there is a column of exactly this name, or one that `columns` maps to it.
   bool has(std::string_view column) const;
-  /// The header of the column that holds the quantity `name`, whatever its unit.
+  /// The header of the column that holds the quantity `name`, whatever its unit. A synonym counts
+  /// only where its unit, if it tells one, is of the dimension.
   /// @throws InputError when several columns do, or when a mapped header is not in the file
-  std::optional<std::string> quantity_column(std::string_view name) const;
+  std::optional<std::string> quantity_column(std::string_view name,
+                                             std::optional<Dimension> dimension = {}) const;
+  /// Whether a column has the name itself, as we write it, or `columns` maps one to it.
+  bool is_stated(std::string_view name) const;
   /// The unit of that column as the file tells it; empty when it tells none. Tells a weight in
   /// newtons from one in grams.
-  std::optional<std::string> quantity_unit(std::string_view name) const;
+  std::optional<std::string> quantity_unit(std::string_view name,
+                                           std::optional<Dimension> dimension = {}) const;
 
   /// The quantity `name` in SI, from the one column called `NAME_UNIT`, `NAME (UNIT)`,
-  /// `NAME [UNIT]` or `NAME` with a units row, or from the column that `columns` maps to it, whose
-  /// unit stands in brackets or after a space or underscore at the end of its header.
+  /// `NAME [UNIT]`, `NAME / UNIT`, `NAME in UNIT` or `NAME` with a units row, or by a synonym of
+  /// the name, or from the column that `columns` maps to it, whose unit stands in brackets or after
+  /// a space or underscore at the end of its header.
   std::vector<double> quantity(std::string_view name, Dimension dimension) const;
   std::optional<std::vector<double>> optional_quantity(std::string_view name,
                                                        Dimension dimension) const;
@@ -63,6 +73,9 @@ class CsvTable {
   std::vector<double> numbers(std::string_view name) const;
   std::vector<long> integers(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
+
+  /// Our names of the columns that were found by a synonym, with their headers.
+  const std::map<std::string, std::string>& found_by_synonym() const { return found_; }
 
   /// The headers of the columns that were never read, for a warning.
   std::vector<std::string> unused_columns() const;
@@ -85,11 +98,15 @@ class CsvTable {
 
   std::string_view cell(std::size_t row, std::size_t column) const;
   std::optional<std::size_t> find_header(std::string_view header) const;
+  std::vector<std::string> names_for(std::string_view name) const;
   std::size_t mapped_column(const std::string& name, const std::string& header) const;
   std::optional<std::size_t> find_column(std::string_view name) const;
   std::size_t require_column(std::string_view name) const;
   std::optional<QuantityColumn> mapped_quantity(std::string_view name) const;
-  std::optional<QuantityColumn> find_quantity(std::string_view name) const;
+  std::optional<QuantityColumn> find_quantity(std::string_view name,
+                                              std::optional<Dimension> dimension = {}) const;
+  std::optional<QuantityColumn> quantity_called(std::string_view name, bool ours,
+                                                std::optional<Dimension> dimension) const;
   UnitConversion conversion_of(const QuantityColumn& column, Dimension dimension) const;
   std::vector<double> read_numbers(std::size_t column) const;
   [[noreturn]] void fail(int line, std::size_t column, const std::string& problem,
@@ -98,6 +115,7 @@ class CsvTable {
 
   std::string file_;
   std::map<std::string, std::string> mapping_;  // CsvOptions::columns
+  std::map<std::string, std::vector<std::string>> synonyms_;
   std::string text_;
   bool decimal_comma_allowed_ = false;
   int header_line_ = 0;
@@ -105,6 +123,7 @@ class CsvTable {
   std::vector<Cell> cells_;  // row by row
   std::vector<int> lines_;
   mutable std::set<std::size_t> used_;
+  mutable std::map<std::string, std::string> found_;
 };
 
 inline constexpr std::size_t kMaxCsvRows = 5'000'000;

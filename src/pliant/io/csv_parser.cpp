@@ -73,6 +73,7 @@ class CsvParser {
     table_.text_ = decode_text(std::move(text), options.encoding, file);
     table_.file_ = std::move(file);
     table_.mapping_ = options.columns;
+    table_.synonyms_ = options.synonyms;
     if (table_.text_.size() > std::numeric_limits<std::uint32_t>::max()) {
       fail(0, "the file is too large");
     }
@@ -82,6 +83,7 @@ class CsvParser {
 
   CsvTable parse() && {
     skip_comments_and_blank_lines();
+    skip_preamble();
     separator_ = detect_separator();
     table_.decimal_comma_allowed_ = separator_ != ',';
     read_header();
@@ -134,6 +136,67 @@ class CsvParser {
 
   void skip_comments_and_blank_lines() {
     while (!at_end() && (at_comment() || at_blank_line())) skip_line();
+  }
+
+  /// What an instrument has written above the header. Where there is no header to be found nothing
+  /// is left out, and the reader says what it misses.
+  void skip_preamble() {
+    constexpr int kMostLines = 200;
+    const std::size_t begin = at_;
+    const int first_line = line_;
+    for (int i = 0; i < kMostLines && !at_end(); ++i) {
+      if (begins_table()) return;
+      skip_line();
+      skip_comments_and_blank_lines();
+    }
+    at_ = begin;
+    line_ = first_line;
+  }
+
+  /// Whether the line at hand holds names, and numbers stand under them.
+  bool begins_table() {
+    separator_ = detect_separator();
+    std::size_t next = at_;
+    const std::vector<std::string_view> names = cells_of_line(next);
+    const bool numbered = std::ranges::any_of(names, [&](const auto& c) { return is_number(c); });
+    if (names.size() < 2 || numbered || are_units(names)) return false;
+    std::vector<std::string_view> row = cells_of_line(next);
+    if (are_units(row)) row = cells_of_line(next);
+    const auto filled = std::ranges::count_if(row, [](const auto& c) { return !c.empty(); });
+    const auto numbers = std::ranges::count_if(row, [&](const auto& c) { return is_number(c); });
+    return row.size() == names.size() && numbers >= 2 && 2 * numbers >= filled;
+  }
+
+  /// The cells of the line with content at or after a place, without the quotes around them. The
+  /// place moves on behind it.
+  std::vector<std::string_view> cells_of_line(std::size_t& at) const {
+    at = start_of_content(text(), at);
+    const std::size_t end = count_separators(text(), at).end;
+    std::vector<std::string_view> cells;
+    bool in_quotes = false;
+    for (std::size_t from = at; at <= end && from <= end; ++at) {
+      if (at < end && text()[at] == '"') in_quotes = !in_quotes;
+      if (at < end && (in_quotes || text()[at] != separator_)) continue;
+      std::string_view cell = trimmed(text_between(from, at));
+      const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+      cells.push_back(quoted ? cell.substr(1, cell.size() - 2) : cell);
+      from = at + 1;
+    }
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    return cells;
+  }
+
+  bool is_number(std::string_view cell) const {
+    if (parse_number(cell)) return true;
+    std::string with_point(cell);
+    std::ranges::replace(with_point, ',', '.');
+    return separator_ != ',' && parse_number(with_point).has_value();
+  }
+
+  static bool are_units(const std::vector<std::string_view>& cells) {
+    return !cells.empty() && std::ranges::all_of(cells, [](std::string_view cell) {
+      return cell.empty() || is_bracketed(cell) || is_unit(cell);
+    });
   }
 
   /// The first separator that cuts the header and the row after it into equally many cells; else
@@ -255,14 +318,16 @@ class CsvParser {
   bool is_units_row() const {
     return record_.size() <= table_.columns_.size() &&
            std::all_of(record_.begin(), record_.end(), [&](const Cell& cell) {
-             return cell.size == 0 || is_bracketed(view(cell));
+             return cell.size == 0 || is_bracketed(view(cell)) || is_unit(view(cell));
            });
   }
 
   void take_units() {
     for (std::size_t i = 0; i < record_.size(); ++i) {
       const std::string_view unit = view(record_[i]);
-      if (!unit.empty()) table_.columns_[i].unit = trimmed(unit.substr(1, unit.size() - 2));
+      if (unit.empty()) continue;
+      table_.columns_[i].unit =
+          is_bracketed(unit) ? trimmed(unit.substr(1, unit.size() - 2)) : unit;
     }
   }
 

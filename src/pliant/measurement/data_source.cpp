@@ -5,6 +5,7 @@
 #include <set>
 
 #include "pliant/base/name_pattern.h"
+#include "pliant/measurement/column_synonyms.h"
 
 namespace pliant {
 namespace {
@@ -61,6 +62,7 @@ std::vector<SpecimenRows> specimens_of_column(const CsvTable& table, int first) 
 DataSource read_data_source(const Value& value) {
   DataSource source;
   source.where = value.location();
+  source.csv.synonyms = column_synonyms();
   if (!value.is_mapping()) {
     source.written = value.text("a CSV file, a pattern of files, or a mapping with `file`");
     source.files = find_files(value, source.written);
@@ -108,7 +110,7 @@ std::vector<double> DataRows::quantity(std::string_view name, Dimension dimensio
 std::optional<std::vector<double>> DataRows::optional_quantity(std::string_view name,
                                                                Dimension dimension) const {
   const bool somewhere = std::any_of(tables_.begin(), tables_.end(), [&](const CsvTable& table) {
-    return table.quantity_column(name).has_value();
+    return table.quantity_column(name, dimension).has_value();
   });
   if (!somewhere) return std::nullopt;
   return quantity(name, dimension);
@@ -165,6 +167,16 @@ std::vector<OwnColumn> DataRows::own_columns() const {
     columns.push_back({header, gather([&](const CsvTable& table) { return table.texts(header); })});
   }
   return columns;
+}
+
+std::vector<std::string> DataRows::columns_by_synonym() const {
+  std::set<std::string> found;
+  for (const CsvTable& table : tables_) {
+    for (const auto& [name, header] : table.found_by_synonym()) {
+      found.insert(name + ": the column " + quoted_value(header));
+    }
+  }
+  return {found.begin(), found.end()};
 }
 
 std::vector<std::string> DataRows::unused_columns() const {

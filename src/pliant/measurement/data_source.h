@@ -47,6 +47,8 @@ class DataRows {
   /// The quantity, or nothing when no file has it; an error when only some have it.
   std::optional<std::vector<double>> optional_quantity(std::string_view name,
                                                        Dimension dimension) const;
+  /// Whether the first file has a column of exactly this name, or the study maps one to it.
+  bool is_stated(std::string_view name) const { return tables_.front().is_stated(name); }
   /// The unit that the first file tells for a quantity; empty when it tells none.
   std::string quantity_unit(std::string_view name) const;
   std::optional<std::vector<long>> optional_integers(std::string_view name) const;
@@ -56,6 +58,8 @@ class DataRows {
   std::vector<SpecimenRows> specimens() const;
   /// The columns of the files as they are written there.
   std::vector<OwnColumn> own_columns() const;
+  /// What was found under another name than ours: `force: the column "Load (N)"`.
+  std::vector<std::string> columns_by_synonym() const;
   /// Columns that nothing has asked for.
   std::vector<std::string> unused_columns() const;
 

@@ -97,13 +97,13 @@ struct FitWork {
   double equilibrium_seconds = 0, derivative_seconds = 0, other_seconds = 0;
 };
 
-/// fit.json or evaluation.json of a results directory.
 /// What the fit says of its own fitness for use; empty in results of earlier versions.
 struct ResultJudgement {
   std::string fitness, headline;
   std::vector<std::string> misses;  ///< experiments that are not accepted, the worst first
 };
 
+/// fit.json or evaluation.json of a results directory.
 struct Results {
   bool evaluation = false;
   std::string name, material, command, created, version, estimator;

@@ -29,20 +29,43 @@ TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<doubl
   specimens_.push_back(std::move(specimen));
 }
 
+namespace {
+
+/// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
+/// taken last, unless it is called as we call it.
+std::vector<double> lengths_of(const DataRows& data, double gauge_length) {
+  const auto is_extension = [&] {
+    // "Extension (%)" is a strain.
+    const std::string unit = data.quantity_unit("extension");
+    return unit.empty() || !unit_conversion(unit, Dimension::fraction);
+  };
+  std::vector<double> lengths;
+  const char* column = "length";
+  if (data.is_stated("length")) {
+    lengths = data.quantity("length", Dimension::length);
+  } else if (auto extension = is_extension()
+                                  ? data.optional_quantity("extension", Dimension::length)
+                                  : std::nullopt) {
+    column = "extension";
+    for (const double e : *extension) lengths.push_back(gauge_length + e);
+  } else if (auto strain = data.optional_quantity("strain", Dimension::fraction)) {
+    column = "strain";
+    for (const double e : *strain) lengths.push_back(gauge_length * (1 + e));
+  } else {
+    lengths = data.quantity("length", Dimension::length);
+  }
+  require_positive(lengths, data, column);
+  return lengths;
+}
+
+}  // namespace
+
 TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
                              const ClothFacts& cloth)
     : geometry_{spec.test->length, spec.test->width, cloth.membrane},
       apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
   const std::vector<double> force = data.quantity("force", Dimension::force);
-  if (auto length = data.optional_quantity("length", Dimension::length)) {
-    length_ = *length;
-    require_positive(length_, data, "length");
-  } else if (auto extension = data.optional_quantity("extension", Dimension::length)) {
-    for (const double e : *extension) length_.push_back(geometry_.gauge_length + e);
-    require_positive(length_, data, "extension");
-  } else {
-    data.quantity("length", Dimension::length);  // names what is missing
-  }
+  length_ = lengths_of(data, geometry_.gauge_length);
   require_rows(data.specimens(), data, 3);
   require_change(force, data, "force");
   require_change(length_, data, "length");

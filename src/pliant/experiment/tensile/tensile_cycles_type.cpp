@@ -69,7 +69,8 @@ const TestType& tensile_cycles_type() {
                              .is_table = [](const TableColumns& columns) {
                                return columns.has("force", Dimension::force) &&
                                       (columns.has("length", Dimension::length) ||
-                                       columns.has("extension", Dimension::length));
+                                       columns.has("extension", Dimension::length) ||
+                                       columns.has("strain", Dimension::fraction));
                              }};
   return type;
 }

@@ -29,6 +29,14 @@ TEST(StrainRangeText, HasTheUnitOfTheComponent) {
   EXPECT_EQ(strain_range_text("bend.weft", -36.0, 180.0), "curvature -12 to 60 1/m");
 }
 
+TEST(Parameters, OfAddendsAreToldByTheirKind) {
+  EXPECT_TRUE(is_of_friction("stretch.warp.friction.a"));
+  EXPECT_TRUE(is_of_friction("stretch.warp.dahl2.tau"));
+  EXPECT_FALSE(is_of_friction("stretch.warp.k[1]"));
+  EXPECT_FALSE(is_of_friction("stretch.warp.k1"));
+  EXPECT_EQ(parameter_meaning("stretch.warp.dahl.tau"), "strain over which its friction builds up");
+}
+
 TEST(ComponentTitle, ReadsAsWords) {
   EXPECT_EQ(component_title("stretch.warp"), "Warp stretch");
   EXPECT_EQ(component_title("bend.weft"), "Weft bending");

@@ -42,7 +42,7 @@ bool any_undetermined(const Results& results, const std::string& component, bool
   return std::any_of(results.parameters.begin(), results.parameters.end(),
                      [&](const ResultParameter& p) {
                        return p.component == component && !p.fixed && !p.identified &&
-                              (p.name.find(".friction.") != std::string::npos) == friction;
+                              is_of_friction(p.name) == friction;
                      });
 }
 

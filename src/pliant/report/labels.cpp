@@ -23,14 +23,19 @@ constexpr double kBendingStrain = 3;  // times the curvature ([P] 4.3)
 
 bool is_bending(std::string_view component) { return component.starts_with("bend"); }
 
-/// The meaning of a number of an addend: "stretch.warp.dahl2.tau".
-std::string_view addend_meaning(std::string_view parameter) {
+/// A kind of addends and the number of it that a parameter is: "stretch.warp.dahl2.tau".
+struct AddendNumber {
+  const AddendKind* kind = nullptr;
+  const AddendParameter* parameter = nullptr;
+};
+
+AddendNumber addend_number(std::string_view parameter) {
   for (const AddendKind* kind : addend_kinds()) {
     for (const AddendParameter& own : kind->parameters) {
       if (!parameter.ends_with(fmt::format(".{}", own.name))) continue;
       std::string_view law = parameter.substr(0, parameter.size() - own.name.size() - 1);
       law.remove_suffix(law.size() - law.find_last_not_of("0123456789") - 1);
-      if (law.ends_with(fmt::format(".{}", kind->name))) return own.meaning;
+      if (law.ends_with(fmt::format(".{}", kind->name))) return {kind, &own};
     }
   }
   return {};
@@ -104,7 +109,9 @@ std::string parameter_meaning(std::string_view parameter) {
        {".k1", "stiffness at zero strain"},
        {".k2", "growth of stiffness with strain"},
        {".k", "stiffness"}}};
-  if (const auto meaning = addend_meaning(parameter); !meaning.empty()) return std::string(meaning);
+  if (const AddendNumber own = addend_number(parameter); own.kind) {
+    return std::string(own.parameter->meaning);
+  }
   for (const auto& [suffix, meaning] : kMeanings) {
     if (parameter.ends_with(suffix)) return std::string(meaning);
   }
@@ -112,6 +119,12 @@ std::string parameter_meaning(std::string_view parameter) {
     return "stiffness at a control point";
   }
   return {};
+}
+
+bool is_of_friction(std::string_view parameter) {
+  if (parameter.find(".friction.") != std::string_view::npos) return true;
+  const AddendNumber own = addend_number(parameter);
+  return own.kind && remembers(*own.kind);
 }
 
 std::string parameter_in_words(std::string_view text) {

@@ -35,6 +35,8 @@ std::string component_title(std::string_view component);
 
 /// What a parameter means, from the end of its name (`friction.tau`), in plain words.
 std::string parameter_meaning(std::string_view parameter);
+/// Whether a number is one of friction: the component's, or of an addend that remembers.
+bool is_of_friction(std::string_view parameter);
 
 /// A parameter of sheets in words, whatever follows its name: `stretch.weft.k[0] (why)` ->
 /// `stiffness of stretch.weft at zero strain (why)`; other texts come back as they are.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/registry.h"
+#include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -23,7 +24,7 @@ struct ParameterGroup {
 std::vector<ParameterGroup> group_parameters(const std::vector<ResultParameter>& parameters) {
   std::vector<ParameterGroup> groups;
   for (const ResultParameter& p : parameters) {
-    const bool friction = p.name.find(".friction.") != std::string::npos;
+    const bool friction = is_of_friction(p.name);
     const std::string title =
         fmt::format("{} of {}", friction ? "friction" : "stiffness", p.component);
     auto group = std::find_if(groups.begin(), groups.end(),

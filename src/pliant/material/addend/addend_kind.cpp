@@ -17,6 +17,11 @@ std::string unit_of(const AddendParameter& parameter, bool bending) {
   return has_stress ? fmt::format("{} {}", stress, length) : length;
 }
 
+bool remembers(const AddendKind& kind) {
+  const Eigen::VectorXd any = Eigen::VectorXd::Ones(std::ssize(kind.parameters));
+  return kind.density(0, any)->history_size() > 0;
+}
+
 double data_unit(const AddendParameter& parameter, double stress, double strain) {
   return std::pow(stress, parameter.stress) * std::pow(strain, parameter.strain);
 }

@@ -40,6 +40,9 @@ struct AddendKind {
 /// The unit of a parameter: that of membrane components unless `bending`.
 std::string unit_of(const AddendParameter& parameter, bool bending);
 
+/// Whether laws of a kind remember, as friction does.
+bool remembers(const AddendKind& kind);
+
 /// The unit of a parameter in the scale of data.
 /// @param stress, strain  largest of the data
 double data_unit(const AddendParameter& parameter, double stress, double strain);

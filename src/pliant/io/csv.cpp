@@ -163,9 +163,6 @@ std::optional<std::size_t> CsvTable::find_header(std::string_view header) const 
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].header == header) return i;
   }
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (same_letters(columns_[i].header, header)) return i;
-  }
   return std::nullopt;
 }
 
@@ -179,8 +176,10 @@ std::vector<std::string> CsvTable::names_for(std::string_view name) const {
 }
 
 std::size_t CsvTable::mapped_column(const std::string& name, const std::string& header) const {
-  const std::optional<std::size_t> column = find_header(header);
-  if (column) return *column;
+  if (const auto column = find_header(header)) return *column;
+  const auto alike = std::ranges::find_if(
+      columns_, [&](const Column& column) { return same_letters(column.header, header); });
+  if (alike != columns_.end()) return static_cast<std::size_t>(alike - columns_.begin());
   const std::vector<std::string> known = headers();
   throw InputError(
       {file_, header_line_, name},
@@ -191,8 +190,7 @@ std::size_t CsvTable::mapped_column(const std::string& name, const std::string& 
 std::optional<std::size_t> CsvTable::find_column(std::string_view name) const {
   const auto mapped = mapping_.find(std::string(name));
   if (mapped != mapping_.end()) return mapped_column(mapped->first, mapped->second);
-  const auto column = find_header(name);
-  return column && columns_[*column].header == name ? column : std::nullopt;
+  return find_header(name);
 }
 
 std::size_t CsvTable::require_column(std::string_view name) const {

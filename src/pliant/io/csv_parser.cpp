@@ -25,6 +25,11 @@ bool is_bracketed(std::string_view text) {
                               (text.front() == '[' && text.back() == ']'));
 }
 
+/// A cell of a row of units, which may be empty.
+bool may_be_unit(std::string_view cell) {
+  return cell.empty() || is_bracketed(cell) || is_unit(cell);
+}
+
 /// A header on one line: every run of blanks and line ends in it becomes one space.
 std::string simplified(std::string_view header) {
   std::string result;
@@ -194,9 +199,7 @@ class CsvParser {
   }
 
   static bool are_units(const std::vector<std::string_view>& cells) {
-    return !cells.empty() && std::ranges::all_of(cells, [](std::string_view cell) {
-      return cell.empty() || is_bracketed(cell) || is_unit(cell);
-    });
+    return !cells.empty() && std::ranges::all_of(cells, may_be_unit);
   }
 
   /// The first separator that cuts the header and the row after it into equally many cells; else
@@ -317,9 +320,8 @@ class CsvParser {
 
   bool is_units_row() const {
     return record_.size() <= table_.columns_.size() &&
-           std::all_of(record_.begin(), record_.end(), [&](const Cell& cell) {
-             return cell.size == 0 || is_bracketed(view(cell)) || is_unit(view(cell));
-           });
+           std::all_of(record_.begin(), record_.end(),
+                       [&](const Cell& cell) { return may_be_unit(view(cell)); });
   }
 
   void take_units() {

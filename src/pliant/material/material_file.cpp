@@ -87,9 +87,7 @@ ComponentFriction read_friction(const Value& node) {
 
 Addend read_addend(const Value& node) {
   Fields fields = node.fields();
-  std::vector<std::string_view> names;
-  for (const AddendKind* kind : addend_kinds()) names.push_back(kind->name);
-  const AddendKind& kind = *find_addend_kind(fields.require("law").choice(names));
+  const AddendKind& kind = read_addend_kind(fields.require("law"));
   Eigen::VectorXd values(std::ssize(kind.parameters));
   for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
     const AddendParameter& parameter = kind.parameters[i];

@@ -121,10 +121,8 @@ FrictionChoice read_friction_choice(const Value& value) {
 }
 
 std::vector<const AddendKind*> read_addends(const Value& list) {
-  std::vector<std::string_view> names;
-  for (const AddendKind* kind : addend_kinds()) names.push_back(kind->name);
   std::vector<const AddendKind*> addends;
-  for (const Value& item : list.items()) addends.push_back(find_addend_kind(item.choice(names)));
+  for (const Value& item : list.items()) addends.push_back(&read_addend_kind(item));
   return addends;
 }
 

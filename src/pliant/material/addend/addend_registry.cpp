@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "pliant/material/addend/dahl_branch.h"
 
@@ -17,6 +18,12 @@ std::span<const AddendKind* const> addend_kinds() {
 const AddendKind* find_addend_kind(std::string_view name) {
   const auto found = std::ranges::find(addend_kinds(), name, &AddendKind::name);
   return found == addend_kinds().end() ? nullptr : *found;
+}
+
+const AddendKind& read_addend_kind(const Value& value) {
+  std::vector<std::string_view> names;
+  for (const AddendKind* kind : addend_kinds()) names.push_back(kind->name);
+  return *find_addend_kind(value.choice(names));
 }
 
 }  // namespace pliant

@@ -21,6 +21,7 @@ Problem problem_of(const JointProblem& joint, const RunContext& context) {
   }
   Problem problem(std::move(parts), joint.unknowns, {context.threads, context.stop});
   problem.set_not_negative(joint.not_negative);
+  problem.set_loss(joint.loss);
   return problem;
 }
 

@@ -16,6 +16,7 @@ struct JointProblem {
   Material material;                  ///< complete for all of them, in the form of the laws
   std::vector<Unknown> unknowns;      ///< each begins where it was found
   Eigen::MatrixXd not_negative = {};  ///< as in LeastSquaresProblem
+  RobustLoss loss = RobustLoss::none;
 };
 
 struct JointFit {

@@ -7,7 +7,7 @@
 
 #include <Eigen/QR>
 
-#include "pliant/base/assert.h"
+#include "pliant/estimation/addend_starts.h"
 #include "pliant/material/law_path.h"
 
 namespace pliant {
@@ -222,30 +222,6 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
 
 namespace {
 
-// The shape with its addends at all combinations of where fits may begin.
-std::vector<ComponentLaw> begun(const ComponentLaw& shape, const ComponentProblem& problem) {
-  std::vector<ComponentLaw> laws{shape};
-  for (std::size_t k = 0; k < shape.addends.size(); ++k) {
-    const AddendKind& kind = shape.addends[k].kind();
-    PLIANT_ASSERT(!kind.starts.empty(), "a kind says where fits begin");
-    std::vector<ComponentLaw> more;
-    for (const ComponentLaw& law : laws) {
-      for (const std::vector<double>& start : kind.starts) {
-        Eigen::VectorXd values(std::ssize(start));
-        for (std::size_t i = 0; i < start.size(); ++i) {
-          values(static_cast<Eigen::Index>(i)) =
-              start[i] *
-              data_unit(kind.parameters[i], problem.peak_stress(), problem.largest_strain());
-        }
-        more.push_back(law);
-        more.back().addends[k] = Addend(kind, values);
-      }
-    }
-    laws = std::move(more);
-  }
-  return laws;
-}
-
 // Those of a shape whose addends are where they begin.
 std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
                                          const ComponentLaw& shape) {
@@ -269,7 +245,8 @@ std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
 std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
                                        int most) {
   std::vector<LinearStart> best;
-  for (const ComponentLaw& law : begun(shape, problem)) {
+  const DataScale data{problem.peak_stress(), problem.largest_strain()};
+  for (const ComponentLaw& law : addend_starts(shape, data)) {
     std::ranges::move(starts_over_tau(problem, law), std::back_inserter(best));
   }
   std::sort(best.begin(), best.end(),

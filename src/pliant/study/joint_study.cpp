@@ -82,6 +82,7 @@ JointLayout layout_of(const FitSettings& settings, const std::vector<ComponentWo
                       const SheetFit& sheets) {
   JointLayout layout;
   layout.problem.material = sheets.material;
+  layout.problem.loss = settings.fit.loss;
   layout.strips.resize(works.size());
   const std::vector<const SheetTest*> tests = tests_of(sheets.plan);
   for (std::size_t w = 0; w < works.size(); ++w) {

@@ -93,7 +93,7 @@ std::string sheet_bending(const SheetFit& fit, const TriangleMesh& mesh) {
     const char* name = names[static_cast<std::size_t>(i)];
     const auto strain = fit.strains.find(name);
     const double half = strain == fit.strains.end() ? 0 : strain->second / 2;
-    hinges(i) = std::max(fit.material.components.at(name).stiffness->value(half), 1e-12);
+    hinges(i) = std::max(law_of(fit.material.components.at(name)).elastic_secant(half), 1e-12);
   }
   const Eigen::Vector4d sheet = sheet_stiffness(mesh, find_hinges(mesh), hinges);
   return fmt::format(
@@ -208,7 +208,9 @@ void set_status(const FitSettings& settings, SheetFit& fit) {
       return std::ranges::find(group, name) != group.end();
     });
     component.status = measured ? ComponentStatus::measured : ComponentStatus::assumed;
-    if (measured) component.range = {0.0, component.stiffness->knots().back()};
+    if (!measured) continue;
+    const std::vector<double>& knots = component.stiffness->knots();
+    component.range = {0.0, knots.empty() ? largest_strain(fit, {name}) : knots.back()};
   }
 }
 
@@ -219,15 +221,6 @@ void refuse_foreign_options(const FitSettings& settings) {
   if (settings.model.stiffness == CurveKind::affine) {
     refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
            "constant or hermite");
-  }
-  for (const auto& [name, component] : settings.model.components) {
-    if (component.addends.empty()) continue;
-    const std::string field = "model.components." + name + ".addends";
-    refuse(field.c_str(), "sheets are fitted with stiffness and friction alone",
-           "none, or strips without sessions");
-  }
-  if (settings.fit.loss != RobustLoss::none) {
-    refuse("fit.loss", "sheets are fitted by least squares alone", "none");
   }
   if (settings.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");

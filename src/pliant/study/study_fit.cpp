@@ -88,8 +88,9 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
                       const RunContext& context) {
   const auto fit = [&] {
     if (!fits_sheets(study)) return fit_strips(study, options, context);
-    return fits_strips(study) ? fit_joint_study(study, options, context)
-                              : fit_sheet_study(study, context);
+    // The stages of sheets know squares alone; the fit of everything together knows losses.
+    const bool together = fits_strips(study) || study.fit.loss != RobustLoss::none;
+    return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
   result.judgement = judge(result, study.accept, /*evaluation=*/false);

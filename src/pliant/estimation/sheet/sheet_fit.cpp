@@ -1,7 +1,6 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -47,6 +46,7 @@ class Fitter {
       run_stage(fit_.plan[s]);
       task.advance(static_cast<double>(s + 1));
     }
+    warn_of_missing_addends();
     fit_.work = search_.work();
     return std::move(fit_);
   }
@@ -127,7 +127,8 @@ class Fitter {
     law.stiffness = stiffness_of(group);
     set_law(fit_.material, group, law);
     const double by_both = solve(stage);
-    const bool worthwhile = is_worth(stage, 3, refined, by_both);
+    const int more = law.parameter_count() - law_of(elastic.material, group).parameter_count();
+    const bool worthwhile = is_worth(stage, more, refined, by_both);
     record(stage, by_both, worthwhile);
     if (!worthwhile) restore(elastic);
   }
@@ -176,16 +177,24 @@ class Fitter {
            std::ranges::any_of(group, [&](const auto& name) { return known_.contains(name); });
   }
 
-  /// The curve over the strains of the fitted sheets.
+  /// The curve over the strains of the fitted sheets, with the addends beside it.
   void grow(const SheetStage& stage, const ComponentGroup& group, double rms) {
     SheetProblem problem = problem_of(stage);
     const double largest = search_.largest_strain(stage, problem, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
+    if (!is_fixed(group) && guess_addends(stage, group, /*remembering=*/false)) {
+      rms = solve_and_record(stage);
+    }
     if (with_cords(stage)) {
       refine(stage, group, rms);
     } else {
       add_points(stage, group, rms);
     }
+  }
+
+  bool has_constant_stiffness(const ComponentGroup& group) const {
+    const std::optional<CurveKind> own = model_of(settings_, group).stiffness;
+    return (own ? own : settings_.model.stiffness) == CurveKind::constant;
   }
 
   /// As many control points as the curve is worth, where they are worth most.
@@ -196,12 +205,13 @@ class Fitter {
 
   /// One control point after the other, at equal distances.
   double add_points(const SheetStage& stage, const ComponentGroup& group, double rms) {
-    if (settings_.model.stiffness == CurveKind::constant || is_fixed(group)) return rms;
     const int first = stiffness_of(group).size();
+    if (has_constant_stiffness(group) || is_fixed(group) || first == 0) return rms;
     std::vector<State> states;  // of each number of points that was tried
     const auto fit_of = [&](int points) -> std::optional<FittedModel> {
       if (points > first) {
-        give_stiffness(going_along({group}).front(), at_equal_distances(group, points));
+        give_stiffness(going_along({group}).front(),
+                       with_points(stiffness_of(group), points, strain_of(group)));
         rms = solve(stage);
       }
       states.push_back(state());
@@ -219,30 +229,13 @@ class Fitter {
     return growth.steps[static_cast<std::size_t>(growth.points - first)].fit.rms;
   }
 
-  /// The curve of a group through another number of control points.
-  ScalarCurve at_equal_distances(const ComponentGroup& group, int points) const {
-    const ScalarCurve& curve = stiffness_of(group);
-    std::vector<double> knots, values;
-    for (int i = 0; i < points; ++i) {
-      knots.push_back(strain_of(group) * i / (points - 1));
-      values.push_back(curve.value(knots.back()));
-    }
-    return ScalarCurve::hermite(knots, values, is_even(group.front()));
-  }
-
   /// The control points once more, denser towards rest. They stay there where that pays.
   double grade(const SheetStage& stage, const ComponentGroup& group, double even) {
     const ScalarCurve curve = stiffness_of(group);
     if (curve.size() < 3 || even < accuracy_of(stage)) return even;
     const State before = state();
-    std::vector<double> knots, values;
-    for (int i = 0; i < curve.size(); ++i) {
-      const double share = static_cast<double>(i) / (curve.size() - 1);
-      knots.push_back(curve.knots().back() * share * share);
-      values.push_back(curve.value(knots.back()));
-    }
     give_stiffness(going_along({group}).front(),
-                   ScalarCurve::hermite(knots, values, is_even(group.front())));
+                   with_points(curve, curve.size(), curve.knots().back(), /*power=*/2));
     const double graded = solve(stage);
     const bool worthwhile = is_worth(stage, 0, even, graded);
     record(stage, graded, worthwhile);
@@ -267,30 +260,53 @@ class Fitter {
   bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
     SheetProblem without = problem_of(stage);
     if (!search_.shows_loop(stage, without)) return false;
-    const double strain = strain_of(group);
-    const ComponentLaw elastic = law_of(fit_.material, group);
-    ComponentLaw law = elastic;
-    law.friction_law = FrictionLaw::dahl;
+    if (begin_at_best(stage, group,
+                      first_friction(law_of(fit_.material, group), strain_of(group)))) {
+      guess_addends(stage, group, /*remembering=*/true);
+      return true;
+    }
+    fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
+                            names_of(stage.tests) + " have no path of equilibria with it");
+    return false;
+  }
+
+  /// The addends that the study asks for, those that remember or the others.
+  /// @return whether there are any
+  bool guess_addends(const SheetStage& stage, const ComponentGroup& group, bool remembering) {
+    const ComponentModel model = model_of(settings_, group);
+    return begin_at_best(
+        stage, group,
+        first_addends(law_of(fit_.material, group), model, strain_of(group), remembering));
+  }
+
+  /// Gives a group the law of some whose differences are least; none of them where they have no
+  /// equilibria.
+  bool begin_at_best(const SheetStage& stage, const ComponentGroup& group,
+                     const std::vector<ComponentLaw>& laws) {
+    ComponentLaw best = law_of(fit_.material, group);
     double least = INFINITY;
-    std::array<double, 3> best{};
-    for (const double share : {0.02, 0.06, 0.2}) {
-      law.friction = {0.1 * law.elastic_stress(strain), 0, share * strain};
+    for (const ComponentLaw& law : laws) {
       set_law(fit_.material, group, law);
       SheetProblem problem = problem_of(stage);
       const double cost = search_.cost_at_start(stage, problem, least);
       if (cost >= least) continue;
       least = cost;
-      best = law.friction;
+      best = law;
     }
-    if (!std::isfinite(least)) {
-      fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
-                              names_of(stage.tests) + " have no path of equilibria with it");
-      set_law(fit_.material, group, elastic);
-      return false;
+    set_law(fit_.material, group, best);
+    return std::isfinite(least);
+  }
+
+  void warn_of_missing_addends() {
+    for (const ComponentGroup& group : fit_.groups) {
+      const std::size_t asked = model_of(settings_, group).addends.size();
+      const std::size_t there = law_of(fit_.material, group).addends.size();
+      if (there == asked) continue;
+      fit_.warnings.push_back(fmt::format(
+          "{} of {} addends of {} were not fitted: no loop shows those that remember, or no stage "
+          "grows this component",
+          asked - there, asked, group.front()));
     }
-    law.friction = best;
-    set_law(fit_.material, group, law);
-    return true;
   }
 
   double strain_of(const ComponentGroup& group) const { return largest_strain(fit_, group); }
@@ -402,7 +418,9 @@ class Fitter {
     std::vector<std::string> components;
     for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
     const int points = stiffness_of(stage.groups.front()).size();
-    std::string what = fmt::format("{} control point{}", points, points == 1 ? "" : "s");
+    std::string what = points == 0
+                           ? "addends alone"
+                           : fmt::format("{} control point{}", points, points == 1 ? "" : "s");
     if (stage.groups.size() > 1) what = "together";
     if (stage.kind == StageKind::friction) {
       what += law_of(fit_.material, stage.groups.front()).friction_law == FrictionLaw::none

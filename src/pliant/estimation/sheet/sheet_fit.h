@@ -7,7 +7,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
-#include "pliant/estimation/sheet/first_material.h"
+#include "pliant/estimation/sheet/first_laws.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 

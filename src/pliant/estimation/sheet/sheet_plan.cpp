@@ -7,6 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
+#include "pliant/estimation/sheet/first_laws.h"
 #include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
@@ -92,11 +93,14 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic, bool 
   return plan;
 }
 
-/// Friction of what is pulled by clips, from sequences that return.
-void add_friction(std::vector<SheetStage>& plan) {
+/// Friction of what is pulled by clips, from sequences that return, where the study does not say
+/// no.
+void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
   std::vector<SheetStage> stages;
   for (const ComponentGroup& group : groups_of(plan)) {
-    if (is_bending(group.front())) continue;
+    const FrictionChoice choice =
+        model_of(settings, group).friction.value_or(settings.model.friction);
+    if (is_bending(group.front()) || choice == FrictionChoice::none) continue;
     Tests data;
     for (const SheetStage& stage : plan) {
       if (stage.groups == std::vector<ComponentGroup>{group}) data = stage.tests;
@@ -165,7 +169,7 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                      "sessions of the tests stretch-weft, stretch-warp, shear, bias-extension, "
                      "bend-weft, bend-warp, or a plan under fit");
   }
-  if (settings.model.friction != FrictionChoice::none) add_friction(plan);
+  add_friction(settings, plan);
   leave_out(known, plan);
   return plan;
 }

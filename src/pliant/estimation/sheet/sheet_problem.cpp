@@ -36,14 +36,19 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
   return scales;
 }
 
+/// The largest stiffness of a law: of its curve, or where addends alone carry it, at a strain.
+double stiffness_size(const ComponentLaw& law, double strain) {
+  const std::vector<double>& values = law.stiffness.values();
+  return values.empty() ? law.elastic_secant(strain) : *std::ranges::max_element(values);
+}
+
 /// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
 /// stretch as well, by their stiffness over a cell, and must leave most of it to the first ring.
 void limit_bending_springs(const Material& material, double cell, std::vector<Unknown>& unknowns) {
   constexpr double kShare = 0.1;
   double stretch = INFINITY;
   for (const char* component : {"stretch.weft", "stretch.warp"}) {
-    const std::vector<double>& values = material.components.at(component).stiffness->values();
-    stretch = std::min(stretch, *std::ranges::max_element(values));
+    stretch = std::min(stretch, stiffness_size(law_of(material.components.at(component)), 0));
   }
   for (Unknown& unknown : unknowns) {
     if (!is_bending(unknown.owner) || unknown.of_friction) continue;
@@ -175,7 +180,7 @@ std::vector<Unknown> unknowns_of(const Material& material,
   std::vector<Unknown> unknowns;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const ComponentLaw law = law_of(material, groups[g]);
-    const double stiffness = std::max(*std::ranges::max_element(law.stiffness.values()), 1e-12);
+    const double stiffness = std::max(stiffness_size(law, strains[g]), 1e-12);
     const std::vector<Unknown> own =
         unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
     unknowns.insert(unknowns.end(), own.begin(), own.end());

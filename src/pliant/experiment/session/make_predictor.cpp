@@ -12,7 +12,8 @@ namespace pliant {
 bool is_path(const Session& session, const Material& material) {
   const std::string shown = session.table ? "bend." : "";
   return std::ranges::any_of(material.components, [&](const auto& component) {
-    return component.first.starts_with(shown) && component.second.friction.has_value();
+    return component.first.starts_with(shown) && component.second.stiffness &&
+           law_of(component.second).remembers();
   });
 }
 

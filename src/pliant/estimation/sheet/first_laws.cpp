@@ -1,0 +1,115 @@
+#include "pliant/estimation/sheet/first_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "pliant/estimation/addend_starts.h"
+#include "pliant/estimation/sheet/sheet_options.h"
+
+namespace pliant {
+namespace {
+
+/// What an addend answers on the first way to a strain.
+double stress_at(const Addend& addend, double strain) {
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(addend.history_size());
+  return std::max(addend.at(strain, 0, rest).stress, 1e-12);
+}
+
+}  // namespace
+
+Material first_sheet_material(const FitSettings& settings, const KnownComponents& known) {
+  Material material;
+  material.name = settings.name;
+  material.density = settings.density;
+  material.membrane = settings.model.membrane;
+  material.bending = settings.model.bending;
+  const bool bends =
+      std::ranges::any_of(known, [](const auto& component) { return is_bending(component.first); });
+  material.bending_of = bends ? "sheet" : "hinges";
+  const bool springs = material.bending == "spring";
+  const auto give = [&](const char* component, double stiffness) {
+    material.components[component].stiffness = ScalarCurve::hermite(
+        {0.0}, {fixed_stiffness(settings.fit, {component}).value_or(stiffness)},
+        is_even(component));
+  };
+  for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
+  give("shear", 20);
+  for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    give(component, springs ? 0.1 : 3e-6);
+  }
+  for (const auto& [component, law] : known) material.components[component] = law;
+  return material;
+}
+
+std::vector<double> first_bending(const Material& material, const ComponentGroup& group) {
+  const auto known = [&](const char* component) {
+    return material.components.at(component).stiffness->value(0);
+  };
+  std::vector<double> values;
+  if (group.front() == "bend.diagonal") {
+    const double mean = (known("bend.weft") + known("bend.warp")) / 2;
+    for (const double share : {2.0, 1.0, 0.5, 0.25}) values.push_back(share * mean);
+    return values;
+  }
+  const bool springs = material.bending == "spring";
+  for (double value = springs ? 0.1 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
+    values.push_back(value);
+  }
+  return values;
+}
+
+ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int power) {
+  std::vector<double> knots, values;
+  for (int i = 0; i < points; ++i) {
+    const double share = static_cast<double>(i) / (points - 1);
+    knots.push_back(strain * std::pow(share, power));
+    values.push_back(curve.value(knots.back()));
+  }
+  return ScalarCurve::hermite(knots, values, curve.even());
+}
+
+ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group) {
+  for (const std::string& component : group) {
+    const auto own = settings.model.components.find(component);
+    if (own != settings.model.components.end()) return own->second;
+  }
+  return {};
+}
+
+std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain) {
+  std::vector<ComponentLaw> laws;
+  for (const double share : {0.02, 0.06, 0.2}) {
+    laws.push_back(elastic);
+    laws.back().friction_law = FrictionLaw::dahl;
+    laws.back().friction = {0.1 * elastic.elastic_stress(strain), 0, share * strain};
+  }
+  return laws;
+}
+
+std::vector<ComponentLaw> first_addends(const ComponentLaw& law, const ComponentModel& model,
+                                        double strain, bool remembering) {
+  ComponentLaw asked{ScalarCurve::none()};
+  for (const AddendKind* kind : model.addends) {
+    if (remembers(*kind) != remembering) continue;
+    asked.addends.emplace_back(*kind, Eigen::VectorXd::Ones(std::ssize(kind->parameters)));
+  }
+  if (asked.addends.empty()) return {};
+  ComponentLaw beside = law;
+  double share = 0.1;
+  if (model.stiffness == CurveKind::none && !remembering) {
+    beside.stiffness = ScalarCurve::none();
+    share = 1.0 / static_cast<double>(asked.addends.size());
+  }
+  const double stress = law.elastic_stress(strain);
+  std::vector<ComponentLaw> laws;
+  for (const ComponentLaw& start : addend_starts(asked, {stress, strain})) {
+    laws.push_back(beside);
+    for (const Addend& addend : start.addends) {
+      laws.back().addends.push_back(addend.scaled(share * stress / stress_at(addend, strain)));
+    }
+  }
+  return laws;
+}
+
+}  // namespace pliant

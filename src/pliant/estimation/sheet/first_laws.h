@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/unknown.h"
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// Components by name.
+using KnownComponents = std::map<std::string, MaterialComponent>;
+
+/// What a search begins with: one stiffness for each component, which may be one that the study
+/// fixes, and the measures of a model. Its bending is that of a sheet where a known component
+/// bends, else that of hinges.
+/// @param known  components whose laws are known, and kept
+Material first_sheet_material(const FitSettings& settings, const KnownComponents& known = {});
+
+/// Stiffnesses that a search for bending may begin at, stiff ones first: soft sheets fold, and take
+/// long. What bends diagonally is not far from what bends along the threads.
+/// @param material  so far
+std::vector<double> first_bending(const Material& material, const ComponentGroup& group);
+
+/// A curve through other control points, from 0 to a strain: at equal distances, or by a power of
+/// them denser towards rest.
+ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int power = 1);
+
+/// What a study asks of the law of a group: what it says of the first component that it names.
+ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group);
+
+/// Laws with friction of a tenth of the largest stress, spread over a share of the largest strain.
+std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain);
+
+/// A law with the addends of a model, those that remember or the others, at all of their
+/// beginnings: of a tenth of the stress at the largest strain, or of all of it where the model has
+/// no stiffness beside them.
+/// @return nothing where the model has none
+std::vector<ComponentLaw> first_addends(const ComponentLaw& law, const ComponentModel& model,
+                                        double strain, bool remembering);
+
+}  // namespace pliant

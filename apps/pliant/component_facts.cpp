@@ -66,7 +66,7 @@ FrictionFacts friction_facts(const ComponentLaw& law, const DahlParameters& dahl
   own.friction = {dahl.a, dahl.b, dahl.tau};
   facts.persistent_strain = law.addends_remember() ? strain_left(own, side, reach)
                                                    : persistent_strain(law, dahl, side, reach);
-  facts.snapping = snapping_strains(law, dahl.b, side, reach);
+  facts.snapping = snapping_strains(own, side, reach);
   return facts;
 }
 

@@ -124,8 +124,7 @@ int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
 void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
   const ComponentLaw& law = work.fit.fit.law;
   if (law.friction_law != FrictionLaw::dahl) return;
-  for (const StrainInterval& snapping :
-       snapping_strains(law, law.friction[1], 1, work.problem->largest_strain())) {
+  for (const StrainInterval& snapping : snapping_strains(law, 1, work.problem->largest_strain())) {
     const int strips = snapping_strips(work, snapping);
     if (strips == 0) continue;
     result.warnings.push_back(fmt::format(

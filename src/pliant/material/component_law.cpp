@@ -47,6 +47,12 @@ bool ComponentLaw::addends_remember() const {
   return std::ranges::any_of(addends, [](const Addend& addend) { return !addend.is_elastic(); });
 }
 
+double ComponentLaw::fall() const {
+  double fall = friction_law == FrictionLaw::none ? 0 : friction[1];
+  for (const Addend& addend : addends) fall += addend.fall();
+  return fall;
+}
+
 ComponentLaw ComponentLaw::elastic_part() const {
   ComponentLaw elastic = *this;
   elastic.friction_law = FrictionLaw::none;

@@ -66,8 +66,8 @@ std::vector<StrainInterval> affine_snapping(double k1, double k2, double b) {
 
 }  // namespace
 
-std::vector<StrainInterval> snapping_strains(const ComponentLaw& law, double b, int side,
-                                             double reach) {
+std::vector<StrainInterval> snapping_strains(const ComponentLaw& law, int side, double reach) {
+  const double b = law.fall();
   const ScalarCurve& stiffness = law.stiffness;
   const std::vector<double>& values = stiffness.values();
   if (law.addends.empty() && stiffness.kind() == CurveKind::constant) {

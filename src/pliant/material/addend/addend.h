@@ -23,6 +23,8 @@ class Addend {
   /// Numbers that it remembers.
   int history_size() const { return density_->history_size(); }
   bool is_elastic() const { return history_size() == 0; }
+  /// How much its stress may fall per strain while the strain goes on.
+  double fall() const { return kind_->fall ? kind_->fall(values_) : 0; }
 
   /// The same law with its stress multiplied.
   Addend scaled(double factor) const;

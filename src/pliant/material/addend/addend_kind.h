@@ -35,6 +35,10 @@ struct AddendKind {
 
   /// The law on one strain of a material point; its parameters in the same order.
   std::unique_ptr<ParametricDensity> (*density)(int strain, const Eigen::VectorXd& values);
+
+  /// How much the stress may fall per strain while the strain goes on, as Dahl friction does by b
+  /// while it returns; null: it never falls.
+  double (*fall)(const Eigen::VectorXd& values) = nullptr;
 };
 
 /// The unit of a parameter: that of membrane components unless `bending`.

@@ -30,7 +30,8 @@ const AddendKind& dahl_branch() {
                     const Eigen::VectorXd& values) -> std::unique_ptr<ParametricDensity> {
         return std::make_unique<DahlFriction>(strain,
                                               DahlParameters{values(0), values(1), values(2)});
-      }};
+      },
+      .fall = [](const Eigen::VectorXd& values) { return values(1); }};
   return kind;
 }
 

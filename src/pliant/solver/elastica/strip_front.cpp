@@ -57,8 +57,7 @@ std::optional<double> snapping_curvature(const ComponentLaw& law, const StripHis
   constexpr int kSamples = 64;
   const double from = start.curvature(0);
   if (law.friction_law != FrictionLaw::dahl || from == 0 ||
-      snapping_strains(law, law.friction[1], from > 0 ? 1 : -1, kStrainPerCurvature * from)
-          .empty()) {
+      snapping_strains(law, from > 0 ? 1 : -1, kStrainPerCurvature * from).empty()) {
     return std::nullopt;
   }
   const auto tangent = [&](double share) { return moment_at(law, start, 0, share * from).tangent; };

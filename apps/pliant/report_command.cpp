@@ -2,6 +2,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/io/atomic_file.h"
+#include "pliant/io/result_manifest.h"
 #include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
 
@@ -33,6 +34,7 @@ void add_report(CommandRegistry& registry) {
   registry.on(command, [directory](CommandContext& context) {
     const std::filesystem::path file = std::filesystem::path(*directory) / "report.html";
     write_file_atomically(file, report_of(*directory, context.run));
+    list_result(*directory, "report.html");
     context.say(fmt::format("report: {}", file.string()));
     context.print_written_json("report", file);
   });

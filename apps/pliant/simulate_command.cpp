@@ -94,6 +94,7 @@ class SimulationRun {
       progress.advance(simulation_.now().steps);
     }
     write_summary();
+    write_checkpoint();
     if (!arguments_.no_report) write_report();
     results_.commit();
   }
@@ -134,6 +135,7 @@ class SimulationRun {
     if (arguments_.resume) {
       require_checkpoint();
       simulation_.resume(read_checkpoint(results_.path() / kCheckpoint, simulation_, identity_));
+      require_time_left();
       if (scene_.output.has(FrameFormat::pc2)) {
         pc2_.emplace(Pc2Writer::resume(results_.path() / "cloth.pc2", points,
                                        static_cast<int>(simulation_.now().energies.size())));
@@ -150,7 +152,15 @@ class SimulationRun {
   void require_checkpoint() const {
     if (std::filesystem::exists(results_.path() / kCheckpoint)) return;
     throw InputError({results_.path().string()}, "holds no checkpoint to go on from",
-                     "results of a run with --checkpoint-every, or of one that was stopped");
+                     "results of `pliant simulate`, finished or stopped");
+  }
+
+  void require_time_left() const {
+    if (simulation_.now().steps <= scene_.time.step_count()) return;
+    throw InputError({scene_.file, 0, "time.duration"},
+                     fmt::format("is {:.6g} s, and {:.6g} s are simulated already",
+                                 scene_.time.duration, simulation_.now().state.time),
+                     "at least as much, or another folder for a shorter run");
   }
 
   void write_frame() {

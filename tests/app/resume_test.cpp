@@ -134,6 +134,30 @@ TEST_F(Resume, GoesOnFromTheLastCheckpointOfAFinishedRun) {
   expect_same_files(before, folder.computed_files());
 }
 
+TEST_F(Resume, GoesOnForLongerWhereTheDurationIsRaised) {
+  const auto scene = [](const std::string& duration) {
+    // Frames every 20 ms: that at 50 ms stands at the end of the shorter run alone.
+    return small_scene("{step: 10 ms, duration: " + duration + "}", kOutput);
+  };
+  folder.write("scene.yaml", scene("120 ms"));
+  ASSERT_EQ(folder.simulate({"--threads", "1"}, "whole").status, 0);
+  const std::map<std::string, std::string> whole = folder.computed_files("whole");
+  folder.write("scene.yaml", scene("50 ms"));
+  ASSERT_EQ(folder.simulate({"--threads", "1"}, "longer").status, 0);
+  folder.write("longer/notes.txt", "the end looks good");
+  folder.write("scene.yaml", scene("120 ms"));
+  const ProgramRun longer = folder.simulate({"--resume", "--threads", "1"}, "longer");
+  ASSERT_EQ(longer.status, 0) << longer.err;
+  std::map<std::string, std::string> found = folder.computed_files("longer");
+  EXPECT_EQ(found.erase("notes.txt"), 1U);
+  expect_same_files(whole, found);
+}
+
+TEST_F(Resume, RefusesADurationThatIsSimulatedAlready) {
+  folder.write("scene.yaml", small_scene("{step: 10 ms, duration: 50 ms}", kOutput));
+  expect_refused(resume(), "are simulated already");
+}
+
 TEST_F(Resume, NeedsACheckpoint) {
   std::filesystem::remove(folder.results() / "checkpoint.bin");
   expect_refused(resume(), "holds no checkpoint");

@@ -123,15 +123,43 @@ TEST(ResultDirectory, ReplacesEarlierResultsOfTheSameCommand) {
   EXPECT_FALSE(fs::exists(folder.path() / "predictions"));
 }
 
-TEST(ResultDirectory, RefusesAFolderThatHoldsAnythingElseAndNamesIt) {
+TEST(ResultDirectory, LeavesWhatTheUserPutBesideResults) {
   const TemporaryFolder folder;
   make_results(folder.path(), "fit", {"fit.json"});
+  folder.write("notes/mine.txt", "precious");
+  make_results(folder.path(), "fit", {"fit.json", "report.html"});
+  EXPECT_EQ(content_of(folder.path() / "notes/mine.txt"), "precious");
+  EXPECT_TRUE(fs::exists(folder.path() / "report.html"));
+}
+
+TEST(ResultDirectory, NeverWritesOverWhatTheUserPutBesideResults) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json"});
+  folder.write("report.html", "precious");
+  const InputError error = input_error_of([&] {
+    make_results(folder.path(), "fit", {"fit.json", "report.html"});
+  });
+  EXPECT_EQ(error.problem(), "holds a file that no \"fit\" wrote: \"report.html\"");
+  EXPECT_EQ(content_of(folder.path() / "report.html"), "precious");
+}
+
+TEST(ResultDirectory, OwnsWhatIsListedLater) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json"});
+  folder.write("report.html", "of a later command");
+  list_result(folder.path(), "report.html");
+  make_results(folder.path(), "fit", {"fit.json", "report.html"});
+  EXPECT_EQ(content_of(folder.path() / "report.html"), "fit report.html");
+}
+
+TEST(ResultDirectory, RefusesAFolderWithoutResultsThatHoldsAnythingElseAndNamesIt) {
+  const TemporaryFolder folder;
   folder.write("notes/mine.txt", "precious");
   const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
   EXPECT_EQ(error.where().file, folder.path().string());
   EXPECT_EQ(error.problem(), "holds a file that no \"fit\" wrote: \"notes/mine.txt\"");
   EXPECT_EQ(content_of(folder.path() / "notes/mine.txt"), "precious");
-  EXPECT_EQ(entries_in(folder.path()), 3);
+  EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
 TEST(ResultDirectory, OwnsOnlyWhatItsLatestRunWrote) {
@@ -139,7 +167,7 @@ TEST(ResultDirectory, OwnsOnlyWhatItsLatestRunWrote) {
   make_results(folder.path(), "fit", {"fit.json", "old.csv"});
   make_results(folder.path(), "fit", {"fit.json"});
   folder.write("old.csv", "the user's own by now");
-  input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  input_error_of([&] { make_results(folder.path(), "fit", {"fit.json", "old.csv"}); });
 }
 
 TEST(ResultDirectory, RefusesASymbolicLinkThatIsNotItsOwn) {

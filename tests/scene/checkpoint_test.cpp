@@ -38,10 +38,22 @@ TEST(SceneIdentity, ChangesWithEveryFileThatTheSceneNames) {
   EXPECT_EQ(identities.count(identity()), 1u);  // of the same files the same
   EXPECT_TRUE(identities.insert(scene_identity(scene, {})).second);
   for (const auto& [name, content] : files) {
-    folder.write(name, content + "\n");
+    folder.write(name, name == "scene.yaml" ? content + "name: other\n" : content + "\n");
     EXPECT_TRUE(identities.insert(identity()).second) << name;
     folder.write(name, content);
   }
+}
+
+TEST(SceneIdentity, StaysWithCommentsAndWithAnotherDuration) {
+  const test::TemporaryFolder folder;
+  const std::string text = "pliant: scene/1\ntime: {step: 5 ms, duration: 1 s}\n";
+  Scene scene;
+  scene.file = folder.write("scene.yaml", text).string();
+  const std::string before = scene_identity(scene, {});
+  folder.write("scene.yaml", "# longer\npliant: scene/1\ntime: {duration: 2 s, step: 5 ms}\n");
+  EXPECT_EQ(scene_identity(scene, {}), before);
+  folder.write("scene.yaml", "pliant: scene/1\ntime: {step: 4 ms, duration: 1 s}\n");
+  EXPECT_NE(scene_identity(scene, {}), before);
 }
 
 }  // namespace

@@ -118,6 +118,7 @@ void ResultDirectory::write(const std::string& relative_name, std::string_view c
   PLIANT_ASSERT(!committed_, "results are written before they are committed");
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
   PLIANT_ASSERT(!pending_.contains(relative_name), "a result is written once");
+  refuse_foreign(relative_name);
   stage(relative_name, content);
   files_.insert(relative_name);
   pending_.insert(relative_name);
@@ -145,6 +146,7 @@ void ResultDirectory::publish() {
 
 void ResultDirectory::set_aside(const std::string& relative_name, std::string_view content) {
   PLIANT_ASSERT(!committed_, "files are set aside before results are committed");
+  refuse_foreign(relative_name);
   stage(relative_name, content);
   earlier_files_.insert(relative_name);
   stage_list_of_all();
@@ -155,6 +157,7 @@ void ResultDirectory::set_aside(const std::string& relative_name, std::string_vi
 
 fs::path ResultDirectory::grow(const std::string& relative_name) {
   PLIANT_ASSERT(is_safe_relative_name(relative_name), "a result stays in its folder");
+  refuse_foreign(relative_name);
   files_.insert(relative_name);
   publish();
   fs::path file = directory_ / relative_name;
@@ -198,7 +201,8 @@ void ResultDirectory::prepare() {
   if (error) fail_unusable(directory_, error);
   if (!fs::is_directory(directory_, error)) fail_unusable(directory_, "is not a folder");
   lock();
-  if (const std::optional<ResultManifest> manifest = read_manifest(directory_)) {
+  const std::optional<ResultManifest> manifest = read_manifest(directory_);
+  if (manifest) {
     if (manifest->command != command_) {
       throw InputError({directory_.string()},
                        fmt::format("holds results of {}", quoted_value(manifest->command)),
@@ -206,7 +210,7 @@ void ResultDirectory::prepare() {
     }
     earlier_files_ = manifest->files;
   }
-  refuse_foreign_files();
+  find_foreign_files(manifest.has_value());
   create_staging();
 }
 
@@ -219,18 +223,20 @@ void ResultDirectory::lock() {
   }
 }
 
-void ResultDirectory::refuse_foreign_files() const {
+void ResultDirectory::find_foreign_files(bool has_results) {
   std::error_code error;
   std::set<std::string> files = files_below(directory_, error);
   if (error) fail_unusable(directory_, error);
   files.erase(std::string(kManifestName));
-  std::vector<std::string> foreign;
-  std::set_difference(files.begin(), files.end(), earlier_files_.begin(), earlier_files_.end(),
-                      std::back_inserter(foreign));
-  if (foreign.empty()) return;
+  std::ranges::set_difference(files, earlier_files_, std::inserter(foreign_, foreign_.end()));
+  if (!has_results && !foreign_.empty()) refuse_foreign(*foreign_.begin());
+}
+
+void ResultDirectory::refuse_foreign(const std::string& relative_name) const {
+  if (!foreign_.contains(relative_name)) return;
   throw InputError(
       {directory_.string()},
-      fmt::format("holds a file that no \"{}\" wrote: {}", command_, quoted_value(foreign.front())),
+      fmt::format("holds a file that no \"{}\" wrote: {}", command_, quoted_value(relative_name)),
       fmt::format("an empty folder or results of \"{}\"", command_));
 }
 

@@ -12,9 +12,9 @@ namespace pliant {
 ///
 /// Files are collected in a hidden folder inside `directory`; `commit` moves them into place and
 /// removes what an earlier run of the same command left there. A long run may `publish` what it has
-/// so far, again and again. A hidden list of files,
-/// `.pliant-results.json`, tells results from anything else: a folder that holds a file which is
-/// not on the list of the same command is refused, so that nothing of the user's is overwritten.
+/// so far, again and again. A hidden list of files, `.pliant-results.json`, tells results from
+/// anything else. A folder with files and without the list of the same command is refused; what the
+/// user put beside listed results stays there, and is never overwritten.
 /// One run at a time may write to a folder.
 class ResultDirectory {
  public:
@@ -26,8 +26,8 @@ class ResultDirectory {
 
   /// Makes `directory` (and what is missing above it) or checks that it can be written to.
   /// @param command  the name of the command that makes the results, e.g. "fit"
-  /// @throws InputError when the folder cannot be made or written to, holds something else, or is
-  ///         being written to by another run
+  /// @throws InputError when the folder cannot be made or written to, holds something else and no
+  ///         results of the command, or is being written to by another run
   ResultDirectory(std::filesystem::path directory, std::string command,
                   Earlier earlier = Earlier::replace);
 
@@ -44,6 +44,7 @@ class ResultDirectory {
   /// Adds a file; `relative_name` may have folders in it ("predictions/warp.csv"). A file that was
   /// put into place before is replaced.
   /// @throws OutputError when writing fails
+  /// @throws InputError where a file of that name stands there that is not of the command
   void write(const std::string& relative_name, std::string_view content);
 
   /// Puts what was written so far into place, in the order in which it was written; more can be
@@ -68,7 +69,8 @@ class ResultDirectory {
  private:
   void prepare();
   void lock();
-  void refuse_foreign_files() const;
+  void find_foreign_files(bool has_results);
+  void refuse_foreign(const std::string& relative_name) const;
   void create_staging();
   void stage(const std::string& relative_name, std::string_view content);
   /// The list of what is in place and of what comes to it.
@@ -80,6 +82,7 @@ class ResultDirectory {
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> created_;  // folders made by the constructor, outermost first
   std::set<std::string> earlier_files_;
+  std::set<std::string> foreign_;   // the user's
   std::set<std::string> files_;     // of this run
   std::set<std::string> pending_;   // those of them that are not in place yet
   std::vector<std::string> order_;  // in which the pending ones were written

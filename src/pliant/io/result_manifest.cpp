@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/io/atomic_file.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 
@@ -48,6 +49,12 @@ std::string manifest_text(const ResultManifest& manifest) {
   json["files"] = manifest.files;
   // File names need not be UTF-8; what is not is replaced rather than refused.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+void list_result(const std::filesystem::path& directory, const std::string& name) {
+  std::optional<ResultManifest> manifest = read_manifest(directory);
+  if (!manifest || !manifest->files.insert(name).second) return;
+  write_file_atomically(directory / kManifestName, manifest_text(*manifest));
 }
 
 }  // namespace pliant

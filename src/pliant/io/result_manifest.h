@@ -25,4 +25,9 @@ std::optional<ResultManifest> read_manifest(const std::filesystem::path& directo
 
 std::string manifest_text(const ResultManifest& manifest);
 
+/// Adds a file to the list in `directory`, where there is one.
+/// @throws InputError as `read_manifest`
+/// @throws OutputError
+void list_result(const std::filesystem::path& directory, const std::string& name);
+
 }  // namespace pliant

@@ -3,10 +3,13 @@
 #include <cstring>
 #include <variant>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
 #include "pliant/io/digest.h"
+#include "pliant/io/document.h"
 #include "pliant/io/sealed_file.h"
 
 namespace pliant {
@@ -92,6 +95,24 @@ SimulationState read_state(const Json& json, const State& start) {
   return state;
 }
 
+/// What a document says, whatever its layout and comments.
+std::string text_of(const Node& node) {
+  std::string text =
+      fmt::format("{}{}:{}", static_cast<int>(node.kind), node.text.size(), node.text);
+  for (const Node& item : node.items) text += "[" + text_of(item) + "]";
+  for (const Node::Field& field : node.fields) {
+    text += fmt::format("{{{}:{}{}}}", field.key.size(), field.key, text_of(field.value));
+  }
+  return text;
+}
+
+void remove_duration(Node& scene) {
+  for (Node::Field& section : scene.fields) {
+    if (section.key != "time") continue;
+    std::erase_if(section.value.fields, [](const auto& field) { return field.key == "duration"; });
+  }
+}
+
 // The file of a list that a scene may also hold itself.
 void add_file_of(const IndexList& list, std::vector<std::filesystem::path>& files) {
   if (!list.file.empty()) files.push_back(list.file);
@@ -127,7 +148,10 @@ Json read_content(const std::filesystem::path& file) {
 }  // namespace
 
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler) {
-  std::string digests = sha256_of_file(scene.file);
+  Node document = read_yaml(scene.file).root;
+  remove_duration(document);
+  // Of a path of equilibria the duration says the step.
+  std::string digests = sha256_of(text_of(document) + format_number(scene.time.step));
   for (const std::filesystem::path& file : files_of(scene)) digests += sha256_of_file(file);
   if (!filler.empty()) digests += sha256_of_file(filler);
   return sha256_of(digests);

@@ -7,8 +7,9 @@
 
 namespace pliant {
 
-/// What tells a scene from any other: the digest of its document, of every file that it names, and
-/// of what fills its materials.
+/// What tells a scene from any other: the digest of what its document says, of every file that it
+/// names, and of what fills its materials. How long it lasts is left out: what was simulated can be
+/// gone on with for longer.
 /// @param filler  the file of `--fill`; may be empty
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler);
 

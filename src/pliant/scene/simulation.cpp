@@ -147,6 +147,15 @@ bool Simulation::is_frame() const {
   return now_.steps % steps_per_frame(scene_.output, scene_.time) == 0 || is_finished();
 }
 
+void Simulation::resume(SimulationState state) {
+  now_ = std::move(state);
+  // The last frame of a shorter run may stand where this one has none.
+  const bool recorded = !now_.energies.empty() && now_.energies.back().time == now_.state.time;
+  if (!recorded || is_frame()) return;
+  now_.energies.pop_back();
+  now_.clips.resize(now_.clips.size() - built_.start.configuration.clips.size());
+}
+
 void Simulation::record_frame() {
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, built_.system->points());
   Derivatives derivatives;

@@ -61,8 +61,8 @@ class Simulation {
   const Scene& scene() const { return scene_; }
   const SceneSystem& built() const { return built_; }
   const SimulationState& now() const { return now_; }
-  /// Goes on from a state of a simulation of the same scene.
-  void resume(SimulationState state) { now_ = std::move(state); }
+  /// Goes on from a state of a simulation of the same scene, which may have ended earlier.
+  void resume(SimulationState state);
 
   bool is_finished() const { return now_.steps >= scene_.time.step_count(); }
   /// Whether a frame stands at the present step.

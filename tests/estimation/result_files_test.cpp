@@ -121,6 +121,19 @@ TEST_F(ResultFiles, MaterialReadsBackToTheSameBits) {
   EXPECT_GT(material.components.at("stretch.warp").range->second, 0.2);
 }
 
+TEST_F(ResultFiles, MaterialSaysHowWellItsNumbersAreKnown) {
+  const Material material = read_material(file("material.json"));
+  const std::map<std::string, NumberError>& errors = material.components.at("stretch.warp").errors;
+  EXPECT_EQ(errors.size(), result_->parameters.size());
+  for (const ParameterEstimate& parameter : result_->parameters) {
+    const NumberError& error = errors.at(parameter.name.substr(sizeof("stretch.warp")));
+    EXPECT_EQ(error.std_error, parameter.std_error) << parameter.name;
+    EXPECT_EQ(error.determined, parameter.determination) << parameter.name;
+    EXPECT_EQ(error.told_by, "weights 100 %") << parameter.name;
+  }
+  EXPECT_TRUE(material.components.at("bend.weft").errors.empty());
+}
+
 TEST_F(ResultFiles, PredictionsHaveTheOwnColumnsThenMeasuredAndPredicted) {
   const std::string weights = test::content_of(file("predictions/weights.csv"));
   EXPECT_THAT(weights, StartsWith("repeat,peak_N,step,weight_N,length_mm,"));
@@ -189,9 +202,20 @@ TEST(EvaluationFiles, SayWhichMaterialPredicted) {
   const json evaluation = json::parse(files.at("evaluation.json"));
   EXPECT_EQ(evaluation["pliant"], "evaluation/1");
   EXPECT_EQ(evaluation["material"], "cotton.json");
+  EXPECT_THAT(result.warnings, ::testing::IsEmpty());
   // The true material predicts noise-free lengths to rounding.
   EXPECT_LT(evaluation["experiments"][0]["rms_position_mm"], 1e-9);
   EXPECT_EQ(files.count("predictions/weights.csv"), 1u);
+}
+
+TEST(EvaluationFiles, WarnOfAMaterialWhoseNumbersNoDataTold) {
+  const VirtualStudy study(lab_of(published_fabric("cotton"), hung_weights()));
+  Material material = published_fabric("cotton");
+  for (const char* number : {"k1", "k2"}) {
+    material.components.at("stretch.warp").errors[number] = {40.0, {}, Determination::none, ""};
+  }
+  EXPECT_THAT(evaluate_study(study.study(), material, {}).warnings,
+              ElementsAre(::testing::HasSubstr("the stiffness of stretch.warp")));
 }
 
 }  // namespace

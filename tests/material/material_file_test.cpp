@@ -227,6 +227,20 @@ TEST(MaterialFile, WritesAddendsAsItReadsThem) {
 
 class MaterialFileRefusal : public ::testing::TestWithParam<Refusal> {};
 
+TEST(MaterialFile, KeepsWhatAFitKnowsOfItsNumbers) {
+  Material material = read_text(kExample);
+  std::map<std::string, NumberError>& errors = material.components.at("stretch.warp").errors;
+  errors["k1"] = {0.03, {}, Determination::within_10_percent, "weights 60 %, cycles 40 %"};
+  errors["friction.b"] = {{}, 0.3, Determination::none, ""};
+  const MaterialComponent read = read_text(material_text(material)).components.at("stretch.warp");
+  ASSERT_EQ(read.errors.size(), 2U);
+  EXPECT_EQ(read.errors.at("k1").std_error, 0.03);
+  EXPECT_EQ(read.errors.at("k1").determined, Determination::within_10_percent);
+  EXPECT_EQ(read.errors.at("k1").told_by, "weights 60 %, cycles 40 %");
+  EXPECT_EQ(read.errors.at("friction.b").limit, 0.3);
+  EXPECT_FALSE(read.errors.at("friction.b").std_error.has_value());
+}
+
 TEST_P(MaterialFileRefusal, NamesFileLineAndField) {
   const TemporaryFolder folder;
   const auto path = folder.write("fabric.json", GetParam().text);
@@ -255,6 +269,16 @@ const Refusal kRefusals[] = {
      "did you mean \"stretch.warp\"?"},
     {"NegativeDensity", R"({"pliant": "material/1", "name": "x", "kind": "cloth", "density": -1})",
      1, "density", "not positive"},
+    {"ErrorOfNoNumber",
+     with_component("shear",
+                    R"({"stiffness": {"curve": "constant", "value": 1},
+"errors": {"k1": {"determined": "weak"}}})"),
+     7, "components.shear.errors.k1", "one of k"},
+    {"UnknownGrade",
+     with_component("shear",
+                    R"({"stiffness": {"curve": "constant", "value": 1},
+"errors": {"k": {"determined": "well"}}})"),
+     7, "components.shear.errors.k.determined", "within 10 %"},
     {"UnknownCurve", with_curve(R"({"curve": "hermit"})"), 6, "components.shear.stiffness.curve",
      "did you mean \"hermite\"?"},
     {"CurveWithoutNumbers", with_curve(R"({"curve": "affine", "k1": 1})"), 6,

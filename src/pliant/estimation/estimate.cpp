@@ -72,6 +72,7 @@ ParameterEstimate estimate_of(const std::vector<Unknown>& unknowns, const Eigen:
   estimate.at_bound = uncertainty.at_bound[index];
   estimate.determination = uncertainty.determination[index];
   estimate.identified = estimate.determination != Determination::none;
+  estimate.told_by = uncertainty.told_by[index];
   estimate.std_error = if_finite(uncertainty.std_error(i));
   if (estimate.std_error) {
     estimate.lower = estimate.value - uncertainty.half_width(i);

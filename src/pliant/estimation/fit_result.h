@@ -9,7 +9,6 @@
 
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/judgement.h"
-#include "pliant/estimation/statistics/determination.h"
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -34,7 +33,8 @@ struct ParameterEstimate {
   bool at_bound = false;
   bool fixed = false;
   std::optional<double> between_specimen_sd;
-  std::string note;  ///< e.g. the strain of a control point
+  std::string told_by = {};  ///< experiments, by their shares of what is known of it
+  std::string note;          ///< e.g. the strain of a control point
 };
 
 /// A session on the mesh that it was simulated on, and as it was predicted.

@@ -76,6 +76,7 @@ MaterialComponent scaled(MaterialComponent component, double factor) {
   for (double& value : values) value *= factor;
   component.stiffness = component.stiffness->with_values(values.data());
   for (Addend& addend : component.addends) addend = addend.scaled(factor);
+  component.errors.clear();
   if (!component.friction) return component;
   const auto scale = [&](DahlParameters& side) {
     side.a *= factor;

@@ -8,6 +8,7 @@
 
 #include "pliant/material/component_law.h"
 #include "pliant/material/density/dahl.h"
+#include "pliant/material/number_error.h"
 #include "pliant/math/scalar_curve.h"
 
 namespace pliant {
@@ -44,6 +45,7 @@ struct MaterialComponent {
   ComponentStatus status = ComponentStatus::measured;
   std::optional<std::pair<double, double>> range;  ///< strains the data covered
   std::vector<Addend> addends = {};
+  std::map<std::string, NumberError> errors = {};  ///< of a fit, by number: "k[0]", "friction.a"
 };
 
 /// A cloth material: the content of a material/1 file (docs/formats.md).
@@ -77,7 +79,8 @@ ComponentLaw law_of(const MaterialComponent& component);
 /// Gives a component a law; friction with constant alpha, which materials do not have, is left out.
 void set_law(MaterialComponent& component, const ComponentLaw& law);
 
-/// The same component with its stress multiplied: stiffness, friction and addends.
+/// The same component with its stress multiplied: stiffness, friction and addends. What was known
+/// of the errors of its numbers is not that of the new ones.
 MaterialComponent scaled(MaterialComponent component, double factor);
 
 /// The law of a component of a material.

@@ -1,7 +1,10 @@
 #include "pliant/material/material_file.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/io/document.h"
@@ -115,6 +118,34 @@ std::pair<double, double> read_range(const Value& value) {
   return {ends[0], ends[1]};
 }
 
+NumberError read_error(const Value& node) {
+  Fields fields = node.fields();
+  NumberError error;
+  if (auto sd = fields.optional("std_error")) error.std_error = not_negative(*sd);
+  if (auto limit = fields.optional("limit")) error.limit = limit->number();
+  error.determined =
+      *determination_named(fields.require("determined")
+                               .choice({"within 10 %", "within 30 %", "weak", "not determined"}));
+  if (auto told_by = fields.optional("told_by")) error.told_by = told_by->text();
+  fields.finish();
+  return error;
+}
+
+/// @param law  of the component, whose numbers they are of
+std::map<std::string, NumberError> read_errors(const Value& node, const ComponentLaw& law) {
+  std::vector<std::string> names = parameter_names(law, "");
+  for (std::string& name : names) name.erase(0, 1);  // the dot after the component
+  std::map<std::string, NumberError> errors;
+  for (const auto& [name, value] : node.fields().all()) {
+    if (std::ranges::find(names, name) == names.end()) {
+      value.fail("is no number of this component",
+                 fmt::format("one of {}", fmt::join(names, ", ")));
+    }
+    errors[name] = read_error(value);
+  }
+  return errors;
+}
+
 MaterialComponent read_component(const Value& node, bool even) {
   Fields fields = node.fields();
   MaterialComponent component;
@@ -137,6 +168,10 @@ MaterialComponent read_component(const Value& node, bool even) {
       status->fail("is `" + std::string(name_of(component.status)) + "` without a stiffness",
                    "`unmeasured`, or a stiffness");
     }
+  }
+  if (auto errors = fields.optional("errors")) {
+    if (!has_law) errors->fail("stands beside no numbers", "a stiffness or addends");
+    component.errors = read_errors(*errors, law_of(component));
   }
   fields.finish();
   return component;
@@ -197,6 +232,17 @@ Json addend_json(const Addend& addend) {
   return json;
 }
 
+Json errors_json(const std::map<std::string, NumberError>& errors) {
+  Json json = Json::object();
+  for (const auto& [name, error] : errors) {
+    Json& own = json[name] = {{"determined", name_of(error.determined)}};
+    if (error.std_error) own["std_error"] = *error.std_error;
+    if (error.limit) own["limit"] = *error.limit;
+    if (!error.told_by.empty()) own["told_by"] = error.told_by;
+  }
+  return json;
+}
+
 Json component_json(const MaterialComponent& component) {
   Json json = Json::object();
   if (component.stiffness && component.stiffness->kind() != CurveKind::none) {
@@ -206,6 +252,7 @@ Json component_json(const MaterialComponent& component) {
   for (const Addend& addend : component.addends) json["addends"].push_back(addend_json(addend));
   json["status"] = name_of(component.status);
   if (component.range) json["range"] = {component.range->first, component.range->second};
+  if (!component.errors.empty()) json["errors"] = errors_json(component.errors);
   return json;
 }
 

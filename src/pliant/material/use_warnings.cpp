@@ -15,10 +15,59 @@ namespace {
 /// The heaviest technical fabrics weigh about 2 kg/m^2; grams in place of kilograms make 100.
 constexpr double kLargestDensity = 5;  // kg/m^2
 
+bool is_friction(const std::string& number) { return number.starts_with("friction."); }
+
+/// None of the numbers of the stiffness and the addends, or none of friction, is told by the data;
+/// one at its bound is.
+bool is_undetermined(const MaterialComponent& component, bool friction) {
+  bool any = false;
+  for (const auto& [number, error] : component.errors) {
+    if (is_friction(number) != friction) continue;
+    if (error.determined != Determination::none || error.limit) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// "k1 180 +- 400" of a number of a component.
+std::vector<std::string> numbers_with_errors(const MaterialComponent& component, bool friction) {
+  const ComponentLaw law = law_of(component);
+  const std::vector<std::string> names = parameter_names(law, "");
+  const Eigen::VectorXd values = law.parameters();
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string number = names[i].substr(1);
+    const auto error = component.errors.find(number);
+    if (error == component.errors.end() || is_friction(number) != friction) continue;
+    const auto sd = error->second.std_error;
+    texts.push_back(fmt::format("{} {} +- {}", number,
+                                format_number(values(static_cast<Eigen::Index>(i)), 3),
+                                sd ? format_number(*sd, 2) : "any number"));
+  }
+  return texts;
+}
+
 }  // namespace
 
-std::vector<std::string> use_warnings(const Material& material, std::span<const std::string> used) {
+std::vector<std::string> undetermined_warnings(const Material& material,
+                                               std::span<const std::string> used) {
   std::vector<std::string> warnings;
+  for (const auto& [name, component] : material.components) {
+    if (std::ranges::find(used, name) == used.end() || !is_known(material, name)) continue;
+    for (const bool friction : {false, true}) {
+      if (!is_undetermined(component, friction)) continue;
+      warnings.push_back(fmt::format(
+          "{} of {} in {} is not determined by the data that it was fitted to ({}): what hangs on "
+          "it is a guess",
+          friction ? "friction" : "the stiffness", name, quoted_value(material.name),
+          fmt::join(numbers_with_errors(component, friction), ", ")));
+    }
+  }
+  return warnings;
+}
+
+std::vector<std::string> use_warnings(const Material& material, std::span<const std::string> used) {
+  std::vector<std::string> warnings = undetermined_warnings(material, used);
   const std::string name = quoted_value(material.name);
   if (material.density > kLargestDensity) {
     warnings.push_back(

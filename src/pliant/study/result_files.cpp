@@ -40,6 +40,7 @@ Json parameter_json(const ParameterEstimate& p, const char* owner) {
           {"upper", number(p.upper)},
           {"determined", name_of(p.determination)},
           {"limit", number(p.limit)},
+          {"told_by", p.told_by},
           {"note", p.note},
           {owner, p.owner}};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -9,10 +10,25 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/material/fill.h"
+#include "pliant/material/use_warnings.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study_experiments.h"
 
 namespace pliant {
+namespace {
+
+/// Of the components that experiments in one dimension and sheets were predicted with.
+void warn_of_guesses(const Material& material, StudyResult& result) {
+  std::vector<std::string> used;
+  for (const ExperimentResult& row : result.experiments) {
+    if (row.sheet) used = sheet_component_names();
+  }
+  for (const ExperimentResult& row : result.experiments) used.push_back(row.component);
+  std::ranges::move(undetermined_warnings(material, used), std::back_inserter(result.warnings));
+}
+
+}  // namespace
 
 StudyResult evaluate_study(const Study& study, const Material& material,
                            const RunContext& context) {
@@ -48,6 +64,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
     }
   }
   evaluate_sheets(with_measure, material, context, result);
+  warn_of_guesses(material, result);
   result.assumptions = assumptions_of(study, experiments);
   result.seconds = watch.seconds();
   result.judgement = judge(result, study.accept, /*evaluation=*/true);

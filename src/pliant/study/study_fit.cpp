@@ -9,6 +9,7 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"
+#include "pliant/estimation/number_errors.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/study/component_study.h"
@@ -93,6 +94,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
+  state_errors(result.parameters, result.material);
   result.judgement = judge(result, study.accept, /*evaluation=*/false);
   return result;
 }

@@ -17,18 +17,4 @@ Determination determination_of(double value, double half_width, double scale) {
   return share <= 1 ? Determination::weak : Determination::none;
 }
 
-std::string_view name_of(Determination determination) {
-  switch (determination) {
-    case Determination::within_10_percent:
-      return "within 10 %";
-    case Determination::within_30_percent:
-      return "within 30 %";
-    case Determination::weak:
-      return "weak";
-    case Determination::none:
-      return "not determined";
-  }
-  return "";
-}
-
 }  // namespace pliant

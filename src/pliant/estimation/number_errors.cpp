@@ -1,0 +1,38 @@
+#include "pliant/estimation/number_errors.h"
+
+#include <string>
+
+namespace pliant {
+namespace {
+
+/// The component whose law a fit of isotropic sheets gives to another one.
+std::string shared_component(std::string component) {
+  const std::string own = ".warp";
+  if (!component.ends_with(own)) return component;
+  return component.replace(component.size() - own.size(), own.size(), ".weft");
+}
+
+std::map<std::string, NumberError> errors_of(const std::vector<ParameterEstimate>& parameters,
+                                             const std::string& component) {
+  std::map<std::string, NumberError> errors;
+  for (const ParameterEstimate& p : parameters) {
+    if (p.owner != component || p.fixed) continue;
+    errors[p.name.substr(component.size() + 1)] = {p.std_error, p.limit, p.determination,
+                                                   p.told_by};
+  }
+  return errors;
+}
+
+}  // namespace
+
+void state_errors(const std::vector<ParameterEstimate>& parameters, Material& material) {
+  for (auto& [name, component] : material.components) {
+    if (component.status != ComponentStatus::measured) continue;
+    component.errors = errors_of(parameters, name);
+    if (component.errors.empty()) {
+      component.errors = errors_of(parameters, shared_component(name));
+    }
+  }
+}
+
+}  // namespace pliant

@@ -12,6 +12,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/session/sheet_path.h"
+#include "pliant/measurement/session/balance.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 #include "support/study_folder.h"
 
@@ -141,6 +143,20 @@ TEST(StripSheets, ASlackStripKeepsTheLengthThatUnloadingLeft) {
   EXPECT_NEAR(length_in(test.session(), test.frame_count() - 1), 0.084, 1.1e-4);
 }
 
+TEST(StripSheets, TellWhatTheTesterShows) {
+  const StudyFolder folder;
+  const Session session = strip_of(study_of(folder, "weft")).session();
+  EXPECT_EQ(session.kind, SessionKind::strip);
+  int slack = 0;
+  for (int f = 0; f < session.frame_count(); ++f) {
+    const double extension = *clip_extension(session, f), strip = length_in(session, f) - kLength;
+    EXPECT_NEAR(*clip_pull(session, f), std::max(1e3 * extension - 4, 0.0) / 10, 1e-6) << f;
+    EXPECT_LT(extension, strip + 1e-9) << f;
+    slack += extension < strip - 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(slack, 0);
+}
+
 TEST(StripSheets, ConditioningIsFollowedAndNotCompared) {
   const StudyFolder folder;
   const SheetTest all = strip_of(study_of(folder, "warp"));
@@ -216,6 +232,7 @@ TEST(StripSheets, NeedNoDensity) {
   const Study study = study_of(folder, "warp");
   const StripSheets strips = sheets_of(study);
   const Session& session = strips.tests.front().session();
+  EXPECT_FALSE(states_density(session));
   write_session(folder.path() / "session", session);
   EXPECT_EQ(read_session(folder.path() / "session").frame_count(), session.frame_count());
 }

@@ -45,6 +45,19 @@ TEST(ForceCurve, OfAStretchIsThePullOverTheExtension) {
   }
 }
 
+TEST(ForceCurve, OfAStripIsWhatItsTesterShows) {
+  Session session = stretched_sheet(3, 4e-3, 50);
+  session.kind = SessionKind::strip;
+  for (SessionFrame& frame : session.frames) frame.cords[0].clear();
+  session.frames[1].cords[1].front().point.x() -= 1e-3;  // slack by as much
+  const std::vector<ForceCurve> curves = force_curves(session);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].of.name, "Force");
+  EXPECT_NEAR(curves[0].displacement[1], 1, kRounding);  // mm
+  EXPECT_NEAR(curves[0].displacement[2], 4, kRounding);
+  EXPECT_NEAR(curves[0].force[2], 0.05 * 4, kRounding);
+}
+
 TEST(ForceCurve, OfBarsThatSlideIsThePullAlongThem) {
   Eigen::Matrix3d slide = Eigen::Matrix3d::Identity();
   slide(0, 1) = 0.1;

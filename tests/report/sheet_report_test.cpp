@@ -39,6 +39,22 @@ TEST(SheetReport, HasTheResidualsOfTheThesisTables) {
                                         "<td class=\"number\">2.00 mm</td>"));
 }
 
+TEST(SheetReport, DrawsNoVerticesOfAStripThatNobodySaw) {
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path());
+  for (const char* session : {"measured", "predicted"}) {
+    const auto file = folder.path() / "sheets/stretch-weft" / session / "session.yaml";
+    std::string text = read_text_file(file);
+    const std::size_t at = text.find("kind: sheet");
+    ASSERT_NE(at, std::string::npos);
+    testing::write_text(file, text.replace(at, 11, "kind: strip"));
+  }
+  const std::string html = make_report(folder.path());
+  EXPECT_THAT(html, Not(HasSubstr("Measured and predicted sheet of stretch-weft")));
+  EXPECT_THAT(html, HasSubstr("Measured and predicted sheet of bend-weft"));
+  EXPECT_THAT(html, HasSubstr("RMS error of the force 0.020 N"));
+}
+
 TEST(SheetReport, TellsTheErrorOfFoldsWhereverTheyAre) {
   for (const bool evaluation : {false, true}) {
     const std::string html = sheet_report(evaluation);

@@ -16,7 +16,11 @@
 namespace pliant {
 
 /// What was measured.
-enum class SessionKind { sheet };
+enum class SessionKind {
+  sheet,  ///< forces of clips and places of vertices
+  strip,  ///< of a tensile tester: how far its two clamps are apart and what pulls the second one;
+          ///< vertices are where a uniform stretch would have them
+};
 
 /// The piece of cloth of a session.
 struct SessionSample {

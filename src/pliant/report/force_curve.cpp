@@ -46,6 +46,17 @@ Eigen::Vector3d apart(const Session& session, int frame, ClipPair pair) {
   return clip_middle(session, frame, pair.to) - clip_middle(session, frame, pair.from);
 }
 
+/// What a tensile tester shows.
+ForceCurve tester_curve(const Session& session) {
+  ForceCurve curve{"", {"Extension", "mm"}, {"Force", "N"}, {}, {}};
+  for (int frame = 0; frame < session.frame_count(); ++frame) {
+    if (session.frames[static_cast<std::size_t>(frame)].cords[1].empty()) continue;
+    curve.displacement.push_back(kMilli * *clip_extension(session, frame));
+    curve.force.push_back(*clip_pull(session, frame));
+  }
+  return curve;
+}
+
 ForceCurve pull_curve(const Session& session, ClipPair pair) {
   ForceCurve curve{"", {"Extension", "mm"}, {"Mean pull", "N"}, {}, {}};
   const double at_rest = (rest_middle(session, pair.to) - rest_middle(session, pair.from)).norm();
@@ -101,6 +112,7 @@ ForceCurve clip_curve(const Session& session, int clip) {
 
 std::vector<ForceCurve> force_curves(const Session& session) {
   if (session.frames.empty()) return {};
+  if (session.kind == SessionKind::strip) return {tester_curve(session)};
   if (const auto pair = opposite_clips(session)) {
     return {session.test == "complex-shear" ? slide_curve(session, *pair)
                                             : pull_curve(session, *pair)};

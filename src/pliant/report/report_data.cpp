@@ -28,7 +28,7 @@ std::optional<SheetData> read_sheet(const std::filesystem::path& directory,
   if (!e.measures_sheets()) return std::nullopt;
   SheetData sheet;
   sheet.session = read_sheet_session(directory / e.sheet_folder);
-  sheet.rms_distance = rms_distance(sheet.session);
+  if (sheet.session.is_seen()) sheet.rms_distance = rms_distance(sheet.session);
   if (e.quantity == "force_N") {
     sheet.rms_clip_force = rms_clip_force(directory / e.prediction_file);
   }
@@ -40,6 +40,11 @@ std::optional<SheetData> read_sheet(const std::filesystem::path& directory,
 bool ReportData::is_of_sheets() const {
   return !sheets.empty() &&
          std::ranges::all_of(sheets, [](const auto& sheet) { return sheet.has_value(); });
+}
+
+bool ReportData::is_of_strips() const {
+  return is_of_sheets() &&
+         std::ranges::none_of(sheets, [](const auto& sheet) { return sheet->session.is_seen(); });
 }
 
 ReportData read_report_data(const std::filesystem::path& directory) {

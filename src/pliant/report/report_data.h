@@ -17,7 +17,7 @@ namespace pliant::report {
 /// A full-field session of the results.
 struct SheetData {
   SheetSession session;
-  double rms_distance = 0;               ///< of all free nodes (m)
+  std::optional<double> rms_distance;    ///< of all free nodes (m); where they were seen
   std::optional<double> rms_clip_force;  ///< N; where forces are compared
 };
 
@@ -34,6 +34,8 @@ struct ReportData {
 
   /// Whether there is nothing but full-field sessions.
   bool is_of_sheets() const;
+  /// Whether there is nothing but strips that were fitted as sheets.
+  bool is_of_strips() const;
 };
 
 /// @throws InputError where a file of the directory is missing or not what its format says

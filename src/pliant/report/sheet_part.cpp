@@ -33,15 +33,19 @@ std::string description(const ResultExperiment& e, const SheetData& sheet, bool 
   std::vector<std::string> facts;
   if (e.direction != e.name && !e.direction.empty()) facts.push_back(e.direction);
   facts.push_back(evaluation || e.validation ? "predicted, not fitted" : "fitted");
-  facts.push_back(fmt::format("{} frames", sheet.session.frame_count()));
+  const bool seen = sheet.session.is_seen();
+  facts.push_back(fmt::format("{} {}", sheet.session.frame_count(), seen ? "frames" : "rows"));
   if (sheet.rms_clip_force) {
-    facts.push_back(
-        "RMS error of the clips' forces " + format_significant(sheet.rms_clip_force, 2) + " N" +
-        (e.peak_force ? fmt::format(", largest component {} N", format_significant(e.peak_force, 3))
-                      : std::string()));
+    facts.push_back((seen ? "RMS error of the clips' forces " : "RMS error of the force ") +
+                    format_significant(sheet.rms_clip_force, 2) + " N" +
+                    (e.peak_force ? fmt::format(", largest {}{} N", seen ? "component " : "",
+                                                format_significant(e.peak_force, 3))
+                                  : std::string()));
   }
-  facts.push_back("RMS distance of all free nodes " +
-                  format_significant(1e3 * sheet.rms_distance, 2) + " mm");
+  if (sheet.rms_distance) {
+    facts.push_back("RMS distance of all free nodes " +
+                    format_significant(1e3 * *sheet.rms_distance, 2) + " mm");
+  }
   if (e.fold_height_error_mm) {
     facts.push_back("RMS error of the height of folds, wherever they are, " +
                     format_significant(e.fold_height_error_mm, 2) + " mm");
@@ -87,6 +91,23 @@ std::string graph(const ResultExperiment& e, const SheetSession& session, Figure
   return captioned(caption, figures.add(figure, "figure-tall"));
 }
 
+/// The figures of a sheet whose vertices were seen.
+std::string seen_sheet(const ReportData& data, const ResultExperiment& e,
+                       const SheetSession& session, FigureSheet& figures) {
+  const int frame = most_distorted_frame(session.measured);
+  std::string html = view(data, e, session, frame, figures);
+  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
+  return html + "<div class=\"pair\">\n" + graph(e, session, figures) + residuals(session, frame) +
+         "</div>\n";
+}
+
+/// Those of a strip, of which a tester saw force and extension alone.
+std::string strip(const ResultExperiment& e, const SheetSession& session, FigureSheet& figures) {
+  std::string html = graph(e, session, figures);
+  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
+  return html;
+}
+
 /// Why measured forces go a loop, and whether the predicted ones can.
 std::string about_loops(const Results& results) {
   const bool cloth = std::ranges::any_of(results.parameters, [](const ResultParameter& p) {
@@ -116,11 +137,8 @@ std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figur
   std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
   html += fmt::format("<p class=\"description\">{}</p>\n",
                       escape_html(description(e, sheet, data.results.evaluation)));
-  const int frame = most_distorted_frame(sheet.session.measured);
-  html += view(data, e, sheet.session, frame, figures);
-  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
-  html += "<div class=\"pair\">\n" + graph(e, sheet.session, figures) +
-          residuals(sheet.session, frame) + "</div>\n";
+  html += sheet.session.is_seen() ? seen_sheet(data, e, sheet.session, figures)
+                                  : strip(e, sheet.session, figures);
   if (!e.handled.empty()) {
     html += "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
   }
@@ -129,10 +147,9 @@ std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figur
 
 std::string sheet_section(const ReportData& data, FigureSheet& figures) {
   std::string html =
-      "<section id=\"experiments\"><h2>Sessions</h2>\n"
-      "<p>" +
-      about_loops(data.results) + "</p>\n";
-  if (figures.can_draw()) {
+      fmt::format("<section id=\"experiments\"><h2>{}</h2>\n<p>{}</p>\n",
+                  data.is_of_strips() ? "Strips" : "Sessions", about_loops(data.results));
+  if (figures.can_draw() && !data.is_of_strips()) {
     html += "<p>Drag a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
   }
   for (std::size_t i = 0; i < data.sheets.size(); ++i) html += sheet_part(data, i, figures);

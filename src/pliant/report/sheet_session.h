@@ -15,6 +15,8 @@ struct SheetSession {
   Session measured, predicted;
 
   int frame_count() const { return measured.frame_count(); }
+  /// Whether vertices were seen: not those of a tester's strip.
+  bool is_seen() const { return measured.kind == SessionKind::sheet; }
 };
 
 /// Reads `measured` and `predicted` in a folder of sheets/.

@@ -31,13 +31,14 @@ bool is_fitted(const ReportData& data, std::size_t i) {
 /// The sessions of a role, and the largest of their errors.
 struct Errors {
   int of_forces = 0, of_positions = 0;
+  bool of_strips = false;
   double force = 0, percent = 0;  // N, of the largest component of a force
   double distance = 0;            // m
 
   void add(const ResultExperiment& e, const SheetData& sheet) {
     if (!sheet.rms_clip_force) {
       ++of_positions;
-      distance = std::max(distance, sheet.rms_distance);
+      distance = std::max(distance, sheet.rms_distance.value_or(0));
       return;
     }
     ++of_forces;
@@ -50,15 +51,16 @@ struct Errors {
 
 Errors errors_of(const ReportData& data, bool fitted) {
   Errors errors;
+  errors.of_strips = data.is_of_strips();
   for (std::size_t i = 0; i < data.sheets.size(); ++i) {
     if (is_fitted(data, i) == fitted) errors.add(data.results.experiments[i], *data.sheets[i]);
   }
   return errors;
 }
 
-std::string counted(int sessions, std::string_view role) {
-  return fmt::format("{}{}{} session{}", sessions, role.empty() ? "" : " ", role,
-                     sessions == 1 ? "" : "s");
+std::string counted(int count, std::string_view role, bool strips) {
+  return fmt::format("{}{}{} {}{}", count, role.empty() ? "" : " ", role,
+                     strips ? "strip" : "session", count == 1 ? "" : "s");
 }
 
 /// @param opening  "It predicts"
@@ -66,15 +68,15 @@ std::string counted(int sessions, std::string_view role) {
 std::string sentence(const Errors& errors, std::string_view opening, std::string_view role) {
   std::vector<std::string> parts;
   if (errors.of_forces > 0) {
-    parts.push_back(
-        fmt::format("the forces of clips in {} with RMS errors up to {} N ({} of the "
-                    "largest)",
-                    counted(errors.of_forces, role), format_significant(errors.force, 2),
-                    format_percent(errors.percent)));
+    parts.push_back(fmt::format("{} {} with RMS errors up to {} N ({} of the largest)",
+                                errors.of_strips ? "the force of" : "the forces of clips in",
+                                counted(errors.of_forces, role, errors.of_strips),
+                                format_significant(errors.force, 2),
+                                format_percent(errors.percent)));
   }
   if (errors.of_positions > 0) {
     parts.push_back(fmt::format("the shapes in {} with RMS distances up to {} mm",
-                                counted(errors.of_positions, role),
+                                counted(errors.of_positions, role, false),
                                 format_significant(1e3 * errors.distance, 2)));
   }
   if (parts.empty()) return {};
@@ -110,7 +112,7 @@ bool has_fold_error(const ResultExperiment& e) { return e.fold_height_error_mm.h
 
 std::string as_compared(const SheetData& sheet) {
   return sheet.rms_clip_force ? format_significant(sheet.rms_clip_force, 3) + " N"
-                              : format_significant(1e3 * sheet.rms_distance, 3) + " mm";
+                              : format_significant(1e3 * sheet.rms_distance.value_or(0), 3) + " mm";
 }
 
 using Parameters = std::vector<const ResultParameter*>;
@@ -149,13 +151,14 @@ void add_stiffness(HtmlTable& table, const Material& material, const std::string
       parameters, [](const ResultParameter* p) { return p->fixed || p->identified; });
   const double unit = is_bending(component) ? kMicro : 1;
   const StrainScale scale = strain_scale(component);
-  const double end = material.components.at(component).stiffness->knots().back();
+  const auto& range = material.components.at(component).range;
   table.begin_row(known ? "" : "undetermined");
   table.cell(component_title(component));
   add_value(table, *parameters.front(), unit);
   if (parameters.size() > 1) {
     add_value(table, *parameters.back(), unit);
-    table.cell(format_significant(scale.factor * end, 2) + " " + scale.label.unit);
+    table.cell(range ? format_significant(scale.factor * range->second, 2) + " " + scale.label.unit
+                     : std::string(kNoValue));
   } else {
     for (const char* cell : {"the same", kNoValue, kNoValue}) table.cell(cell);
   }
@@ -226,7 +229,8 @@ std::string small_figures(const ReportData& data, std::size_t most, FigureSheet&
   }
   html += "</div>\n";
   const std::size_t left = data.sheets.size() - shown;
-  if (left > 0) html += element("p", fmt::format("{} below.", counted(int(left), "more")));
+  if (left > 0)
+    html += element("p", fmt::format("{} below.", counted(int(left), "more", data.is_of_strips())));
   return html + "</section>\n";
 }
 
@@ -325,6 +329,16 @@ void add_folds(const std::vector<ResultExperiment>& sessions, HtmlTable& table) 
   }
 }
 
+/// Between nodes; nothing where none were seen.
+void add_distances(const ReportData& data, HtmlTable& table) {
+  table.begin_row();
+  table.cell("free nodes");
+  for (const auto& sheet : data.sheets) {
+    table.cell(sheet->rms_distance ? format_significant(1e3 * *sheet->rms_distance, 3) + " mm"
+                                   : kNoValue);
+  }
+}
+
 std::string residual_table(const ReportData& data) {
   std::vector<HtmlTable::Column> columns = {{"RMS residual"}};
   for (std::size_t i = 0; i < data.sheets.size(); ++i) {
@@ -337,17 +351,17 @@ std::string residual_table(const ReportData& data) {
   table.begin_row();
   table.cell("as compared");
   for (const auto& sheet : data.sheets) table.cell(as_compared(*sheet));
-  table.begin_row();
-  table.cell("free nodes");
-  for (const auto& sheet : data.sheets) {
-    table.cell(format_significant(1e3 * sheet->rms_distance, 3) + " mm");
-  }
+  const bool strips = data.is_of_strips();
+  if (!strips) add_distances(data, table);
   const bool folds = std::ranges::any_of(data.results.experiments, has_fold_error);
   if (folds) add_folds(data.results.experiments, table);
-  return "<section><h2>Residuals</h2>\n" + table.html() +
-         "<p class=\"small\">As compared: of bends the distance of all free nodes, of others the "
-         "difference of the clips' forces, of shear along the clips. Free nodes: the distance "
-         "between measured and predicted nodes of all frames." +
+  constexpr std::string_view kAboutSheets =
+      "As compared: of bends the distance of all free nodes, of others the difference of the "
+      "clips' "
+      "forces, of shear along the clips. Free nodes: the distance between measured and predicted "
+      "nodes of all frames.";
+  return "<section><h2>Residuals</h2>\n" + table.html() + "<p class=\"small\">" +
+         std::string(strips ? "The difference of the forces." : kAboutSheets) +
          std::string(folds ? kAboutFolds : "") + "</p></section>\n";
 }
 

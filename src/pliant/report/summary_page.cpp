@@ -67,7 +67,8 @@ std::string specimens(const Results& results) {
 std::string sessions(const ReportData& data) {
   int frames = 0;
   for (const auto& sheet : data.sheets) frames += sheet->session.frame_count();
-  return fmt::format("{}, {} frames", data.sheets.size(), frames);
+  return fmt::format("{}, {} {}", data.sheets.size(), frames,
+                     data.is_of_strips() ? "rows" : "frames");
 }
 
 std::string facts(const ReportData& data) {
@@ -78,7 +79,7 @@ std::string facts(const ReportData& data) {
   }
   if (!results.material.empty()) all.emplace_back("Material file", results.material);
   if (data.is_of_sheets()) {
-    all.emplace_back("Sessions", sessions(data));
+    all.emplace_back(data.is_of_strips() ? "Strips" : "Sessions", sessions(data));
   } else {
     all.emplace_back("Specimens", specimens(results));
   }

@@ -15,7 +15,6 @@
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/statistics/model_growth.h"
-#include "pliant/measurement/session/balance.h"
 #include "pliant/study/component_study.h"
 #include "pliant/study/sheet_predictions.h"
 #include "pliant/study/sheet_study.h"
@@ -272,9 +271,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   for (const auto& [name, component] : known_components(study, works)) {
     sheets.material.components[name] = component;
   }
-  if (sheets.material.density == 0) {
-    sheets.material.density = area_density(data.front().test.session());
-  }
+  if (sheets.material.density == 0) sheets.material.density = stated_density(data);
   EquilibriumWork work = sheets.work;
   work += joint.work;
   std::vector<ExperimentResult> predictions =

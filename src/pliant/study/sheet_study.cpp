@@ -198,6 +198,14 @@ Candidate best_fit(const FitSettings& settings, const std::vector<SheetStage>& p
 
 }  // namespace
 
+double stated_density(const std::vector<SheetExperiment>& experiments) {
+  for (const SheetExperiment& experiment : experiments) {
+    const Session& session = experiment.test.session();
+    if (states_density(session)) return area_density(session);
+  }
+  return 0;
+}
+
 void set_status(const FitSettings& settings, SheetFit& fit) {
   for (auto& [name, component] : fit.material.components) {
     if (fixed_stiffness(settings.fit, {name})) {
@@ -299,9 +307,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   Candidate best = best_fit(settings_of(study), plan, experiments, context, starts);
   SheetFit& fit = best.fit;
-  if (fit.material.density == 0) {
-    fit.material.density = area_density(experiments.front().test.session());
-  }
+  if (fit.material.density == 0) fit.material.density = stated_density(experiments);
   const std::vector<SheetExperiment> coarser = on_coarser_meshes(study);
   const SheetUncertainty uncertainty =
       sheet_uncertainty(fit, study.fit, context, tests_to_fit(coarser));

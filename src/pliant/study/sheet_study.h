@@ -21,6 +21,9 @@ void set_status(const FitSettings& settings, SheetFit& fit);
 /// @throws InputError
 void refuse_foreign_options(const FitSettings& settings);
 
+/// The mass per area that the first of some sheets states (kg/m^2); 0 where none does.
+double stated_density(const std::vector<SheetExperiment>& experiments);
+
 /// The tests that are to be fitted.
 std::vector<const SheetTest*> tests_to_fit(const std::vector<SheetExperiment>& experiments);
 

@@ -141,7 +141,10 @@ Session predicted_session(const Session& measured, const FrameShapes& shapes) {
       const Eigen::Vector3d middle = clip_middle(predicted, f, static_cast<int>(c));
       const Eigen::Vector3d force = shape.clip_forces.col(clip),
                             moment = shape.clip_moments.col(clip);
-      frame.cords[c] = {{"", middle + arm_of(force, moment, diagonal), force}};
+      const Eigen::Vector3d point = measured.kind == SessionKind::strip
+                                        ? frame.cords[c].front().point
+                                        : middle + arm_of(force, moment, diagonal);
+      frame.cords[c] = {{"", point, force}};
     }
   }
   return predicted;
@@ -194,7 +197,9 @@ ExperimentResult compare_sheet(const SheetTest& test, const FrameShapes& shapes)
   result.specimen_of_row.assign(rows.frame.size(), 0);
   result.used = rows.used;
   result.sheet = SheetComparison{session, predicted_session(session, shapes), found_frames(shapes)};
-  result.folds = fold_error(with_frames(session, result.sheet->frames), result.sheet->predicted);
+  if (session.kind == SessionKind::sheet) {
+    result.folds = fold_error(with_frames(session, result.sheet->frames), result.sheet->predicted);
+  }
   return result;
 }
 

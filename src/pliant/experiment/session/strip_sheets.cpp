@@ -11,6 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/experiment/tensile/tensile_cycles.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
 namespace {
@@ -18,13 +19,13 @@ namespace {
 constexpr int kFrames = 120;           // about as many are kept of a strip's rows
 constexpr int kCells = 6;              // on the shorter side of a strip
 constexpr double kSlackForce = 0.005;  // of the peak: less is none
-constexpr double kAnyDensity = 0.1;    // kg/m^2, where none is stated: a session has to have one
 
 /// A row of the tester.
 struct Row {
-  double length = 0;  ///< between the clips (m)
-  double force = 0;   ///< that the strip carries (N)
-  int direction = 1;  ///< 1 while the clamps part
+  double length = 0;    ///< of the strip between the clips (m)
+  double distance = 0;  ///< of the clips (m), more or less than that where it is slack
+  double force = 0;     ///< that the strip carries (N)
+  int direction = 1;    ///< 1 while the clamps part
   bool used = true;
 };
 
@@ -34,8 +35,9 @@ std::vector<Row> rows_of(const TensileCycles& cycles, int specimen, double force
   std::vector<Row> rows;
   for (std::size_t i = 0; i < path.force.size(); ++i) {
     if (path.specimen[i] != specimen) continue;
-    rows.push_back({lengths(static_cast<Eigen::Index>(i)), path.force[i] - force_offset,
-                    path.direction[i], cycles.info().used[i] != 0});
+    const double length = lengths(static_cast<Eigen::Index>(i));
+    rows.push_back({length, length, path.force[i] - force_offset, path.direction[i],
+                    cycles.info().used[i] != 0});
   }
   return rows;
 }
@@ -98,12 +100,13 @@ Session strip_at_rest(const ExperimentSpec& spec, const ModelOptions& model, dou
   const Eigen::Matrix2Xd corners = turn.toRotationMatrix() * grid.positions.topRows<2>();
 
   Session session;
+  session.kind = SessionKind::strip;
   session.test = test_of(spec.direction);
   session.gravity.setZero();
   session.rest = flat_mesh(corners, grid.triangles);
   const Eigen::Vector2d extent = corners.rowwise().maxCoeff() - corners.rowwise().minCoeff();
-  session.sample = {"", extent.x(), extent.y(), std::nullopt,
-                    area_density > 0 ? area_density : kAnyDensity};
+  session.sample = {"", extent.x(), extent.y(), std::nullopt, std::nullopt};
+  if (area_density > 0) session.sample.density = area_density;
   session.clips = {{"fixed", 0, {}}, {"moving", 0, {}}};
   for (int j = 0; j < across; ++j) {
     session.clips[0].clamped.push_back(j * along);
@@ -123,8 +126,7 @@ SessionFrame frame_of(const Session& session, const ExperimentSpec& spec, const 
   frame.poses[1].translation = (row.length - spec.test->length) * along;
   frame.cords.resize(2);
   if (row.used) {
-    const Eigen::Vector3d end =
-        frame.positions(Eigen::all, session.clips[1].clamped).rowwise().mean();
+    const Eigen::Vector3d end = rest_middle(session, 0) + row.distance * along;
     frame.cords[1] = {{"tester", end, row.force * along}};
   }
   return frame;

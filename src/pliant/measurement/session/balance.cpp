@@ -100,9 +100,17 @@ void warn_of_weight(const Session& session, std::vector<std::string>& warnings) 
 
 }  // namespace
 
+bool states_density(const Session& session) {
+  return session.sample.density || session.sample.mass;
+}
+
 double area_density(const Session& session) {
+  constexpr double kAnyDensity = 0.1;  // kg/m^2; nothing depends on it
   if (session.sample.density) return *session.sample.density;
-  PLIANT_ASSERT(session.sample.mass.has_value(), "a sample has a mass or a density");
+  if (!session.sample.mass) {
+    PLIANT_ASSERT(session.kind == SessionKind::strip, "a sample has a mass or a density");
+    return kAnyDensity;
+  }
   return *session.sample.mass / rest_area(session.rest);
 }
 

@@ -11,7 +11,11 @@ namespace pliant {
 
 /// Mass per area of the sheet (kg/m^2): the sample's density, else its mass over the area of the
 /// rest mesh.
+/// Of a strip that states neither it is any number.
 double area_density(const Session& session);
+
+/// Whether a session says what its sheet weighs; strips need not.
+bool states_density(const Session& session);
 
 /// Mass of each vertex of the rest mesh: a third of its triangles' (kg).
 Eigen::VectorXd vertex_masses(const Session& session);

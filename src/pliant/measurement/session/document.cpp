@@ -20,7 +20,7 @@ namespace {
 const std::set<std::string_view> kTestsWithoutTable{"stretch-weft", "stretch-warp", "shear",
                                                     "corner-pull", "complex-shear"};
 
-SessionSample read_sample(const Value& value) {
+SessionSample read_sample(const Value& value, SessionKind kind) {
   Fields fields = value.fields();
   SessionSample sample;
   if (auto v = fields.optional("id")) sample.id = v->text();
@@ -30,7 +30,9 @@ SessionSample read_sample(const Value& value) {
   if (auto v = fields.optional("density")) {
     sample.density = v->positive_quantity(Dimension::area_density);
   }
-  if (!sample.mass && !sample.density) value.fail("weighs nothing", "`mass` or `density`");
+  if (!sample.mass && !sample.density && kind == SessionKind::sheet) {
+    value.fail("weighs nothing", "`mass` or `density`");
+  }
   fields.finish();
   return sample;
 }
@@ -86,14 +88,17 @@ SessionDocument session_document_of(const Document& document) {
   Fields fields = Value(document).fields();
   require_document(fields, "session", 1);
   SessionDocument session;
-  if (auto v = fields.optional("kind")) v->choice({"sheet"});
+  if (auto v = fields.optional("kind")) {
+    const bool strip = v->choice({"sheet", "strip"}) == "strip";
+    session.kind = strip ? SessionKind::strip : SessionKind::sheet;
+  }
   const Value test = fields.require("test");
   session.test = test.text();
   if (session.test.empty()) test.fail("is empty", "stretch-weft, shear, ..., or a name of its own");
   session.info = fields.texts("info");
   const Value sample = fields.require("sample");
   session.sample_where = sample.location();
-  session.sample = read_sample(sample);
+  session.sample = read_sample(sample, session.kind);
   if (auto v = fields.optional("gravity")) session.gravity = read_vector(*v);
   if (auto v = fields.optional("balance_bound")) {
     session.balance_bound = v->positive_quantity(Dimension::force);
@@ -148,7 +153,7 @@ std::string session_document_text(const Session& session) {
   PLIANT_ASSERT(!session.frames.empty(), "a session has frames");
   YAML::Node node;
   node["pliant"] = "session/1";
-  node["kind"] = "sheet";
+  node["kind"] = session.kind == SessionKind::strip ? "strip" : "sheet";
   node["test"] = session.test;
   for (const auto& [key, value] : session.info) node["info"][key] = value;
   node["sample"] = sample_node(session.sample);

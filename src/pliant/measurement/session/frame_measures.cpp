@@ -164,13 +164,18 @@ std::optional<double> stretching_force_difference(const Session& session, int fr
 
 std::optional<double> clip_extension(const Session& session, int frame) {
   if (session.clips.size() != 2) return std::nullopt;
-  const double now = (clip_middle(session, frame, 1) - clip_middle(session, frame, 0)).norm();
+  const auto& cords = session.frames[static_cast<std::size_t>(frame)].cords[1];
+  const bool by_tester = session.kind == SessionKind::strip && !cords.empty();
+  const Eigen::Vector3d end = by_tester ? cords.front().point : clip_middle(session, frame, 1);
+  const double now = (end - clip_middle(session, frame, 0)).norm();
   return now - (rest_middle(session, 1) - rest_middle(session, 0)).norm();
 }
 
 std::optional<double> clip_pull(const Session& session, int frame) {
   if (session.clips.size() != 2) return std::nullopt;
-  return tension(session, frame, 0, 1);
+  const double mean = tension(session, frame, 0, 1);
+  // The fixed clamp of a tester has no load cell.
+  return session.kind == SessionKind::strip ? 2 * mean : mean;
 }
 
 }  // namespace pliant

@@ -40,11 +40,13 @@ double aggregated_torque(const Session& session, int frame);
 /// @return nothing without one clip at each of the four corners and none elsewhere
 std::optional<double> stretching_force_difference(const Session& session, int frame);
 
-/// How much further than at rest the middles of the two clips of a session are apart (m).
+/// How much further than at rest the middles of the two clips of a session are apart (m); of a
+/// strip how far its tester has gone, also where the strip is slack.
 /// @return nothing without exactly two clips
 std::optional<double> clip_extension(const Session& session, int frame);
 
-/// Mean pull of the two clips of a session away from each other along the line between them (N).
+/// Mean pull of the two clips of a session away from each other along the line between them (N); of
+/// a strip what its load cell shows.
 /// @return nothing without exactly two clips
 std::optional<double> clip_pull(const Session& session, int frame);
 

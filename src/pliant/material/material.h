@@ -46,7 +46,7 @@ struct MaterialComponent {
   std::vector<Addend> addends = {};
 };
 
-/// A cloth material: the content of a material/1 file (docs/formats.md).
+/// A cloth material: the content of a material/1 file (docs/formats/material.md).
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m^2; 0 = not known

@@ -64,18 +64,8 @@ function(pliant_test_extending_pages)
   target_include_directories(pliant_extended PRIVATE "${out}/src")
   target_compile_options(pliant_extended PRIVATE -O0)
   target_link_libraries(pliant_extended PRIVATE pliant_app)
-  pliant_run_page(extending "${law_page}"
+  pliant_run_page(docs/extending.md pliant_extended
     stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2)
-  pliant_run_page(adding-a-test "${test_page}"
+  pliant_run_page(docs/adding-a-test.md pliant_extended
     shear.friction.a:2.85:3.15,shear.friction.tau:0.028:0.032)
-endfunction()
-
-# The commands of a page by the program pliant_extended.
-function(pliant_run_page name page expected)
-  add_test(NAME "ExtendingPage.RunsTheCommandsOf/${name}"
-    COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DPROGRAM=$<TARGET_FILE:pliant_extended>"
-            "-DOUT=${PROJECT_BINARY_DIR}/extending/run/${name}" "-DEXPECT=${expected}"
-            -P "${PROJECT_SOURCE_DIR}/cmake/RunPage.cmake")
-  set_tests_properties("ExtendingPage.RunsTheCommandsOf/${name}"
-    PROPERTIES LABELS fast TIMEOUT 300)
 endfunction()

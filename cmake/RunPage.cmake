@@ -1,12 +1,16 @@
 # cmake -DPAGE=page.md -DPROGRAM=pliant -DOUT=folder [-DEXPECT=NAME:LOW:HIGH,...] -P RunPage.cmake
 #
-# Writes the blocks of a page that are called `json FILE`, `yaml FILE` or `csv FILE` to OUT/FILE,
-# runs the commands of its console blocks there, and expects parameters of OUT/fit/fit.json between
-# two numbers.
+# Does in OUT what a page tells its reader: writes the blocks that are called `json FILE`,
+# `yaml FILE`, `csv FILE` or `python FILE` to OUT/FILE, and runs the commands of its console blocks
+# (`$ pliant ...`, `$ python3 ...`). What a block shows below a command must stand in what that
+# prints, line by line. Parameters of OUT/fit/fit.json are expected between two numbers.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${OUT}")
 file(MAKE_DIRECTORY "${OUT}")
+foreach(folder IN ITEMS examples materials) # as in the checkout, where readers stand
+  file(CREATE_LINK "${CMAKE_CURRENT_LIST_DIR}/../${folder}" "${OUT}/${folder}" SYMBOLIC)
+endforeach()
 file(READ "${PAGE}" page)
 
 # next_block(): the name and the text of the page's next block of a language, taken off the page.
@@ -33,7 +37,7 @@ function(next_block language)
 endfunction()
 
 set(whole_page "${page}")
-foreach(language IN ITEMS "json " "yaml " "csv ")
+foreach(language IN ITEMS "json " "yaml " "csv " "python ")
   set(page "${whole_page}")
   next_block("${language}")
   while(block_found)
@@ -42,21 +46,42 @@ foreach(language IN ITEMS "json " "yaml " "csv ")
   endwhile()
 endforeach()
 
-set(page "${whole_page}")
-next_block("console")
-while(block_found)
-  string(REPLACE "\n" ";" lines "${block_text}")
-  foreach(line IN LISTS lines)
-    if(NOT line MATCHES "^\\$ pliant (.*)$")
-      continue()
+# follow(LINE): runs a command; any other line must stand in `printed`, what the last one printed.
+function(follow line)
+  if(line MATCHES "^\\$ (pliant|python3) (.*)$")
+    set(program "${CMAKE_MATCH_1}")
+    separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_2}")
+    if(program STREQUAL "pliant")
+      set(program "${PROGRAM}")
     endif()
-    separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_1}")
-    execute_process(COMMAND "${PROGRAM}" ${arguments} WORKING_DIRECTORY "${OUT}"
+    execute_process(COMMAND "${program}" ${arguments} WORKING_DIRECTORY "${OUT}"
       OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
       message(FATAL_ERROR "${line}\nended with ${result}:\n${output}")
     endif()
-  endforeach()
+    set(printed "${output}" PARENT_SCOPE)
+    return()
+  endif()
+  string(STRIP "${line}" shown)
+  string(FIND "${printed}" "${shown}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "The page shows\n${shown}\nwhich is not among what was printed:\n${printed}")
+  endif()
+endfunction()
+
+set(page "${whole_page}")
+next_block("console")
+while(block_found)
+  # Lines are never made a list: what programs print is full of semicolons and brackets.
+  set(block_text "${block_text}\n")
+  string(FIND "${block_text}" "\n" line_end)
+  while(NOT line_end EQUAL -1)
+    string(SUBSTRING "${block_text}" 0 ${line_end} line)
+    math(EXPR next "${line_end} + 1")
+    string(SUBSTRING "${block_text}" ${next} -1 block_text)
+    follow("${line}")
+    string(FIND "${block_text}" "\n" line_end)
+  endwhile()
   next_block("console")
 endwhile()
 

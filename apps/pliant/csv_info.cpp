@@ -27,7 +27,7 @@ struct KnownQuantity {
   std::vector<Dimension> dimensions;  ///< that its unit may have
 };
 
-/// The quantities that the experiments' data files hold (docs/formats.md).
+/// The quantities that the experiments' data files hold (docs/formats/tables.md).
 const std::vector<KnownQuantity>& known_quantities() {
   using enum Dimension;
   static const std::vector<KnownQuantity> quantities{

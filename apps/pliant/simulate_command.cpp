@@ -239,8 +239,8 @@ void add_simulate(CommandRegistry& registry) {
                    "Go on from the checkpoint in DIR, to the same result");
   command.add_flag("--no-report", arguments->no_report, "Leave out report.html and its pictures");
   command.footer(
-      "Writes frames/, energy.csv, simulation.json and report.html; docs/formats.md tells what a\n"
-      "scene may say. `pliant info SCENE` checks one without simulating it.\n"
+      "Writes frames/, energy.csv, simulation.json and report.html; docs/formats/scene.md tells\n"
+      "what a scene may say. `pliant info SCENE` checks one without simulating it.\n"
       "A first simulation:  pliant simulate examples/curtain.yaml --fill "
       "examples/assumed-cloth.json\n"
       "                     -o curtain; pliant render curtain -o pictures.\n"

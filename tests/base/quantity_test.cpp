@@ -81,6 +81,7 @@ TEST(UnitScale, KnowsTheSpellingsOfColumnNames) {
   EXPECT_EQ(unit_scale("gf.cm/cm", Dimension::force), unit_scale("gf cm/cm", Dimension::force));
   EXPECT_EQ(unit_scale("percent", Dimension::fraction), 1e-2);
   EXPECT_EQ(unit_scale("\u00b0", Dimension::angle), unit_scale("deg", Dimension::angle));
+  EXPECT_EQ(unit_scale("Sec", Dimension::time), 1.0);  // of testing machines
   EXPECT_EQ(unit_scale("furlong", Dimension::length), std::nullopt);
 }
 

@@ -16,6 +16,7 @@
 #include "pliant/study/study_fit.h"
 #include "pliant/study/virtual_lab.h"
 
+#include "support/pages.h"
 #include "support/session_sheets.h"
 
 namespace pliant::test {
@@ -48,22 +49,27 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The fenced blocks of a Markdown page that are documents of Pliant.
-std::vector<NamedDocument> fenced_documents(const fs::path& page) {
+/// A block of a page as a document: whole, or its keys in place of those of a small one.
+NamedDocument block_document(const std::string& name, const FencedBlock& block) {
+  if (block.part_of.empty()) {
+    return block.language == "json" ? from_json(name, block.text) : from_yaml(name, block.text);
+  }
+  NamedDocument document =
+      named(name, read_yaml(kDocuments / ("small_" + block.part_of + ".yaml")));
+  document.document.document.update(json_of(parse_yaml(block.text, name).root));
+  return document;
+}
+
+/// The documents of Pliant, and parts of them, in the pages of the documentation. Blocks with the
+/// name of a file are left out: what a page does with them is run (cmake/RunPage.cmake).
+std::vector<NamedDocument> documents_of_pages() {
   std::vector<NamedDocument> documents;
-  const std::string text = read_text_file(page);
-  for (std::size_t at = text.find("\n```"); at != std::string::npos;) {
-    const std::size_t begin = text.find('\n', at + 1) + 1;
-    const std::size_t end = text.find("\n```", begin - 1);
-    const std::string language = text.substr(at + 4, begin - at - 5);
-    const std::string block = text.substr(begin, end + 1 - begin);
-    const std::string name = page.filename().string() + ": " + block.substr(0, block.find('\n'));
-    if (language == "yaml" && block.starts_with("pliant:"))
-      documents.push_back(from_yaml(name, block));
-    if (language == "json" && block.find("\"pliant\"") != std::string::npos) {
-      documents.push_back(from_json(name, block));
+  for (const Page& page : documentation()) {
+    for (const FencedBlock& block : parts_of(page).blocks) {
+      if ((block.language != "yaml" && block.language != "json") || !block.name.empty()) continue;
+      documents.push_back(
+          block_document(page.path.string() + ":" + std::to_string(block.line), block));
     }
-    at = text.find("\n```", end + 4);
   }
   return documents;
 }
@@ -162,9 +168,7 @@ std::vector<NamedDocument> shipped_documents() {
     documents.push_back(std::move(lab));
   }
   for (NamedDocument& example : examples()) documents.push_back(std::move(example));
-  for (NamedDocument& example : fenced_documents(kSource / "docs" / "formats.md")) {
-    documents.push_back(std::move(example));
-  }
+  for (NamedDocument& example : documents_of_pages()) documents.push_back(std::move(example));
   return documents;
 }
 

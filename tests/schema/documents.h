@@ -25,8 +25,8 @@ class DocumentFolder : public TemporaryFolder {
 /// together; and the other variants.
 std::vector<NamedDocument> full_documents();
 
-/// What users find: the examples of docs/formats.md, the materials that come with the program, the
-/// demo's lab, the example scenes.
+/// What users find: the documents in the pages of the documentation, the materials that come with
+/// the program, the demo's lab, the example scenes.
 std::vector<NamedDocument> shipped_documents();
 
 /// What the program itself writes: from a virtual lab study, resolved study, material, fit and

@@ -51,8 +51,8 @@ constexpr Unit kForces[] = {{"N", 1, kPretty},         {"kN", 1e3},
                             {"uN", 1e-6, kPretty},     {"gf", kGramForce},
                             {"kgf", kStandardGravity}, {"lbf", kPoundForce},
                             {"N m/m", 1, kAlias},      {"gf cm/cm", kGramForce, kAlias}};
-constexpr Unit kTimes[] = {
-    {"s", 1, kPretty}, {"ms", 1e-3, kPretty}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
+constexpr Unit kTimes[] = {{"s", 1, kPretty}, {"ms", 1e-3, kPretty}, {"us", 1e-6},      {"min", 60},
+                           {"h", 3600},       {"sec", 1, kAlias},    {"Sec", 1, kAlias}};
 constexpr Unit kAngles[] = {{"rad", 1}, {"deg", kDegree, kPretty}};
 constexpr Unit kAreas[] = {{"m^2", 1, kPretty}, {"cm^2", 1e-4, kPretty}, {"mm^2", 1e-6, kPretty}};
 constexpr Unit kAreaDensities[] = {{"kg/m^2", 1},

@@ -26,7 +26,7 @@ struct StatedNoise {
   std::optional<double> length;  ///< m
 };
 
-/// One experiment as a study describes it (docs/formats.md), SI units.
+/// One experiment as a study describes it (docs/formats/study.md), SI units.
 struct ExperimentSpec {
   std::string name;
   std::string type;       ///< name of the test's type

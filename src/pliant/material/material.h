@@ -48,7 +48,7 @@ struct MaterialComponent {
   std::map<std::string, NumberError> errors = {};  ///< of a fit, by number: "k[0]", "friction.a"
 };
 
-/// A cloth material: the content of a material/1 file (docs/formats.md).
+/// A cloth material: the content of a material/1 file (docs/formats/material.md).
 struct Material {
   std::string name;
   double density = 0;  ///< kg/m^2; 0 = not known

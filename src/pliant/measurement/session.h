@@ -62,7 +62,7 @@ struct SessionFrame {
 enum class RestAxis { u, v };
 
 /// One full-field measurement sequence of a sheet ([T] 3.2), the content of a session/1 directory
-/// (docs/formats.md). SI units, world axes.
+/// (docs/formats/session.md). SI units, world axes.
 struct Session {
   SessionKind kind = SessionKind::sheet;
   std::string test;  ///< stretch-weft, shear, ..., or a name of its own

@@ -18,7 +18,7 @@
 
 namespace pliant {
 
-/// Content of a scene/1 file (docs/formats.md): what is simulated, how, and what is written.
+/// Content of a scene/1 file (docs/formats/scene.md): what is simulated, how, and what is written.
 struct Scene {
   std::string file;
   std::string name;

@@ -16,7 +16,7 @@ struct SimulationFacts {
   double peak_memory = 0;  ///< MB
 };
 
-/// The text of simulation.json (docs/formats.md).
+/// The text of simulation.json (docs/formats/simulation.md).
 std::string simulation_text(const Simulation& simulation, const SimulationFacts& facts);
 
 }  // namespace pliant

@@ -17,8 +17,8 @@ struct RunFacts {
   std::string material_file;  ///< of an evaluation
 };
 
-/// The files of a fit (docs/formats.md): name in the result directory and content. The report is
-/// not among them.
+/// The files of a fit (docs/formats/results.md): name in the result directory and content. The
+/// report is not among them.
 std::vector<std::pair<std::string, std::string>> fit_files(const StudyResult& result,
                                                            const RunFacts& facts);
 

@@ -7,7 +7,7 @@
 namespace pliant {
 
 /// shapes/EXPERIMENT.csv: measured and predicted profiles of the experiment's strips, and the paths
-/// of bending that their points took (docs/formats.md). The experiment has shapes.
+/// of bending that their points took (docs/formats/results.md). The experiment has shapes.
 std::string shape_table(const ExperimentResult& experiment);
 
 }  // namespace pliant

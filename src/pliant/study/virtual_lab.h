@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// Content of a lab/1 file (docs/formats.md).
+/// Content of a lab/1 file (docs/formats/lab.md).
 struct VirtualLab {
   std::string name;
   Material material;

@@ -97,10 +97,14 @@ void require_complete(const Material& material, std::span<const std::string> nam
     if (!is_known(material, name)) missing.push_back(name);
   }
   if (missing.empty()) return;
-  throw InputError(where,
-                   fmt::format("{} of the material {} {} not measured", fmt::join(missing, ", "),
-                               quoted_value(material.name), missing.size() == 1 ? "was" : "were"),
-                   "a measurement, or --fill FILE with a material to take it from");
+  const bool bias =
+      is_known(material, "stretch.bias") && std::ranges::find(missing, "shear") != missing.end();
+  throw InputError(
+      where,
+      fmt::format("{} of the material {} {} not measured", fmt::join(missing, ", "),
+                  quoted_value(material.name), missing.size() == 1 ? "was" : "were"),
+      std::string("a measurement, or --fill FILE with a material to take it from") +
+          (bias ? "; bias strips tell shear in a fit with model: {strips: sheet}" : ""));
 }
 
 }  // namespace pliant

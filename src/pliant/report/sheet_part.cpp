@@ -109,14 +109,15 @@ std::string strip(const ResultExperiment& e, const SheetSession& session, Figure
 }
 
 /// Why measured forces go a loop, and whether the predicted ones can.
-std::string about_loops(const Results& results) {
+std::string about_loops(const Results& results, bool strips) {
   const bool cloth = std::ranges::any_of(results.parameters, [](const ResultParameter& p) {
     return p.name.find(".friction.") != std::string::npos;
   });
   const bool cords = std::ranges::any_of(results.nuisance, [](const ResultParameter& p) {
     return p.name.ends_with(".cord_friction");
   });
-  std::string text = "Measured forces go a loop, for cloth and cords rub. ";
+  std::string text = strips ? "Measured forces go a loop, for cloth rubs. "
+                            : "Measured forces go a loop, for cloth and cords rub. ";
   if (cloth && cords) {
     text += "The prediction goes a loop, too, by the friction of the cloth and of the cords. ";
   } else if (cloth) {
@@ -126,7 +127,10 @@ std::string about_loops(const Results& results) {
   } else {
     text += "An elastic material passes through its middle. ";
   }
-  return text + "Residuals that change from frame to frame are what the material cannot follow.";
+  return text + fmt::format(
+                    "Residuals that change from {0} to {0} are what the material cannot "
+                    "follow.",
+                    strips ? "row" : "frame");
 }
 
 }  // namespace
@@ -146,9 +150,9 @@ std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figur
 }
 
 std::string sheet_section(const ReportData& data, FigureSheet& figures) {
-  std::string html =
-      fmt::format("<section id=\"experiments\"><h2>{}</h2>\n<p>{}</p>\n",
-                  data.is_of_strips() ? "Strips" : "Sessions", about_loops(data.results));
+  std::string html = fmt::format("<section id=\"experiments\"><h2>{}</h2>\n<p>{}</p>\n",
+                                 data.is_of_strips() ? "Strips" : "Sessions",
+                                 about_loops(data.results, data.is_of_strips()));
   if (figures.can_draw() && !data.is_of_strips()) {
     html += "<p>Drag a sheet to turn both, hold Ctrl and roll the wheel to come nearer.</p>\n";
   }

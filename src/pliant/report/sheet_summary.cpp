@@ -342,7 +342,9 @@ void add_distances(const ReportData& data, HtmlTable& table) {
 std::string residual_table(const ReportData& data) {
   std::vector<HtmlTable::Column> columns = {{"RMS residual"}};
   for (std::size_t i = 0; i < data.sheets.size(); ++i) {
-    const std::string_view test = name_in_thesis(data.sheets[i]->session.measured.test);
+    const SheetSession& sheet = data.sheets[i]->session;
+    const std::string_view test = sheet.is_seen() ? name_in_thesis(sheet.measured.test)
+                                                  : data.results.experiments[i].direction;
     columns.push_back(
         {data.results.experiments[i].name, Align::number,
          fmt::format("{}, {}", escape_html(test), is_fitted(data, i) ? "fitted" : "predicted")});

@@ -268,7 +268,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   add_curves(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {
     if (component.status == ComponentStatus::assumed) {
-      result.undetermined.push_back(name + ": no session tells it; a guess stands in its place");
+      result.undetermined.push_back(name + ": no experiment tells it; a guess stands in its place");
     }
   }
   const bool bends = std::ranges::any_of(

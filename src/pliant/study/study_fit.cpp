@@ -49,6 +49,17 @@ void warn_of_sheets(const Study& study, StudyResult& result) {
   }
 }
 
+/// Sheets are simulated with shear. In one dimension a bias strip has a stiffness of its own.
+void tell_of_shear(const std::vector<ComponentWork>& works, StudyResult& result) {
+  const auto has = [&](const char* component) {
+    return std::ranges::any_of(
+        works, [&](const ComponentWork& work) { return work.component == component; });
+  };
+  if (!has("stretch.bias") || has("shear")) return;
+  result.undetermined.emplace_back(
+      "shear: bias strips tell it where they are fitted as sheets (model: {strips: sheet})");
+}
+
 StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
                        const RunContext& context) {
   if (study.model.isotropic) {
@@ -75,6 +86,7 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& work : works) {
     if (work.problem) add_component(work, result);
   }
+  tell_of_shear(works, result);
   warn_of_unknown_profiles(options, result);
   warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);

@@ -42,6 +42,15 @@ double stiffness_size(const ComponentLaw& law, double strain) {
   return values.empty() ? law.elastic_secant(strain) : *std::ranges::max_element(values);
 }
 
+/// A sheet that gives way freely along a thread at rest, as a curve might that begins with a toe,
+/// has no equilibria between clips.
+void keep_stiff(const ComponentLaw& law, double stiffness, std::vector<Unknown>& unknowns) {
+  constexpr double kSoftest = 1e-3;
+  for (int i = 0; i < law.stiffness.size(); ++i) {
+    unknowns[static_cast<std::size_t>(i)].lower = kSoftest * stiffness;
+  }
+}
+
 /// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
 /// stretch as well, by their stiffness over a cell, and must leave most of it to the first ring.
 void limit_bending_springs(const Material& material, double cell, std::vector<Unknown>& unknowns) {
@@ -181,8 +190,8 @@ std::vector<Unknown> unknowns_of(const Material& material,
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const ComponentLaw law = law_of(material, groups[g]);
     const double stiffness = std::max(stiffness_size(law, strains[g]), 1e-12);
-    const std::vector<Unknown> own =
-        unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
+    std::vector<Unknown> own = unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
+    if (!is_bending(groups[g].front())) keep_stiff(law, stiffness, own);
     unknowns.insert(unknowns.end(), own.begin(), own.end());
   }
   if (material.bending == "spring") limit_bending_springs(material, cell, unknowns);

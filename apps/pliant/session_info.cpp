@@ -170,7 +170,8 @@ FileInfo session_info(const std::filesystem::path& path) {
   describe_clips(session, info);
   describe_table(session, info);
   describe_imbalance(session, info);
-  info.warnings = session.warnings;
+  info.warnings = session.questions;
+  info.warnings.insert(info.warnings.end(), session.warnings.begin(), session.warnings.end());
   info.json["warnings"] = info.warnings;
   return info;
 }

@@ -15,6 +15,7 @@
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study.h"
+#include "pliant/study/study_experiments.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -22,7 +23,6 @@ namespace pliant {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Experiments = std::vector<std::unique_ptr<ComponentExperiment>>;
 
 constexpr int kDigits = 4;
 
@@ -52,6 +52,13 @@ int count_reversals(const MeasuredPath& path) {
     if (same_specimen && path.direction[i] != path.direction[i - 1]) ++reversals;
   }
   return reversals;
+}
+
+template <class Data>
+void add_remarks(const std::string& experiment, const Data& data, FileInfo& info) {
+  for (const auto* sentences : {&data.questions, &data.warnings}) {
+    for (const std::string& text : *sentences) info.warnings.push_back(experiment + ": " + text);
+  }
 }
 
 Json file_names(const DataSource& data) {
@@ -144,9 +151,7 @@ void add_session(const ExperimentSpec& spec, FileInfo& info, Json& json) {
     const CordFriction& friction = sheet.cord_friction();
     json["cord_friction"] = friction.unknown ? Json("unknown") : Json(friction.width);
   }
-  for (const std::string& warning : session.warnings) {
-    info.warnings.push_back(spec.name + ": " + warning);
-  }
+  add_remarks(spec.name, session, info);
 }
 
 std::string peak_label(const ExperimentInfo& about) {
@@ -209,9 +214,7 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
     lines.push_back(labelled("estimated along", fmt::format("{}", fmt::join(along, ", ")), 1));
   }
   for (const std::string& text : about.handled) lines.push_back(labelled("handled", text, 1));
-  for (const std::string& warning : about.warnings) {
-    info.warnings.push_back(spec.name + ": " + warning);
-  }
+  add_remarks(spec.name, about, info);
 }
 
 /// @return those that are fitted in one dimension
@@ -318,6 +321,7 @@ void add_plans(const Study& study, const Experiments& experiments, FileInfo& inf
 }
 
 void add_head(const Study& study, FileInfo& info) {
+  info.warnings = describe(study).questions;
   info.json["name"] = study.name;
   info.json["density"] = study.density > 0 ? Json(study.density) : Json(nullptr);
   info.json["info"] = study.info;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/experiment/registry.h"
 #include "pliant/material/bending_strain.h"
@@ -68,8 +69,15 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
                             e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points,
                             data_text(e), error_text(e)));
   }
-  for (const std::string& warning : result.warnings) {
-    context.run.progress.message(Level::warning, warning);
+  for (const SkippedExperiment& e : result.skipped) {
+    context.run.progress.message(Level::warning,
+                                 fmt::format("{}: not predicted, the material has no {}", e.name,
+                                             fmt::join(e.missing, ", ")));
+  }
+  for (const auto* sentences : {&result.questions, &result.warnings}) {
+    for (const std::string& warning : *sentences) {
+      context.run.progress.message(Level::warning, warning);
+    }
   }
   context.say(result.judgement.headline);
 }

@@ -85,6 +85,29 @@ TEST(Report, OfAnEvaluationHasNoCorrelationsAndPredictsEverything) {
   EXPECT_THAT(html, Not(HasSubstr("<td>fitted</td>")));
 }
 
+/// The first page, up to the place for a signature.
+std::string page_one_of(const SampleOptions& options) {
+  const std::string html = own_text(report_of(options));
+  return html.substr(0, html.find("class=\"signature\""));
+}
+
+TEST(Report, AsksOnPageOneInFullWhatIsHardlyRight) {
+  const std::string question =
+      "warp-stretch-8cm: the strain reaches 8000 %: is `extension` in mm, not m, or is `length` 20 "
+      "m, not 200 mm, or is `length` 200 m, not 200 mm? (fabrics: 0.05 % to 400 %)";
+  EXPECT_THAT(page_one_of({}), Not(HasSubstr("Is the data right?")));
+  const std::string page = page_one_of({.question = question});
+  EXPECT_THAT(page, HasSubstr("<h2>Is the data right?</h2>"));
+  const std::size_t first = page.find(question);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(page.find(question, first + 1), std::string::npos) << "once";
+}
+
+TEST(Report, OfAnEvaluationNamesOnPageOneWhatWasNotPredicted) {
+  EXPECT_THAT(page_one_of({.evaluation = true, .skipped = "frame-shear"}),
+              HasSubstr("frame-shear: the material has no shear"));
+}
+
 TEST(Report, SaysHowManyPointsItDraws) {
   EXPECT_THAT(report_of({.rows = 4'000, .rich = false}), HasSubstr(" of 4000 points drawn)"));
 }

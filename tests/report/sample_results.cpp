@@ -290,7 +290,15 @@ json results_json(const SampleOptions& options) {
   }
   j["assumptions"] = {"Friction at the first row of each strip is unknown and estimated.",
                       "Noise is in the force; lengths are taken as exact."};
-  j["warnings"] = {options.warning};
+  j["warnings"] = json::array();
+  if (!options.question.empty()) {
+    j["questions"] = {options.question};
+    j["warnings"].push_back(options.question);
+  }
+  j["warnings"].push_back(options.warning);
+  if (!options.skipped.empty()) {
+    j["skipped"] = {{{"name", options.skipped}, {"missing", {"shear"}}}};
+  }
   if (options.evaluation) {
     j["material"] = "jersey.json";
     return j;

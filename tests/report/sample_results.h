@@ -14,6 +14,8 @@ struct SampleOptions {
   bool loading_only_bias = false;  ///< the bias strip never unloads
   std::string name = "Jersey 1x1";
   std::string warning = "bias-stretch-8cm: the clamps slipped by 0.4 mm in row 212";
+  std::string question = {};  ///< of the data; the first of the warnings
+  std::string skipped = {};   ///< an experiment that needs shear
 };
 
 /// A temporary folder that goes with its owner.

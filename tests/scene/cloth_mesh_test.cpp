@@ -16,6 +16,8 @@ namespace {
 using test::input_error_of;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 MeshSource grid_of(int nodes_u, int nodes_v) {
   return {GridMesh{0.1, 0.05, nodes_u, nodes_v, Diagonals::rising}, {"scene.yaml", 4, "mesh"}};
@@ -57,6 +59,15 @@ TEST(ClothMesh, OfAFileIsInMetres) {
   const ClothMesh cloth = make_cloth_mesh(file_of(folder.write("sheet.obj", kFaces)));
   EXPECT_EQ(cloth.mesh.triangle_count(), 3);
   EXPECT_NEAR(rest_area(cloth.mesh), 1.5e-4, 1e-18);
+}
+
+TEST(ClothMesh, OfTheSizeOfACrumbIsAskedForItsUnit) {
+  const TemporaryFolder folder;
+  MeshSource source = file_of(folder.write("sheet.obj", kFaces));
+  EXPECT_THAT(make_cloth_mesh(source).warnings, IsEmpty());
+  std::get<FileMesh>(source.kind).options.unit = 1e-3;
+  EXPECT_THAT(make_cloth_mesh(source).warnings,
+              ElementsAre(HasSubstr("the cloth measures 1.5 mm^2: is `unit` 1 m, not 1 mm")));
 }
 
 TEST(ClothMesh, OfABadFileIsRefusedWithThatFile) {

@@ -47,6 +47,7 @@ TEST_P(Template, IsReadAsAStudyWithItsExample) {
   const auto experiment = read_experiment(spec, study);
   EXPECT_GE(experiment->rows(), 10);
   EXPECT_THAT(experiment->info().warnings, IsEmpty());
+  EXPECT_THAT(experiment->info().questions, IsEmpty());
 }
 
 TEST_P(Template, ExampleUnloadsWhereTheTestDoes) {

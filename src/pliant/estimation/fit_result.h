@@ -120,6 +120,12 @@ struct Profile {
   std::optional<double> std_error;
 };
 
+/// An experiment that a material cannot predict.
+struct SkippedExperiment {
+  std::string name;
+  std::vector<std::string> missing;  ///< components that the material does not have
+};
+
 /// Everything that a fit or an evaluation found out; the content of fit.json and its neighbours.
 struct StudyResult {
   std::string name;
@@ -139,6 +145,8 @@ struct StudyResult {
   std::vector<ModelRank> models;
   std::vector<Profile> profiles;
   std::vector<std::string> assumptions, undetermined, warnings;
+  std::vector<std::string> questions;  ///< warnings that doubt units, sizes or the fabric
+  std::vector<SkippedExperiment> skipped;
   Judgement judgement;
   Material material;
 };

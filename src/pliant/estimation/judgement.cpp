@@ -143,6 +143,8 @@ std::string headline_of(const StudyResult& result, const Judgement& judgement, b
       break;
   }
   if (!result.converged) text += " The fit did not converge.";
+  if (!result.questions.empty()) text += " Units, sizes or the fabric are in question.";
+  if (!result.skipped.empty()) text += " Not all experiments are predicted.";
   if (!validated && !evaluation) text += " No experiment was kept to validate it.";
   return text;
 }
@@ -174,7 +176,10 @@ Judgement judge(const StudyResult& result, const Acceptance& accept, bool evalua
   if (!judgement.experiments.empty()) {
     judgement.fitness = judgement.experiments.front().fitness();
   }
-  if (judgement.fitness == Fitness::fit && !validated) judgement.fitness = Fitness::reservations;
+  const bool doubtful = !result.questions.empty() || !result.skipped.empty();
+  if (judgement.fitness == Fitness::fit && (!validated || doubtful)) {
+    judgement.fitness = Fitness::reservations;
+  }
   if (!result.converged) judgement.fitness = Fitness::unfit;
   judgement.headline = headline_of(result, judgement, validated, evaluation);
   return judgement;

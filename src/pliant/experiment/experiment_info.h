@@ -33,6 +33,7 @@ struct ExperimentInfo {
   std::optional<double> length_noise;  ///< of the length (m)
   std::vector<std::string> handled;    ///< what was found in the data and how it was dealt with
   std::vector<std::string> warnings;
+  std::vector<std::string> questions;  ///< units and sizes that are hardly right, as warnings
   std::vector<OwnColumn> columns;
   std::vector<double> time;  ///< s; empty unless measured
 

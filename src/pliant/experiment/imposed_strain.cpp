@@ -1,5 +1,6 @@
 #include "pliant/experiment/imposed_strain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,6 +44,23 @@ ImposedStrain::ImposedStrain(const ExperimentSpec& spec, InitialFriction start,
   const bool rested = start == InitialFriction::rest;
   for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, record, rested);
   describe_start(spec, start);
+}
+
+double ImposedStrain::secant() const {
+  const auto [least, most] = std::ranges::minmax_element(strain_);
+  return (measured_(most - strain_.begin()) - measured_(least - strain_.begin())) /
+         (*most - *least);
+}
+
+double ImposedStrain::largest_strain() const {
+  return std::abs(*std::ranges::max_element(strain_, {}, [](double s) { return std::abs(s); }));
+}
+
+std::optional<std::string> ImposedStrain::sign_question(std::string_view measured,
+                                                        std::string_view driven) const {
+  if (secant() > 0) return std::nullopt;
+  return fmt::format("`{}` falls while `{}` grows: is one of them counted the other way?", measured,
+                     driven);
 }
 
 void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& record,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pliant/experiment/component_experiment.h"
@@ -40,6 +42,12 @@ class ImposedStrain : public ComponentExperiment {
   /// @throws InputError for a specimen of fewer than three rows
   ImposedStrain(const ExperimentSpec& spec, InitialFriction start, const DataRows& data,
                 StrainRecord record);
+  /// Measured value per strain, between the rows of least and largest strain.
+  double secant() const;
+  double largest_strain() const;
+  /// Asks where what is measured falls while what is driven grows.
+  std::optional<std::string> sign_question(std::string_view measured,
+                                           std::string_view driven) const;
   /// A path from rest, without measured values.
   /// @param half_cycles  of what is driven
   ImposedStrain(StrainRecord record, std::vector<HalfCycle> half_cycles);

@@ -6,14 +6,11 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/base/number_text.h"
+#include "pliant/base/plausibility.h"
 #include "pliant/material/fill.h"
 
 namespace pliant {
 namespace {
-
-/// The heaviest technical fabrics weigh about 2 kg/m^2; grams in place of kilograms make 100.
-constexpr double kLargestDensity = 5;  // kg/m^2
 
 bool is_friction(const std::string& number) { return number.starts_with("friction."); }
 
@@ -69,11 +66,13 @@ std::vector<std::string> undetermined_warnings(const Material& material,
 std::vector<std::string> use_warnings(const Material& material, std::span<const std::string> used) {
   std::vector<std::string> warnings = undetermined_warnings(material, used);
   const std::string name = quoted_value(material.name);
-  if (material.density > kLargestDensity) {
-    warnings.push_back(
-        fmt::format("the density of {} is {} kg/m^2, more than any cloth's: was it "
-                    "written in g/m^2?",
-                    name, format_number(material.density, 4)));
+  if (material.density > 0) {
+    Plausibility cloth;
+    cloth.add(figures::kAreaDensity, material.density,
+              {{cloth.column("density", Dimension::area_density, "kg/m^2")}});
+    if (const auto question = cloth.question()) {
+      warnings.push_back(fmt::format("the material {}: {}", name, *question));
+    }
   }
   std::vector<std::string> unused;
   for (const auto& [component, given] : material.components) {

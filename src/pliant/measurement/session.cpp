@@ -173,6 +173,7 @@ Session read_session(const fs::path& directory) {
        {sample_warnings, outlier_warnings, cord_warnings, balance_warnings, table_warnings}) {
     add_warnings(judge(session), session.warnings);
   }
+  session.questions = sample_questions(session);
   return session;
 }
 

@@ -74,7 +74,8 @@ struct Session {
   std::vector<SessionClip> clips;
   std::optional<RestAxis> table;  ///< across the edge of the table that holds the sheet
   std::vector<SessionFrame> frames;
-  std::vector<std::string> warnings;  ///< what the user should know, one line each
+  std::vector<std::string> warnings;   ///< what the user should know, one line each
+  std::vector<std::string> questions;  ///< units and sizes that are hardly right, as warnings
 
   int frame_count() const { return static_cast<int>(frames.size()); }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
@@ -44,6 +45,11 @@ ResultParameter read_parameter(const JsonReader& json) {
   p.at_bound = json.flag_or("at_bound", false);
   p.fixed = json.flag_or("fixed", false);
   return p;
+}
+
+std::string read_skipped(const JsonReader& json) {
+  return fmt::format("{}: the material has no {}", json.text("name"),
+                     fmt::join(json.texts("missing"), ", "));
 }
 
 std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
@@ -245,6 +251,8 @@ Results read_results(const std::filesystem::path& directory) {
   r.undetermined = json.texts("undetermined");
   r.assumptions = json.texts("assumptions");
   r.warnings = json.texts("warnings");
+  r.questions = json.texts("questions");
+  r.skipped = read_all(json, "skipped", read_skipped);
   return r;
 }
 

@@ -123,6 +123,8 @@ struct Results {
   /// What the fit says is not determined, with reasons; may be empty although something is not.
   std::vector<std::string> undetermined;
   std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> questions;  ///< the first of the warnings: they stay on page one
+  std::vector<std::string> skipped;    ///< experiments that were not predicted, and why
   ResultJudgement judgement;
 };
 

@@ -23,6 +23,7 @@ constexpr std::size_t kMaxExperiments = 8;
 constexpr std::size_t kMaxFacts = 10;
 constexpr std::size_t kMaxListed = 4;
 constexpr std::size_t kMaxTextLength = 110;
+constexpr std::size_t kMaxDoubtLength = 320;
 constexpr std::size_t kMaxNameLength = 22;
 constexpr std::size_t kLoopBudget = 200;
 constexpr int kPrintWidth = 703;  // A4 less its margins, at 96 px an inch
@@ -35,10 +36,11 @@ std::string shortened(const std::string& text, std::size_t length = kMaxTextLeng
   return text.substr(0, end) + " …";
 }
 
-std::vector<std::string> first_of(const std::vector<std::string>& texts, std::size_t count) {
+std::vector<std::string> first_of(const std::vector<std::string>& texts, std::size_t count,
+                                  std::size_t length = kMaxTextLength) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < std::min(count, texts.size()); ++i) {
-    list.push_back(shortened(texts[i]));
+    list.push_back(shortened(texts[i], length));
   }
   if (texts.size() > count) {
     list.push_back(fmt::format("and {} more, listed below", texts.size() - count));
@@ -339,10 +341,25 @@ std::string not_determined(const ReportData& data) {
                      bullet_list(first_of(items, kMaxListed)));
 }
 
+/// What a reader must know before any number: in full, not shortened.
+std::string doubts(const Results& results) {
+  const auto section = [](const char* title, const std::vector<std::string>& sentences) {
+    if (sentences.empty()) return std::string();
+    return fmt::format("<section class=\"warnings\"><h2>{}</h2>\n{}</section>\n", title,
+                       bullet_list(first_of(sentences, kMaxListed, kMaxDoubtLength)));
+  };
+  return section("Is the data right?", results.questions) +
+         section("Not predicted", results.skipped);
+}
+
 std::string warnings(const Results& results) {
-  if (results.warnings.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
+  const std::vector<std::string> others(
+      results.warnings.begin() +
+          static_cast<std::ptrdiff_t>(std::min(results.questions.size(), results.warnings.size())),
+      results.warnings.end());
+  if (others.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
   return "<section class=\"warnings\"><h2>Warnings</h2>\n" +
-         bullet_list(first_of(results.warnings, kMaxListed)) + "</section>\n";
+         bullet_list(first_of(others, kMaxListed)) + "</section>\n";
 }
 
 std::string headline(const ReportData& data) {
@@ -367,6 +384,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
       results.evaluation ? " <span>evaluation of a material</span>" : " <span>material fit</span>";
   html += "</h1></header>\n";
   html += headline(data);
+  html += doubts(results);
   html += facts(data);
   html += data.is_of_sheets() ? sheet_findings(data, figures)
                               : loops(data, figures) + experiment_table(results);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/base/plausibility.h"
 #include "pliant/geometry/irregular_mesh.h"
 #include "pliant/geometry/mesh_file.h"
 #include "pliant/geometry/regular_grid.h"
@@ -43,11 +44,36 @@ std::vector<int> region_of_faces(const SceneCloth& cloth, int face_count) {
   return region_of;
 }
 
+// What the size of a cloth goes with.
+Plausibility::Reading size_of(const FileMesh& source, Plausibility& cloth) {
+  const MeshFileOptions& options = source.options;
+  const bool by_texture = options.rest == RestShape::uv && options.uv_scale;
+  return by_texture ? cloth.field("uv_scale", Dimension::length, *options.uv_scale)
+                    : cloth.field("unit", Dimension::length, options.unit);
+}
+
+Plausibility::Reading size_of(const GridMesh& grid, Plausibility& cloth) {
+  return cloth.field("grid", Dimension::length, grid.width);
+}
+
+Plausibility::Reading size_of(const RectangleMesh& rectangle, Plausibility& cloth) {
+  return cloth.field("rectangle", Dimension::length, rectangle.width);
+}
+
+template <class Source>
+ClothMesh make_and_judge(const Source& source) {
+  ClothMesh made = make_mesh(source);
+  Plausibility cloth;
+  cloth.add(figures::kArea, rest_area(made.mesh), {{size_of(source, cloth), 2}});
+  if (auto question = cloth.question()) made.warnings.push_back(std::move(*question));
+  return made;
+}
+
 }  // namespace
 
 ClothMesh make_cloth_mesh(const MeshSource& source) {
   try {
-    return std::visit([](const auto& kind) { return make_mesh(kind); }, source.kind);
+    return std::visit([](const auto& kind) { return make_and_judge(kind); }, source.kind);
   } catch (const InputError& error) {
     // What is not about a file is about what the scene asks for.
     if (!error.where().file.empty()) throw;

@@ -309,6 +309,14 @@ void add_tables(const StudyResult& result,
   }
 }
 
+Json skipped_json(const StudyResult& result) {
+  Json skipped = Json::array();
+  for (const SkippedExperiment& e : result.skipped) {
+    skipped.push_back({{"name", e.name}, {"missing", e.missing}});
+  }
+  return skipped;
+}
+
 }  // namespace
 
 std::string summary_text(const StudyResult& result, const RunFacts& facts, bool fitted) {
@@ -338,7 +346,11 @@ std::string summary_text(const StudyResult& result, const RunFacts& facts, bool 
   json["judgement"] = judgement_json(result.judgement);
   json["undetermined"] = result.undetermined;
   json["assumptions"] = result.assumptions;
-  json["warnings"] = result.warnings;
+  if (!fitted) json["skipped"] = skipped_json(result);
+  json["questions"] = result.questions;
+  std::vector<std::string> warnings = result.questions;
+  warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
+  json["warnings"] = warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

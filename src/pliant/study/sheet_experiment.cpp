@@ -13,6 +13,7 @@
 #include "pliant/measurement/session/balance.h"
 #include "pliant/measurement/session/clip_grid.h"
 #include "pliant/measurement/session/on_mesh.h"
+#include "pliant/study/study_experiments.h"
 
 namespace pliant {
 namespace {
@@ -70,9 +71,7 @@ void warn_of_density(const std::string& name, double density, double of_study,
 void add_strips(const ExperimentSpec& spec, const Study& study,
                 std::vector<SheetExperiment>& experiments, StudyResult& result) {
   StripSheets strips = sheets_of_strips(spec, DataRows(spec.data), study.model, study.density);
-  for (const std::string& warning : strips.warnings) {
-    result.warnings.push_back(spec.name + ": " + warning);
-  }
+  add_remarks(spec.name, strips, result);
   for (SheetTest& test : strips.tests) {
     experiments.push_back({std::move(test), spec.role, spec.type, spec.direction, strips.handled});
   }
@@ -89,9 +88,7 @@ std::vector<SheetExperiment> read_sheet_experiments(const Study& study, StudyRes
       continue;
     }
     const Session measured = read_session(spec.data.files.front());
-    for (const std::string& warning : measured.warnings) {
-      result.warnings.push_back(spec.name + ": " + warning);
-    }
+    add_remarks(spec.name, measured, result);
     warn_of_density(spec.name, area_density(measured), study.density, experiments, result);
     Session session = on_fit_mesh(measured, study.model);
     require_grid_for_springs(spec, session, study.model);

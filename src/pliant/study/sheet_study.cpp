@@ -326,7 +326,14 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   const bool any = std::ranges::any_of(
       study.experiments, [&](const ExperimentSpec& spec) { return is_sheet(spec, study.model); });
   if (!any) return;
-  require_complete(material, sheet_component_names(), {study.file, 0, "experiments"});
+  std::vector<std::string> missing = sheet_component_names();
+  std::erase_if(missing, [&](const std::string& name) { return is_known(material, name); });
+  if (!missing.empty()) {
+    for (const ExperimentSpec& spec : study.experiments) {
+      if (is_sheet(spec, study.model)) result.skipped.push_back({spec.name, missing});
+    }
+    return;
+  }
   require_positive_stiffness(material, sheet_component_names(), {study.file, 0, "experiments"});
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;

@@ -54,7 +54,8 @@ struct SheetStart {
 StudyResult fit_sheet_study(const Study& study, const RunContext& context,
                             const std::vector<SheetStart>& starts = {});
 
-/// Adds the predictions of a study's sessions with a material to a result.
+/// Adds the predictions of a study's sessions with a material to a result; without all components
+/// of a sheet they are skipped.
 void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
                      StudyResult& result);
 

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
@@ -28,6 +32,73 @@ void warn_of_guesses(const Material& material, StudyResult& result) {
   std::ranges::move(undetermined_warnings(material, used), std::back_inserter(result.warnings));
 }
 
+/// What the study and the material say of the fabric and of the model must agree.
+void ask_about_fabric(const Study& study, const Material& material, StudyResult& result) {
+  constexpr double kAgreement = 0.1;  // lots of one fabric differ by less
+  const std::string name = quoted_value(material.name);
+  if (study.density > 0 && material.density > 0 &&
+      std::abs(material.density - study.density) > kAgreement * study.density) {
+    result.questions.push_back(
+        fmt::format("the material {} weighs {}, the study's fabric {}: is it the same fabric?",
+                    name, format_quantity(material.density, Dimension::area_density),
+                    format_quantity(study.density, Dimension::area_density)));
+  }
+  const ModelOptions usual;
+  const bool states_membrane = study.model.membrane != usual.membrane;
+  if (states_membrane && study.model.membrane != material.membrane) {
+    result.questions.push_back(fmt::format(
+        "the study's model measures strain by {}, the material {} by {}, which is used: was it "
+        "fitted to this study?",
+        name_of(study.model.membrane), name, name_of(material.membrane)));
+  }
+  const bool states_bending = study.model.bending != usual.bending;
+  if (states_bending && study.model.bending != material.bending) {
+    result.questions.push_back(
+        fmt::format("the study's model bends by {}, the material {} by {}, which is used: was it "
+                    "fitted to this study?",
+                    study.model.bending, name, material.bending));
+  }
+}
+
+/// Bending of hinges is that of one mesh; strips show that of the sheet.
+void ask_about_hinges(const Material& material, const Experiments& experiments,
+                      StudyResult& result) {
+  if (material.bending_of == "sheet") return;
+  for (const auto& experiment : experiments) {
+    if (!is_bending(experiment->info().component)) continue;
+    result.questions.push_back(fmt::format(
+        "the bending of the material {} is that of {}, and strips show that of the sheet: {} and "
+        "what else bends strips is predicted as if both were the same (expected: `bending_of` "
+        "sheet)",
+        quoted_value(material.name), material.bending_of, experiment->info().name));
+    return;
+  }
+}
+
+void skip_unknown(const Material& material, Experiments& experiments, StudyResult& result) {
+  std::erase_if(experiments, [&](const auto& experiment) {
+    const ExperimentInfo& info = experiment->info();
+    if (law_of(material, info.component)) return false;
+    result.skipped.push_back({info.name, {info.component}});
+    return true;
+  });
+}
+
+/// @throws InputError where every experiment was skipped
+void refuse_if_nothing_is_left(const Study& study, const Material& material,
+                               const StudyResult& result) {
+  if (!result.experiments.empty()) return;
+  std::set<std::string> missing;
+  for (const SkippedExperiment& e : result.skipped) {
+    missing.insert(e.missing.begin(), e.missing.end());
+  }
+  throw InputError(
+      {study.file, 0, "experiments"},
+      fmt::format("the material {} predicts none of them: it has no {} (unmeasured)",
+                  quoted_value(material.name), fmt::join(missing, ", ")),
+      "a material in which a component that an experiment needs was measured or assumed");
+}
+
 }  // namespace
 
 StudyResult evaluate_study(const Study& study, const Material& material,
@@ -40,17 +111,15 @@ StudyResult evaluate_study(const Study& study, const Material& material,
   with_measure.model.membrane = material.membrane;
   with_measure.model.bending = material.bending;
   with_measure.density = result.density;
-  const Experiments experiments = read_experiments(with_measure, result);
+  ask_about_fabric(study, material, result);
+  Experiments experiments = read_experiments(with_measure, result);
+  skip_unknown(material, experiments, result);
+  ask_about_hinges(material, experiments, result);
   for (const auto& experiment : experiments) {
     context.stop.throw_if_requested();
     const ExperimentInfo& info = experiment->info();
     const std::optional<ComponentLaw> law = law_of(material, info.component);
-    if (!law) {
-      throw InputError({study.file, 0, info.name},
-                       fmt::format("the material {} has no {}: unmeasured",
-                                   quoted_value(material.name), info.component),
-                       "a material in which that component was measured or assumed");
-    }
+    PLIANT_ASSERT(law.has_value(), "experiments without their component are skipped");
     ExperimentResult row = compare(*experiment, *law, experiment->unfitted_nuisance(*law));
     row.role = ExperimentRole::validate;
     result.experiments.push_back(std::move(row));
@@ -65,6 +134,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
   }
   evaluate_sheets(with_measure, material, context, result);
   warn_of_guesses(material, result);
+  refuse_if_nothing_is_left(study, material, result);
   result.assumptions = assumptions_of(study, experiments);
   result.seconds = watch.seconds();
   result.judgement = judge(result, study.accept, /*evaluation=*/true);

@@ -7,8 +7,10 @@
 
 namespace pliant {
 
-/// Predicts a study's experiments with a given material; nothing is fitted.
-/// @throws InputError when the material lacks a component that an experiment needs
+/// Predicts a study's experiments with a given material; nothing is fitted. Those that need a
+/// component which the material does not have are skipped; a material that states another fabric
+/// or model than the study is questioned.
+/// @throws InputError when no experiment is left
 StudyResult evaluate_study(const Study& study, const Material& material, const RunContext& context);
 
 }  // namespace pliant

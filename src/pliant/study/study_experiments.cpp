@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/plausibility.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/study/study.h"
 
@@ -19,6 +20,12 @@ StudyResult describe(const Study& study) {
   result.info = study.info;
   result.conditions = study.conditions;
   result.estimator = study.fit.estimator;
+  if (study.density > 0) {
+    Plausibility cloth;
+    cloth.add(figures::kAreaDensity, study.density,
+              {{cloth.field("density", Dimension::area_density, study.density)}});
+    if (auto question = cloth.question()) result.questions.push_back(std::move(*question));
+  }
   return result;
 }
 
@@ -27,9 +34,7 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
   for (const ExperimentSpec& spec : study.experiments) {
     if (is_sheet(spec, study.model)) continue;
     experiments.push_back(read_experiment(spec, study));
-    for (const std::string& warning : experiments.back()->info().warnings) {
-      result.warnings.push_back(spec.name + ": " + warning);
-    }
+    add_remarks(spec.name, experiments.back()->info(), result);
   }
   return experiments;
 }

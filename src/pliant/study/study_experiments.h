@@ -20,6 +20,17 @@ StudyResult describe(const Study& study);
 /// @throws InputError
 Experiments read_experiments(const Study& study, StudyResult& result);
 
+/// Adds the warnings and questions of an experiment's data to the result of its study.
+template <class Data>
+void add_remarks(const std::string& experiment, const Data& data, StudyResult& result) {
+  for (const std::string& text : data.warnings) {
+    result.warnings.push_back(experiment + ": " + text);
+  }
+  for (const std::string& text : data.questions) {
+    result.questions.push_back(experiment + ": " + text);
+  }
+}
+
 /// Warns of what the study's fit says of parameters that the result does not have.
 void warn_of_unmatched_options(const FitOptions& options, StudyResult& result);
 

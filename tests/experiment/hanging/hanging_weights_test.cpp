@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -190,11 +191,19 @@ TEST(HangingWeights, SaysWhatItDidNotKnow) {
   const ExperimentSpec& spec = study.experiments.front();
   const HangingWeights weightless(spec, DataRows(spec.data), ClothFacts());
   EXPECT_THAT(weightless.info().warnings, Contains(HasSubstr("no density is given")));
-  // Lengths in the wrong unit, or the wrong gauge length.
-  const auto short_strip = folder.experiment(
-      "{name: warp, type: hanging-weights, direction: warp, data: w.csv, length: 200 mm, "
-      "width: 80 mm}");
-  EXPECT_THAT(short_strip->info().warnings, Contains(HasSubstr("far below the gauge length")));
+  const auto of_length = [&](const char* length) {
+    return folder
+        .experiment(fmt::format(
+            "{{name: warp, type: hanging-weights, direction: warp, data: w.csv, length: {}, "
+            "width: 80 mm}}",
+            length))
+        ->info();
+  };
+  EXPECT_THAT(of_length("115 mm").warnings, Contains(HasSubstr("far below the gauge length")));
+  // A gauge length that cannot be right.
+  EXPECT_THAT(of_length("200 mm").questions,
+              ElementsAre(HasSubstr("the clamps start at 50 % of the gauge length: are the numbers "
+                                    "and units of `length` right?")));
 }
 
 TEST(HangingWeights, HasNoPredictionForALawThatCannotCarryTheWeights) {

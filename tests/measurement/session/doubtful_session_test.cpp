@@ -29,11 +29,18 @@ struct Doubt {
 
 void PrintTo(const Doubt& doubt, std::ostream* out) { *out << doubt.what; }
 
+/// All that is said of a session when it is read.
+std::vector<std::string> remarks(const Session& session) {
+  const Session read = read_session(SessionFolder(session).path());
+  std::vector<std::string> all = read.questions;
+  all.insert(all.end(), read.warnings.begin(), read.warnings.end());
+  return all;
+}
+
 void expect_warning(const Doubt& doubt, Session session) {
-  EXPECT_THAT(read_session(SessionFolder(session).path()).warnings, IsEmpty());
+  EXPECT_THAT(remarks(session), IsEmpty());
   doubt.change(session);
-  EXPECT_THAT(read_session(SessionFolder(session).path()).warnings,
-              Contains(AllOf(HasSubstr(doubt.says), HasSubstr(doubt.expects))));
+  EXPECT_THAT(remarks(session), Contains(AllOf(HasSubstr(doubt.says), HasSubstr(doubt.expects))));
 }
 
 auto each_cord(const std::function<void(CordForce&)>& change) {
@@ -61,9 +68,12 @@ const Doubt kStretchDoubts[] = {
          }
        }
      },
-     "the sample measures 100 m x 100 m: are its lengths in metres?", "expected: sides from 5 mm"},
-    {"MassInGrams", [](Session& session) { session.sample.mass = 3.1; },
-     "the sheet weighs 310 kg/m^2: is its mass right?", "expected: 0.002 to 5 kg/m^2"},
+     "a side of the sheet measures 100 m: is `rest` and its frames, `width` and `height` in mm, "
+     "not "
+     "m",
+     "(fabrics: 5 mm to 5 m)"},
+    {"MassInGrams", [](Session& session) { session.sample.mass = 3.1; }, "`mass` 3.1 g, not 3.1 kg",
+     "(fabrics: 8 g/m^2 to 2000 g/m^2)"},
     {"TestThatIsASlip", [](Session& session) { session.test = "strech-weft"; },
      "the test \"strech-weft\" is a name of its own", "did you mean \"stretch-weft\"?"},
     {"GravityThatIsWeak", [](Session& session) { session.gravity.z() = -1; }, "gravity is 1 m/s^2",
@@ -83,6 +93,9 @@ const Doubt kStretchDoubts[] = {
      "N on average, but sheet and clips weigh 0.228 N", "cords carry the weights"},
     {"ForcesInGrams", each_cord([](CordForce& cord) { cord.force *= 1000 / kStandardGravity; }),
      "out of balance in 3 of 3 frames", "at most 0.4 N, `balance_bound` of 0.1 N a cord"},
+    {"ForcesInGramsAllOverTheWeight",
+     each_cord([](CordForce& cord) { cord.force *= 1000 / kStandardGravity; }),
+     "of the weight of sheet and clips: is `fx`, `fy`, `fz` in gf, not N", "(fabrics: 10 % to"},
     {"ForcesOfTheClipOnTheCord", each_cord([](CordForce& cord) { cord.force.head<2>() *= -1; }),
      "cords push the clips together in 2 of 3 frames, most in frame 2: by 16 N",
      "expected: forces on the clips, which pull them apart"},

@@ -4,6 +4,7 @@
 
 #include "pliant/experiment/bending/pure_bending_type.h"
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/strip_figures.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -32,11 +33,21 @@ StrainRecord read_record(const DataRows& data) {
 PureBending::PureBending(const SampledPath& path)
     : ImposedStrain(record_of(path.value), path.half_cycles) {}
 
-PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data, const ClothFacts&)
+PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
     : ImposedStrain(spec, spec_of<PureBendingSpec>(spec).initial_friction, data,
                     read_record(data)) {
   info_.handled.push_back(
       "the curvature drives the path, one curvature from clamp to clamp; strain is 3 x curvature");
+  StripFigures strip(*spec.test, cloth.density);
+  const auto curvature =
+      strip.column("curvature", Dimension::curvature, data.quantity_unit("curvature"));
+  const auto moment = strip.column("moment", Dimension::force, data.quantity_unit("moment"));
+  strip.add(figures::kCurvature, largest_strain() / kStrainPerCurvature, {{curvature}});
+  if (secant() > 0) {
+    strip.add_bending_stiffness(kStrainPerCurvature * secant(), {{moment}, {curvature, -1}});
+  }
+  info_.questions = first_asked({swap_question(*this, "curvature", "moment"),
+                                 sign_question("moment", "curvature"), strip.question()});
 }
 
 std::optional<LoopSeries> PureBending::loop(const Eigen::VectorXd& moment) const {

@@ -11,6 +11,7 @@
 #include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/buckling/clamped_strip.h"
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/strip_figures.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -36,6 +37,28 @@ void require_return(const MeasuredPath& path, const DataRows& data) {
   if (back != path.direction.end() && there != path.direction.end()) return;
   throw InputError(data.location(0, "distance"), "the clamps move one way only",
                    "clamps that come nearer and go back");
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<std::string> questions_of(const MeasuredPath& path, double farthest,
+                                      const ExperimentSpec& spec, const DataRows& data,
+                                      double density) {
+  StripFigures strip(*spec.test, density);
+  const auto distance = strip.column("distance", Dimension::length, data.quantity_unit("distance"));
+  const auto force = strip.column("force", Dimension::force, data.quantity_unit("force"));
+  const double start = farthest / spec.test->length;
+  strip.add(figures::kStart, start, {{distance}, {strip.length(), -1}});
+  const auto nearest = std::ranges::max_element(path.strain) - path.strain.begin();
+  const auto row = static_cast<size_t>(nearest);
+  // Its own weight adds to it: a figure of its size.
+  const double stiffness = kStrainPerCurvature * path.force[row] / path.strain[row];
+  if (is_plausible(figures::kStart, start) && stiffness > 0) {
+    strip.add_bending_stiffness(stiffness, {{force}, {strip.width(), -1}, {strip.length(), 2}});
+  }
+  return first_asked({strip.question()});
 }
 
 }  // namespace
@@ -83,6 +106,7 @@ BucklingBend::BucklingBend(const ExperimentSpec& spec, const DataRows& data,
             "as long as stated"
           : "offset and drift of the force and the strip's length are estimated along (nuisance "
             "parameters)");
+  info_.questions = questions_of(path_, std::ranges::max(distance_), spec, data, cloth.density);
 }
 
 void BucklingBend::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec,

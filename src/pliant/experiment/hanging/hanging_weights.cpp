@@ -6,6 +6,7 @@
 
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/hanging/weight_path.h"
+#include "pliant/experiment/strip_figures.h"
 
 namespace pliant {
 namespace {
@@ -44,6 +45,25 @@ void require_increasing_steps(const DataRows& data, const std::vector<SpecimenRo
                        "steps that increase within a cycle: rows in the order measured");
     }
   }
+}
+
+/// Grams hang with as many grams-force.
+std::string unit_of_weights(const DataRows& data) {
+  const std::string unit = data.quantity_unit("weight");
+  return unit_scale(unit, Dimension::mass) ? unit + "f" : unit;
+}
+
+std::vector<std::string> questions_of(const HangingWeights& weights, const ExperimentSpec& spec,
+                                      const DataRows& data, const PulledRows& rows,
+                                      double density) {
+  StripFigures strip(*spec.test, density);
+  const auto weight = strip.column("weight", Dimension::force, unit_of_weights(data));
+  strip.add(figures::kHungWeight, std::ranges::max(read_weights(data)), {{weight}});
+  if (const double mass = spec_of<HangingWeightsSpec>(spec).clip_mass; mass > 0) {
+    strip.add(figures::kClip, mass, {{strip.field("clip_mass", Dimension::mass, mass)}});
+  }
+  const auto other_slip = strip.add_pull(rows, weight);
+  return first_asked({swap_question(weights, "length", "weight"), other_slip, strip.question()});
 }
 
 }  // namespace
@@ -88,8 +108,10 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   if (cloth.density == 0) {
     info_.warnings.push_back("no density is given: the cloth's own weight is left out");
   }
+  info_.questions = questions_of(
+      *this, spec, data, {"length", data.quantity_unit("length"), lengths, force_}, cloth.density);
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
-  if (*shortest < 0.95 * own.length) {
+  if (info_.questions.empty() && *shortest < 0.95 * own.length) {
     info_.warnings.push_back(
         fmt::format("the shortest length, {}, is far below the gauge length, {}",
                     millimetres(*shortest), millimetres(own.length)));

@@ -8,6 +8,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/overhang/bending_length_type.h"
+#include "pliant/experiment/strip_figures.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -34,6 +35,11 @@ Overhangs::Overhangs(const ExperimentSpec& spec, const DataRows& data, const Clo
   for (std::string& text : bending_length_texts(readings_, angle_, weight_)) {
     info_.handled.push_back(std::move(text));
   }
+  StripFigures strip(*spec.test, cloth.density);
+  strip.add(figures::bending_length_of(cloth.density),
+            measured_.mean() / elastic_dip(angle_)->overhang_per_length,
+            {{strip.column("overhang", Dimension::length, data.quantity_unit("overhang"))}});
+  info_.questions = first_asked({strip.question()});
 }
 
 // A reading says what a strip of one rigidity carries where it leaves the edge, bent from flat.

@@ -12,7 +12,7 @@ namespace pliant {
 struct StripSheets {
   std::vector<SheetTest> tests;      ///< one a specimen
   std::vector<std::string> handled;  ///< what was found in the data and how it was dealt with
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, questions;
 };
 
 /// Load-unload cycles of strips as sequences of a sheet: a rectangle of gauge length and width,

@@ -8,6 +8,7 @@
 
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/shear/shear_cycles_type.h"
+#include "pliant/experiment/strip_figures.h"
 
 namespace pliant {
 namespace {
@@ -46,7 +47,7 @@ StrainRecord read_record(const DataRows& data, double transverse_tension) {
 ShearCycles::ShearCycles(const SampledPath& path, double transverse_tension)
     : ImposedStrain(record_of(path.value, transverse_tension), path.half_cycles) {}
 
-ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts&)
+ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
     : ImposedStrain(spec, spec_of<ShearCyclesSpec>(spec).initial_friction, data,
                     read_record(data, spec_of<ShearCyclesSpec>(spec).transverse_tension)) {
   const double tension = spec_of<ShearCyclesSpec>(spec).transverse_tension;
@@ -56,6 +57,14 @@ ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const
       tension > 0
           ? fmt::format("the transverse tension, {:.4g} N/m, adds T tan(angle)", tension)
           : "no transverse tension is stated: its share of the force is part of the stiffness");
+  StripFigures strip(*spec.test, cloth.density);
+  const auto angle = strip.column("angle", Dimension::angle, data.quantity_unit("angle"));
+  const auto force =
+      strip.column("force", Dimension::force_per_length, data.quantity_unit("force"));
+  strip.add(figures::kShearAngle, std::asin(largest_strain()), {{angle}});
+  if (secant() > 0) strip.add_shear_stiffness(secant(), {{force}, {angle, -1}});
+  info_.questions = first_asked(
+      {swap_question(*this, "angle", "force"), sign_question("force", "angle"), strip.question()});
 }
 
 }  // namespace pliant

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/strip_figures.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 
 namespace pliant {
@@ -33,14 +34,14 @@ namespace {
 
 /// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
 /// taken last, unless it is called as we call it.
-std::vector<double> lengths_of(const DataRows& data, double gauge_length) {
+PulledRows pulled_rows(const DataRows& data, double gauge_length) {
   const auto is_extension = [&] {
     // "Extension (%)" is a strain.
     const std::string unit = data.quantity_unit("extension");
     return unit.empty() || !unit_conversion(unit, Dimension::fraction);
   };
   std::vector<double> lengths;
-  const char* column = "length";
+  std::string column = "length";
   if (data.is_stated("length")) {
     lengths = data.quantity("length", Dimension::length);
   } else if (auto extension = is_extension()
@@ -55,7 +56,19 @@ std::vector<double> lengths_of(const DataRows& data, double gauge_length) {
     lengths = data.quantity("length", Dimension::length);
   }
   require_positive(lengths, data, column);
-  return lengths;
+  return {column, data.quantity_unit(column), std::move(lengths),
+          data.quantity("force", Dimension::force)};
+}
+
+std::vector<std::string> questions_of(const TensileCycles& cycles, const ExperimentSpec& spec,
+                                      const DataRows& data, const PulledRows& rows,
+                                      double density) {
+  StripFigures strip(*spec.test, density);
+  const auto other_slip =
+      strip.add_pull(rows, strip.column("force", Dimension::force, data.quantity_unit("force")));
+  strip.add_rate(rows, cycles.info().time,
+                 strip.column("time", Dimension::time, data.quantity_unit("time")));
+  return first_asked({swap_question(cycles, rows.column, "force"), other_slip, strip.question()});
 }
 
 }  // namespace
@@ -64,16 +77,18 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
                              const ClothFacts& cloth)
     : geometry_{spec.test->length, spec.test->width, cloth.membrane},
       apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
-  const std::vector<double> force = data.quantity("force", Dimension::force);
-  length_ = lengths_of(data, geometry_.gauge_length);
+  const PulledRows rows = pulled_rows(data, geometry_.gauge_length);
+  const std::vector<double>& force = rows.force;
+  length_ = rows.length;
   require_rows(data.specimens(), data, 3);
   require_change(force, data, "force");
   require_change(length_, data, "length");
 
   measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
   info_ = describe_experiment(spec, data, {"force_N", "force", "N", 1});
-  for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, spec);
+  for (const SpecimenRows& specimen : data.specimens()) add_specimen(specimen, spec);
   describe(spec);
+  info_.questions = questions_of(*this, spec, data, rows, cloth.density);
 }
 
 void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {

@@ -69,14 +69,19 @@ std::optional<Eigen::Vector3d> mean_pull(const Session& session) {
   return sum / frames;
 }
 
+double mass_of(const Session& session) {
+  double mass = area_density(session) * rest_area(session.rest);
+  for (const SessionClip& clip : session.clips) mass += clip.mass;
+  return mass;
+}
+
 /// Cords of light cloth may all miss by more than it weighs. Their mean says nevertheless whether
 /// they carry it: nothing of it, or as if gravity pulled another way.
 void warn_of_weight(const Session& session, std::vector<std::string>& warnings) {
   constexpr double kFar = 0.5, kNear = 0.2;  // of the weight
   const auto pull = mean_pull(session);
   if (!pull) return;
-  double mass = area_density(session) * rest_area(session.rest);
-  for (const SessionClip& clip : session.clips) mass += clip.mass;
+  const double mass = mass_of(session);
   const double weight = mass * kStandardGravity;
   if ((*pull + mass * session.gravity).norm() <= kFar * weight) return;
   for (int axis = 0; axis < 3; ++axis) {
@@ -153,6 +158,20 @@ Imbalance imbalance(const Session& session, int frame) {
     }
   }
   return left;
+}
+
+std::optional<double> carried_share(const Session& session) {
+  const auto pull = mean_pull(session);
+  if (!pull || session.table || session.gravity.isZero()) return std::nullopt;
+  std::size_t cords = 0;
+  for (const SessionFrame& frame : session.frames) {
+    std::size_t here = 0;
+    for (const auto& of_clip : frame.cords) here += of_clip.size();
+    cords = std::max(cords, here);
+  }
+  const double carried = -pull->dot(session.gravity.normalized());
+  if (carried < session.balance_bound * static_cast<double>(cords)) return std::nullopt;
+  return carried / (mass_of(session) * session.gravity.norm());
 }
 
 std::vector<std::string> balance_warnings(const Session& session) {

@@ -51,6 +51,10 @@ struct Imbalance {
 /// @param session  without a table, whose support is not measured
 Imbalance imbalance(const Session& session, int frame);
 
+/// What the cords carry of the weight of sheet and clips; nothing where it is not measured, or too
+/// little for the session's bound at each cord to say anything.
+std::optional<double> carried_share(const Session& session);
+
 /// Sentences about what the masses and forces of a session do not agree in. Frames without cords
 /// are not judged: forces were not measured there.
 std::vector<std::string> balance_warnings(const Session& session);

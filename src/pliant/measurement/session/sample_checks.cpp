@@ -10,36 +10,16 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
+#include "pliant/base/plausibility.h"
 #include "pliant/measurement/session/balance.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kShortestSide = 5e-3, kLongestSide = 5;   // m
-constexpr double kLightest = 2e-3, kHeaviest = 5;          // kg/m^2
 constexpr double kLeastGravity = 9.7, kMostGravity = 9.9;  // m/s^2, at sea level and above
 constexpr std::array<std::string_view, 8> kTests{"stretch-weft",  "stretch-warp",  "shear",
                                                  "bend-weft",     "bend-warp",     "corner-pull",
                                                  "complex-shear", "bias-extension"};
-
-void warn_of_size(const Session& session, std::vector<std::string>& warnings) {
-  const auto [shorter, longer] = std::minmax(session.sample.width, session.sample.height);
-  if (shorter >= kShortestSide && longer <= kLongestSide) return;
-  warnings.push_back(fmt::format(
-      "the sample measures {} x {}: are its lengths in metres? (expected: sides from {} to {})",
-      format_quantity(session.sample.width, Dimension::length),
-      format_quantity(session.sample.height, Dimension::length),
-      format_quantity(kShortestSide, Dimension::length),
-      format_quantity(kLongestSide, Dimension::length)));
-}
-
-void warn_of_density(const Session& session, std::vector<std::string>& warnings) {
-  const double density = area_density(session);
-  if (density >= kLightest && density <= kHeaviest) return;
-  warnings.push_back(
-      fmt::format("the sheet weighs {} kg/m^2: is its mass right? (expected: {} to {} kg/m^2)",
-                  format_number(density, 4), kLightest, kHeaviest));
-}
 
 void warn_of_gravity(const Session& session, std::vector<std::string>& warnings) {
   const double size = session.gravity.norm();
@@ -60,10 +40,34 @@ void warn_of_name(const Session& session, std::vector<std::string>& warnings) {
 
 }  // namespace
 
+std::vector<std::string> sample_questions(const Session& session) {
+  const SessionSample& sample = session.sample;
+  Plausibility sheet;
+  const auto width = sheet.field("width", Dimension::length, sample.width);
+  const auto height = sheet.field("height", Dimension::length, sample.height);
+  // The mesh is as large as the sample, else the session is refused: one slip for both.
+  const auto positions =
+      sheet.column("rest` and its frames, `width` and `height", Dimension::length, "m");
+  sheet.add(figures::kSide, sample.width, {{width}, {positions}});
+  sheet.add(figures::kSide, sample.height, {{height}, {positions}});
+  const double density = area_density(session);
+  if (sample.density) {
+    sheet.add(figures::kAreaDensity, density,
+              {{sheet.field("density", Dimension::area_density, density)}});
+  } else {
+    sheet.add(figures::kAreaDensity, density,
+              {{sheet.field("mass", Dimension::mass, *sample.mass)}, {positions, -2}});
+  }
+  if (const auto carried = carried_share(session)) {
+    sheet.add(figures::kCarried, *carried,
+              {{sheet.column("fx`, `fy`, `fz", Dimension::force, "N")}});
+  }
+  const auto question = sheet.question();
+  return question ? std::vector{*question} : std::vector<std::string>();
+}
+
 std::vector<std::string> sample_warnings(const Session& session) {
   std::vector<std::string> warnings;
-  warn_of_size(session, warnings);
-  warn_of_density(session, warnings);
   warn_of_gravity(session, warnings);
   warn_of_name(session, warnings);
   if (session.clips.empty() && !session.table) {

@@ -24,9 +24,10 @@ void evaluate(const CommandContext& context, const EvaluateArguments& arguments)
   ResultDirectory results(arguments.output, "evaluate");
   const StudyFile file = study_or_imported(context, arguments.study, results);
   const Study study = read_study(file.path);
-  const StudyResult result = evaluate_study(study, material, context.run);
-
   RunFacts facts = run_facts(context, arguments.study);
+  const StudyResult result =
+      evaluate_study(study, material, context.run,
+                     nuisance_beside(arguments.material, material, facts.study_sha256));
   facts.material_file = arguments.material;
   for (const auto& [name, content] : evaluation_files(result, facts)) results.write(name, content);
   results.write("study.resolved.yaml", resolved_study_text(study, file.results_base));

@@ -59,8 +59,8 @@ Errors errors_of(const ReportData& data, bool fitted) {
 }
 
 std::string counted(int count, std::string_view role, bool strips) {
-  return fmt::format("{}{}{} {}{}", count, role.empty() ? "" : " ", role,
-                     strips ? "strip" : "session", count == 1 ? "" : "s");
+  return fmt::format("{}{}{}{}{}", count, role.empty() ? "" : " ", role,
+                     strips ? " strip" : " session", count == 1 ? "" : "s");
 }
 
 /// @param opening  "It predicts"

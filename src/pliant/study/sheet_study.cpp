@@ -132,6 +132,20 @@ std::string about_mesh_error(const SheetUncertainty& uncertainty) {
                "with";
 }
 
+void ask_about_cords(const std::vector<SheetExperiment>& experiments, StudyResult& result) {
+  std::vector<std::string> names;
+  for (const SheetExperiment& experiment : experiments) {
+    const SheetTest& test = experiment.test;
+    if (test.cord_friction().unknown && !test.cords().empty()) names.push_back(test.name());
+  }
+  if (names.empty()) return;
+  result.questions.push_back(fmt::format(
+      "the friction of the cords of {} is not known and left out, so their loops are predicted too "
+      "narrow: it stands in fit.json beside the material that a fit wrote, or is stated as "
+      "`cord_friction`",
+      fmt::join(names, ", ")));
+}
+
 /// A fit with what it predicts.
 struct Candidate {
   SheetFit fit;
@@ -321,8 +335,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   return result;
 }
 
-void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
-                     StudyResult& result) {
+void evaluate_sheets(const Study& study, const Material& material, const CordFrictions& cords,
+                     const RunContext& context, StudyResult& result) {
   const bool any = std::ranges::any_of(
       study.experiments, [&](const ExperimentSpec& spec) { return is_sheet(spec, study.model); });
   if (!any) return;
@@ -338,7 +352,9 @@ void evaluate_sheets(const Study& study, const Material& material, const RunCont
   std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   for (SheetExperiment& experiment : experiments) experiment.role = ExperimentRole::validate;
   EquilibriumWork work;
-  std::vector<ExperimentResult> rows = sheet_predictions(experiments, material, {}, context, work);
+  std::vector<ExperimentResult> rows =
+      sheet_predictions(experiments, material, cords, context, work);
+  if (cords.empty()) ask_about_cords(experiments, result);
   warn_of_missing_frames(rows, result);
   std::move(rows.begin(), rows.end(), std::back_inserter(result.experiments));
   for (const ExperimentResult& row : result.experiments) {

@@ -54,9 +54,11 @@ struct SheetStart {
 StudyResult fit_sheet_study(const Study& study, const RunContext& context,
                             const std::vector<SheetStart>& starts = {});
 
-/// Adds the predictions of a study's sessions with a material to a result; without all components
-/// of a sheet they are skipped.
-void evaluate_sheets(const Study& study, const Material& material, const RunContext& context,
-                     StudyResult& result);
+/// Adds the predictions of a study's sessions with a material to a result, and asks for the
+/// friction of cords that neither study nor `cords` tell. Where the material lacks a component
+/// sessions are skipped.
+/// @param cords  of the fit of the material
+void evaluate_sheets(const Study& study, const Material& material, const CordFrictions& cords,
+                     const RunContext& context, StudyResult& result);
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -75,6 +76,21 @@ void ask_about_hinges(const Material& material, const Experiments& experiments,
   }
 }
 
+/// The nuisance parameters of an experiment as a fit found them; nothing where it has none, or one
+/// is not known.
+std::optional<Eigen::VectorXd> fitted_nuisance(const Experiment& experiment,
+                                               const FoundNuisance& found) {
+  const std::vector<NuisanceParameter> own = experiment.nuisance();
+  if (own.empty()) return std::nullopt;
+  Eigen::VectorXd values(std::ssize(own));
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const auto known = found.others.find(own[i].name);
+    if (known == found.others.end()) return std::nullopt;
+    values(static_cast<Eigen::Index>(i)) = known->second;
+  }
+  return values;
+}
+
 void skip_unknown(const Material& material, Experiments& experiments, StudyResult& result) {
   std::erase_if(experiments, [&](const auto& experiment) {
     const ExperimentInfo& info = experiment->info();
@@ -101,8 +117,8 @@ void refuse_if_nothing_is_left(const Study& study, const Material& material,
 
 }  // namespace
 
-StudyResult evaluate_study(const Study& study, const Material& material,
-                           const RunContext& context) {
+StudyResult evaluate_study(const Study& study, const Material& material, const RunContext& context,
+                           const FoundNuisance& found) {
   const Stopwatch watch;
   StudyResult result = describe(study);
   result.material = material;
@@ -120,8 +136,11 @@ StudyResult evaluate_study(const Study& study, const Material& material,
     const ExperimentInfo& info = experiment->info();
     const std::optional<ComponentLaw> law = law_of(material, info.component);
     PLIANT_ASSERT(law.has_value(), "experiments without their component are skipped");
-    ExperimentResult row = compare(*experiment, *law, experiment->unfitted_nuisance(*law));
+    const auto fitted = fitted_nuisance(*experiment, found);
+    ExperimentResult row =
+        compare(*experiment, *law, fitted.value_or(experiment->unfitted_nuisance(*law)));
     row.role = ExperimentRole::validate;
+    if (fitted) row.handled.emplace_back("its own numbers are those of the fit of the material");
     result.experiments.push_back(std::move(row));
     const bool drawn =
         std::any_of(result.curves.begin(), result.curves.end(),
@@ -132,7 +151,7 @@ StudyResult evaluate_study(const Study& study, const Material& material,
           component_curve(info.component, *law, std::max(std::abs(low), std::abs(high)), {}));
     }
   }
-  evaluate_sheets(with_measure, material, context, result);
+  evaluate_sheets(with_measure, material, found.cords, context, result);
   warn_of_guesses(material, result);
   refuse_if_nothing_is_left(study, material, result);
   result.assumptions = assumptions_of(study, experiments);

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/estimation/stated_options.h"
+#include "pliant/study/example_data.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -27,6 +28,11 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
   for (const ExperimentSpec& spec : study.experiments) {
     if (is_sheet(spec, study.model)) continue;
     experiments.push_back(read_experiment(spec, study));
+    if (is_example_data(spec)) {
+      result.warnings.push_back(spec.name +
+                                ": the data are still those of the example that `pliant init` "
+                                "writes: the material is that of no fabric of yours");
+    }
     for (const std::string& warning : experiments.back()->info().warnings) {
       result.warnings.push_back(spec.name + ": " + warning);
     }

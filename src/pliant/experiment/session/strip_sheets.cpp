@@ -143,6 +143,7 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
   const TensileCycles cycles(spec, data, {area_density, model.membrane});
   StripSheets sheets;
   sheets.warnings = cycles.info().warnings;
+  sheets.handled = spec.told;
   const Eigen::VectorXd offsets = cycles.force_offsets();
   for (int s = 0; s < static_cast<int>(offsets.size()); ++s) {
     std::vector<Row> rows = rows_of(cycles, s, offsets(s));

@@ -31,6 +31,18 @@ TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<doubl
 
 namespace {
 
+/// Testers of the KES family write the force per width.
+std::vector<double> forces_of(const DataRows& data, double width) {
+  const bool per_width =
+      unit_conversion(data.quantity_unit("force"), Dimension::force_per_length).has_value();
+  std::vector<double> force =
+      data.quantity("force", per_width ? Dimension::force_per_length : Dimension::force);
+  if (per_width) {
+    for (double& f : force) f *= width;
+  }
+  return force;
+}
+
 /// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
 /// taken last, unless it is called as we call it.
 std::vector<double> lengths_of(const DataRows& data, double gauge_length) {
@@ -64,7 +76,7 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
                              const ClothFacts& cloth)
     : geometry_{spec.test->length, spec.test->width, cloth.membrane},
       apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
-  const std::vector<double> force = data.quantity("force", Dimension::force);
+  const std::vector<double> force = forces_of(data, geometry_.width);
   length_ = lengths_of(data, geometry_.gauge_length);
   require_rows(data.specimens(), data, 3);
   require_change(force, data, "force");

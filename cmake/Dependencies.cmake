@@ -45,4 +45,5 @@ endforeach()
 # ziptool programs, which are separate packages that a library user has no need for.
 if(PkgConfig_FOUND)
   pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
+  pkg_check_modules(orcus QUIET IMPORTED_TARGET liborcus-0.17) # optional within src/pliant/io
 endif()

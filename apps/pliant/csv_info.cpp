@@ -8,10 +8,10 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/registry.h"
+#include "pliant/exchange/tester_study.h"
 #include "pliant/experiment/standard_figures.h"
-#include "pliant/io/csv.h"
-#include "pliant/measurement/column_synonyms.h"
+#include "pliant/experiment/understood_columns.h"
+#include "pliant/study/blank_fields.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -21,57 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 6;
-
-struct KnownQuantity {
-  const char* name;
-  std::vector<Dimension> dimensions;  ///< that its unit may have
-};
-
-/// The quantities that the experiments' data files hold (docs/formats/tables.md).
-const std::vector<KnownQuantity>& known_quantities() {
-  using enum Dimension;
-  static const std::vector<KnownQuantity> quantities{
-      {"force", {Dimension::force, force_per_length}},
-      {"length", {Dimension::length}},
-      {"extension", {Dimension::length}},
-      {"strain", {fraction}},
-      {"weight", {Dimension::force, mass}},
-      {"peak", {Dimension::force}},
-      {"angle", {Dimension::angle}},
-      {"time", {Dimension::time}},
-      {"distance", {Dimension::length}},
-      {"curvature", {Dimension::curvature}},
-      {"moment", {Dimension::force}},
-      {"overhang", {Dimension::length}},
-      {"radius", {Dimension::length}},
-      {"x", {Dimension::length}},
-      {"y", {Dimension::length}},
-      {"depth", {Dimension::length}},
-      {"area", {Dimension::area}},
-      {"nominal_stress", {Dimension::stress}}};
-  return quantities;
-}
-
-/// What a column was understood to be.
-struct UnderstoodColumn {
-  std::string quantity;
-  std::string unit;
-  Dimension dimension = Dimension::number;
-};
-
-/// By header. A quantity without a unit is a plain column: an experiment would refuse it.
-std::map<std::string, UnderstoodColumn> understood_columns(const CsvTable& table) {
-  std::map<std::string, UnderstoodColumn> columns;
-  for (const auto& [name, dimensions] : known_quantities()) {
-    for (const Dimension dimension : dimensions) {
-      const std::optional<std::string> header = table.quantity_column(name, dimension);
-      if (!header || columns.contains(*header)) continue;
-      const std::string unit = *table.quantity_unit(name, dimension);
-      if (unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
-    }
-  }
-  return columns;
-}
 
 std::string range_text(const std::vector<double>& values, const std::string& unit) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -135,46 +84,51 @@ void add_other(const CsvTable& table, const std::string& header, FileInfo& info)
   info.lines.push_back(labelled(header, text, 1));
 }
 
-/// Understood columns, as types of tests ask for them.
-class UnderstoodColumns : public TableColumns {
- public:
-  explicit UnderstoodColumns(const std::map<std::string, UnderstoodColumn>& columns)
-      : columns_(columns) {}
-
-  bool has(std::string_view quantity, Dimension dimension) const override {
-    return std::any_of(columns_.begin(), columns_.end(), [&](const auto& entry) {
-      return entry.second.quantity == quantity && entry.second.dimension == dimension;
-    });
-  }
-
- private:
-  const std::map<std::string, UnderstoodColumn>& columns_;
-};
-
-/// Types of tests whose columns are all there, in their dimensions.
-std::vector<const TestType*> usable_types(const std::map<std::string, UnderstoodColumn>& columns) {
-  std::vector<const TestType*> types;
-  for (const TestType* type : test_types()) {
-    if (type->is_table && type->is_table(UnderstoodColumns(columns))) types.push_back(type);
-  }
-  return types;
-}
-
 /// A table alone tells neither how the test was set up nor what the cloth weighs.
-void add_standard_figures(const TestType& type, const std::filesystem::path& path, FileInfo& info) {
+void add_standard_figures(const TestType& type, const TesterFile& file, FileInfo& info) {
   DataSource source;
-  source.files = {path};
-  source.csv.synonyms = column_synonyms();
+  source.files = {file.path};
+  source.csv = file.csv;
   const StandardFigures figures = type.standard_figures(DataRows(source), nullptr, 0);
   info.json[figures.key] = figures.json;
   for (const std::string& text : figures.texts) info.lines.push_back(labelled(figures.label, text));
 }
 
+/// What stands above the table, and how its rows go to and fro.
+void add_tester(const TesterFile& file, FileInfo& info) {
+  if (!file.csv.encoding.empty()) info.lines.push_back(labelled("encoding", file.csv.encoding));
+  info.json["specimens"] = file.specimens;
+  info.json["passes"] = file.passes;
+  if (file.specimens > 1) {
+    info.lines.push_back(labelled("specimens", fmt::format("{}", file.specimens)));
+  }
+  info.lines.push_back(labelled("ways to and fro", fmt::format("{}", file.passes)));
+  info.json["facts"] = Json::object();
+  for (const TesterFact& fact : file.facts) {
+    info.json["facts"][fact.field] = fact.value;
+    info.lines.push_back(labelled(fact.field, fmt::format("{} (line {}: {})", fact.value, fact.line,
+                                                          one_line(fact.written, 60))));
+  }
+}
+
+/// The lines of a study that take the table; none where nothing of a test was recognised.
+void add_study_lines(const TesterFile& file, FileInfo& info) {
+  const bool recognised =
+      file.is_type_known ||
+      std::ranges::any_of(file.columns, [](const auto& column) { return column.second != kBlank; });
+  if (!recognised) return;
+  const std::string text = experiment_lines(std::span(&file, 1));
+  info.json["study"] = text;
+  info.lines.push_back("for a study (`pliant init --from` writes all of it):");
+  info.lines.push_back("experiments:\n" + text.substr(0, text.size() - 1));
+}
+
 }  // namespace
 
-FileInfo csv_info(const std::filesystem::path& path) {
-  const CsvTable table = read_csv(path, {.synonyms = column_synonyms()});
-  const auto understood = understood_columns(table);
+FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading) {
+  const TesterFile file = read_tester_file(path, reading);
+  const CsvTable table = read_csv(path, file.csv);
+  const UnderstoodColumns understood = understood_columns(table);
   FileInfo info = begin_info(path, "csv");
   info.json["rows"] = table.rows();
   info.json["header_line"] = table.header_line();
@@ -198,8 +152,10 @@ FileInfo csv_info(const std::filesystem::path& path) {
                                 names.empty() ? "no test without a map of its columns (`columns:`)"
                                               : fmt::format("{}", fmt::join(names, ", "))));
   for (const TestType* type : types) {
-    if (type->standard_figures) add_standard_figures(*type, path, info);
+    if (type->standard_figures) add_standard_figures(*type, file, info);
   }
+  add_tester(file, info);
+  add_study_lines(file, info);
   info.json["warnings"] = info.warnings;
   return info;
 }

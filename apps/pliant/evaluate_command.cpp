@@ -6,6 +6,7 @@
 #include "pliant/study/study_evaluation.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/given_document.h"
 #include "apps/pliant/imported_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
@@ -46,12 +47,19 @@ void add_evaluate(CommandRegistry& registry) {
   CLI::App& command = registry.add(
       "evaluate", "Predict a study's experiments with a given material, without fitting");
   auto arguments = std::make_shared<EvaluateArguments>();
-  command.add_option("STUDY", arguments->study, "study.yaml or an instrument file")->required();
-  command.add_option("-m,--material", arguments->material, "Material file (material/1)")
+  command.add_option("STUDY", arguments->study, "study.yaml, its folder, or an instrument file")
+      ->required();
+  command
+      .add_option("-m,--material", arguments->material,
+                  "Material file (material/1), or results of a fit")
       ->required();
   command.add_option("-o,--output", arguments->output, "Directory for the results (DIR)")
       ->required();
-  registry.on(command, [arguments](CommandContext& context) { evaluate(context, *arguments); });
+  registry.on(command, [arguments](CommandContext& context) {
+    arguments->study = given_document(arguments->study, "study").string();
+    arguments->material = given_document(arguments->material, "material").string();
+    evaluate(context, *arguments);
+  });
 }
 
 }  // namespace pliant

@@ -13,6 +13,7 @@
 #include "pliant/io/fields.h"
 #include "pliant/io/journal_file.h"
 #include "pliant/io/text_file.h"
+#include "pliant/io/workbook.h"
 #include "pliant/scene/checkpoint.h"
 
 #include "apps/pliant/mesh_info.h"
@@ -26,19 +27,13 @@ constexpr int kLabelWidth = 28;
 
 enum class Syntax { yaml, json, csv };
 
-std::string lower_case_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// By the name, else by the beginning of the content.
 Syntax syntax_of(const fs::path& path) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".yaml" || extension == ".yml") return Syntax::yaml;
   if (extension == ".json") return Syntax::json;
   if (extension == ".csv" || extension == ".tsv" || extension == ".txt") return Syntax::csv;
+  if (is_workbook(path)) return Syntax::csv;
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return Syntax::json;
@@ -69,6 +64,13 @@ FileInfo document_info(const fs::path& path, const Document& document) {
 
 }  // namespace
 
+std::string lower_case_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 FileInfo begin_info(const fs::path& path, const std::string& type) {
   FileInfo info;
   info.json["file"] = path.string();
@@ -81,7 +83,7 @@ std::string labelled(std::string_view label, std::string_view text, int indent) 
   return fmt::format("{:{}}{:<{}} {}", "", 2 * indent, label, kLabelWidth - 2 * indent, text);
 }
 
-FileInfo describe_file(const fs::path& path) {
+FileInfo describe_file(const fs::path& path, const CsvOptions& reading) {
   if (fs::is_directory(path)) return directory_info(path);
   if (is_mesh_file(path)) return mesh_info(path);
   if (lower_case_extension(path) == ".vtu") return vtu_info(path);
@@ -96,7 +98,7 @@ FileInfo describe_file(const fs::path& path) {
     case Syntax::csv:
       break;
   }
-  return csv_info(path);
+  return csv_info(path, reading);
 }
 
 }  // namespace pliant

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pliant/io/csv.h"
+
 namespace pliant {
 
 /// What `pliant info` says about a file: the same facts for programs and for people.
@@ -25,10 +27,14 @@ FileInfo begin_info(const std::filesystem::path& path, const std::string& type);
 /// entry above.
 std::string labelled(std::string_view label, std::string_view text, int indent = 0);
 
+/// `.csv` of `a/b.CSV`.
+std::string lower_case_extension(const std::filesystem::path& path);
+
 /// Finds out what a file or directory is, reads all of it with the reader that the commands use,
 /// and describes it.
 /// @throws InputError where it is none of Pliant's files, or where its reader refuses it
-FileInfo describe_file(const std::filesystem::path& path);
+/// @param reading  how a table is read, where it is one
+FileInfo describe_file(const std::filesystem::path& path, const CsvOptions& reading = {});
 
 // The kinds of file, each as `describe_file`.
 FileInfo study_info(const std::filesystem::path& path);
@@ -36,7 +42,7 @@ FileInfo lab_info(const std::filesystem::path& path);
 FileInfo scene_info(const std::filesystem::path& path);
 FileInfo session_info(const std::filesystem::path& path);
 FileInfo material_info(const std::filesystem::path& path);
-FileInfo csv_info(const std::filesystem::path& path);
+FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading = {});
 FileInfo u3m_file_info(const std::filesystem::path& path);
 FileInfo results_file_info(const std::filesystem::path& path);
 FileInfo simulation_info(const std::filesystem::path& path);

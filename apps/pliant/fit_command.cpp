@@ -12,6 +12,7 @@
 #include "apps/pliant/command.h"
 #include "apps/pliant/fit_models.h"
 #include "apps/pliant/fit_progress.h"
+#include "apps/pliant/given_document.h"
 #include "apps/pliant/imported_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
@@ -188,9 +189,10 @@ void add_fit(CommandRegistry& registry) {
       "fit", "Estimate a material from measurements: a study, or an instrument's file");
   auto arguments = std::make_shared<FitArguments>();
   command
-      .add_option("STUDY", arguments->studies,
-                  "study.yaml, or an instrument file that is imported first; of several, each "
-                  "gets its own folder in DIR")
+      .add_option(
+          "STUDY", arguments->studies,
+          "study.yaml, its folder, or an instrument file that is imported first; of several, each "
+          "gets its own folder in DIR")
       ->required();
   command.add_option("-o,--output", arguments->output, "Directory for the results (DIR)")
       ->required();
@@ -209,7 +211,10 @@ void add_fit(CommandRegistry& registry) {
   command.add_flag("--resume", arguments->resume,
                    "Go on with a fit of sessions that was stopped, from its last search in DIR");
   add_model_options(command, *arguments);
-  registry.on(command, [arguments](CommandContext& context) { fit_all(context, *arguments); });
+  registry.on(command, [arguments](CommandContext& context) {
+    for (std::string& study : arguments->studies) study = given_document(study, "study").string();
+    fit_all(context, *arguments);
+  });
 }
 
 }  // namespace pliant

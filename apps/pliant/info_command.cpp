@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/io/atomic_file.h"
 #include "pliant/io/schema_text.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/reading_options.h"
+#include "apps/pliant/table_preview.h"
 
 namespace pliant {
 namespace {
@@ -15,10 +18,17 @@ namespace {
 struct InfoArguments {
   std::string file;
   std::string schema;
+  std::string plot;
+  ReadingOptions reading;
 };
 
-void print_info(const CommandContext& context, const std::filesystem::path& file) {
-  const FileInfo info = describe_file(file);
+void print_info(const CommandContext& context, const InfoArguments& arguments) {
+  const CsvOptions reading = arguments.reading.csv();
+  if (!arguments.plot.empty()) {
+    write_file_atomically(arguments.plot, table_preview(arguments.file, reading));
+    context.say("plot: " + arguments.plot);
+  }
+  const FileInfo info = describe_file(arguments.file, reading);
   // File names and vendors' texts need not be UTF-8; what is not is replaced rather than refused.
   context.print_json(
       info.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -45,13 +55,16 @@ void add_info(CommandRegistry& registry) {
                   "Print the JSON schema of a type of document instead")
       ->check(CLI::IsMember(schema_types()))
       ->excludes(file);
+  command.add_option("--plot", arguments->plot,
+                     "Draw the readings of a table before any fit, in a page OUT.html");
+  add_reading_options(command, arguments->reading);
   registry.on(command, [arguments](CommandContext& context) {
     if (!arguments->schema.empty()) {
       std::cout << schema_text(arguments->schema);
     } else if (arguments->file.empty()) {
       throw InputError({}, "no file is given", "pliant info FILE, or pliant info --schema TYPE");
     } else {
-      print_info(context, arguments->file);
+      print_info(context, *arguments);
     }
   });
 }

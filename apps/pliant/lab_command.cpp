@@ -5,6 +5,7 @@
 #include "pliant/study/virtual_lab.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/given_document.h"
 
 namespace pliant {
 namespace {
@@ -36,7 +37,10 @@ void add_lab(CommandRegistry& registry) {
   auto arguments = std::make_shared<LabArguments>();
   command.add_option("LAB", arguments->lab, "lab.yaml: material, experiments, noise")->required();
   command.add_option("-o,--output", arguments->output, "Directory for the study (DIR)")->required();
-  registry.on(command, [arguments](CommandContext& context) { run_lab(context, *arguments); });
+  registry.on(command, [arguments](CommandContext& context) {
+    arguments->lab = given_document(arguments->lab, "lab").string();
+    run_lab(context, *arguments);
+  });
 }
 
 }  // namespace pliant

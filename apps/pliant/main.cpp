@@ -13,6 +13,7 @@
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/terminal_progress.h"
+#include "apps/pliant/usage_problem.h"
 
 namespace {
 
@@ -86,8 +87,7 @@ int parse_and_run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "error: " << error.what() << "; see `pliant --help`" << std::endl;
-    return 2;
+    return fail(pliant::usage_problem(app, {argv + 1, argv + argc}, error), 2);
   }
   return run(app, registry, argc, argv);
 }

@@ -11,6 +11,7 @@
 #include "pliant/scene/simulation_result.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/given_document.h"
 #include "apps/pliant/report_pictures.h"
 #include "apps/pliant/run_facts.h"
 
@@ -245,7 +246,10 @@ void add_simulate(CommandRegistry& registry) {
       "examples/assumed-cloth.json\n"
       "                     -o curtain; pliant render curtain -o pictures.\n"
       "Exit status: 0 done, 1 it did not converge or was stopped (--resume goes on), 2 bad input.");
-  registry.on(command, [arguments](CommandContext& context) { run_simulate(context, *arguments); });
+  registry.on(command, [arguments](CommandContext& context) {
+    arguments->scene = given_document(arguments->scene, "scene").string();
+    run_simulate(context, *arguments);
+  });
 }
 
 }  // namespace pliant

@@ -39,8 +39,8 @@ struct Unit {
 };
 
 // The first of each list is the SI unit, except for fractions.
-constexpr Unit kLengths[] = {
-    {"m", 1, kPretty}, {"cm", 1e-2}, {"mm", 1e-3, kPretty}, {"um", 1e-6, kPretty}, {"in", kInch}};
+constexpr Unit kLengths[] = {{"m", 1, kPretty},     {"cm", 1e-2},  {"mm", 1e-3, kPretty},
+                             {"um", 1e-6, kPretty}, {"in", kInch}, {"inch", kInch, kAlias}};
 constexpr Unit kMasses[] = {{"kg", 1, kPretty},
                             {"g", 1e-3, kPretty},
                             {"mg", 1e-6, kPretty},
@@ -97,7 +97,8 @@ constexpr Unit kTemperatures[] = {{"K", 1},
                                   {"degC", 1, kPretty, 273.15},
                                   {"C", 1, kAlias, 273.15},
                                   {"degF", 5.0 / 9, kAccepted, 273.15 - 32 * 5.0 / 9}};
-constexpr Unit kFractions[] = {{"%", 1e-2, kPretty}, {"percent", 1e-2}};
+constexpr Unit kFractions[] = {
+    {"%", 1e-2, kPretty}, {"percent", 1e-2}, {"mm/mm", 1, kAlias}, {"in/in", 1, kAlias}};
 
 struct DimensionEntry {
   const char* name;

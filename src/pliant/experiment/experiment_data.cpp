@@ -50,6 +50,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
     }
   }
   data.optional_integers("cycle");
+  info.handled = spec.told;
   std::ranges::copy(data.columns_by_synonym(), std::back_inserter(info.handled));
   for (const ExcludedRows& range : spec.excluded) {
     info.handled.push_back(

@@ -37,6 +37,7 @@ struct ExperimentSpec {
   std::shared_ptr<const TestSpec> test;  ///< what the type has beside
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
+  std::vector<std::string> told;  ///< what the data files told and the study did not, in sentences
   ExperimentRole role = ExperimentRole::fit;
   Location where;
 };

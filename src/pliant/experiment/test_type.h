@@ -64,6 +64,8 @@ struct TestType {
   TestFacts facts;
   std::vector<Channel> channels = {};  ///< none: noise is not stated but estimated
   TestFiles template_files = {};       ///< what a laboratory starts the test with; or none
+  /// What a study must tell of the test beside its data, in the order in which it is written.
+  std::vector<std::string_view> required = {};
 
   /// Reads the type's fields of an experiment of a study, its direction included.
   /// @throws InputError

@@ -175,11 +175,24 @@ std::vector<std::string> CsvTable::names_for(std::string_view name) const {
   return names;
 }
 
-std::size_t CsvTable::mapped_column(const std::string& name, const std::string& header) const {
-  if (const auto column = find_header(header)) return *column;
+std::optional<std::size_t> CsvTable::find_told_header(std::string_view header) const {
+  if (const auto column = find_header(header)) return column;
   const auto alike = std::ranges::find_if(
       columns_, [&](const Column& column) { return same_letters(column.header, header); });
   if (alike != columns_.end()) return static_cast<std::size_t>(alike - columns_.begin());
+  const std::optional<long> number = parse_integer(header);
+  const bool exists = number && *number >= 1 && *number <= static_cast<long>(columns_.size());
+  return exists ? std::optional(static_cast<std::size_t>(*number - 1)) : std::nullopt;
+}
+
+CsvTable::QuantityColumn CsvTable::mapped_column(const std::string& name,
+                                                 const std::string& header) const {
+  if (const auto column = find_told_header(header)) return {*column, {}};
+  if (const auto unit = bracketed_unit(header)) {
+    const std::string_view rest =
+        trimmed(std::string_view(header).substr(0, header.find_last_of("([")));
+    if (const auto column = find_told_header(rest)) return {*column, std::string(*unit)};
+  }
   const std::vector<std::string> known = headers();
   throw InputError(
       {file_, header_line_, name},
@@ -189,7 +202,7 @@ std::size_t CsvTable::mapped_column(const std::string& name, const std::string& 
 
 std::optional<std::size_t> CsvTable::find_column(std::string_view name) const {
   const auto mapped = mapping_.find(std::string(name));
-  if (mapped != mapping_.end()) return mapped_column(mapped->first, mapped->second);
+  if (mapped != mapping_.end()) return mapped_column(mapped->first, mapped->second).index;
   return find_header(name);
 }
 
@@ -202,9 +215,10 @@ std::size_t CsvTable::require_column(std::string_view name) const {
 std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_view name) const {
   std::optional<QuantityColumn> found;
   for (const auto& [our_name, header] : mapping_) {
-    const std::optional<std::string> stated = unit_of_quantity(our_name, name);
+    std::optional<std::string> stated = unit_of_quantity(our_name, name);
     if (!stated) continue;
-    const std::size_t index = mapped_column(our_name, header);
+    const auto [index, unit_behind] = mapped_column(our_name, header);
+    if (stated->empty()) stated = unit_behind;
     if (found) {
       fail(header_line_, index, fmt::format("a second column for {}", name),
            fmt::format("one column for {}", name));

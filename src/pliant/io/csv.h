@@ -17,11 +17,15 @@ struct CsvOptions {
   std::string encoding = {};  ///< an iconv name; empty: UTF-8, or UTF-16 by its byte order mark
   int skip_rows = 0;  ///< lines of the file before the header row (an instrument's preamble)
   /// Our name of a column -> its header in the file, e.g. force -> "Load (N)". A unit may stand in
-  /// our name (force_N -> "Load") where the file does not tell it.
+  /// our name (force_N -> "Load"), or in brackets behind the header ("Load (N)"), where the file
+  /// does not tell it. A column's number stands for its header ("2 (N)") where no header is that
+  /// number.
   std::map<std::string, std::string> columns = {};
   /// Other names that headers may have for ours, the likeliest first: force -> load, ...
   std::map<std::string, std::vector<std::string>> synonyms = {};
-  bool rows_optional = false;  ///< a header alone is a table too
+  bool rows_optional = false;     ///< a header alone is a table too
+  bool numbered_columns = false;  ///< rows alone are a table too, of columns called 1, 2, 3, ...
+  std::string sheet = {};         ///< of a workbook; empty: the first that holds numbers
 };
 
 /// A table of text cells under a header row, read from a CSV file as spreadsheets, scripts and
@@ -31,6 +35,8 @@ struct CsvOptions {
 /// may be quoted (RFC 4180). Lines that start with `#` and empty rows are left out, and so is what
 /// an instrument writes above: the header is the first row of names with a row of numbers under it.
 /// A row of units under the header, "(s);(mm);(N)" or "s;mm;N", gives the units of its columns.
+/// Specimens side by side (a header that repeats its names) or one below the other (a header that
+/// comes again) are told apart by a column `specimen`.
 /// Numbers have a decimal point, or a decimal comma where the separator is none. Names are found in
 /// upper and lower case.
 ///
@@ -42,7 +48,9 @@ class CsvTable {
   std::size_t rows() const { return lines_.size(); }
   /// The line of the file on which a row starts, counted from 1.
   int line(std::size_t row) const { return lines_.at(row); }
-  /// The line of the header row.
+  /// What stands above the header, an instrument's preamble.
+  std::string_view preamble() const { return std::string_view(text_).substr(0, preamble_size_); }
+  /// The line of the header row; 0 where the columns are numbered.
   int header_line() const { return header_line_; }
   /// The headers as they stand in the file, in its order.
   std::vector<std::string> headers() const;
@@ -98,8 +106,10 @@ class CsvTable {
 
   std::string_view cell(std::size_t row, std::size_t column) const;
   std::optional<std::size_t> find_header(std::string_view header) const;
+  /// A header as a study tells it: exactly, in other letters' case, or by its column's number.
+  std::optional<std::size_t> find_told_header(std::string_view header) const;
   std::vector<std::string> names_for(std::string_view name) const;
-  std::size_t mapped_column(const std::string& name, const std::string& header) const;
+  QuantityColumn mapped_column(const std::string& name, const std::string& header) const;
   std::optional<std::size_t> find_column(std::string_view name) const;
   std::size_t require_column(std::string_view name) const;
   std::optional<QuantityColumn> mapped_quantity(std::string_view name) const;
@@ -118,6 +128,7 @@ class CsvTable {
   std::map<std::string, std::vector<std::string>> synonyms_;
   std::string text_;
   bool decimal_comma_allowed_ = false;
+  std::size_t preamble_size_ = 0;
   int header_line_ = 0;
   std::vector<Column> columns_;
   std::vector<Cell> cells_;  // row by row

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <set>
 #include <string>
@@ -10,25 +9,16 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/io/csv.h"
+#include "pliant/io/csv_finder.h"
 #include "pliant/io/text_file.h"
+#include "pliant/io/workbook.h"
 
 namespace pliant {
 namespace {
 
-constexpr std::array<char, 3> kSeparators = {'\t', ';', ','};
 constexpr const char* kSkipRowsHint = R"("skip_rows: N" leaves out the lines before the header)";
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-bool is_bracketed(std::string_view text) {
-  return text.size() >= 2 && ((text.front() == '(' && text.back() == ')') ||
-                              (text.front() == '[' && text.back() == ']'));
-}
-
-/// A cell of a row of units, which may be empty.
-bool may_be_unit(std::string_view cell) {
-  return cell.empty() || is_bracketed(cell) || is_unit(cell);
-}
 
 /// A header on one line: every run of blanks and line ends in it becomes one space.
 std::string simplified(std::string_view header) {
@@ -39,34 +29,6 @@ std::string simplified(std::string_view header) {
     result += blank ? ' ' : c;
   }
   return result;
-}
-
-struct SeparatorCounts {
-  std::array<int, kSeparators.size()> counts = {};
-  std::size_t end = 0;  // where the record ends
-};
-
-/// How often each separator stands outside quotes in the record that starts at `begin`.
-SeparatorCounts count_separators(std::string_view text, std::size_t begin) {
-  SeparatorCounts result;
-  bool in_quotes = false;
-  bool at_cell_start = true;
-  std::size_t at = begin;
-  const std::size_t limit = std::min(text.size(), begin + kMaxCsvLineSize);
-  for (; at < limit && (in_quotes || !is_line_end(text[at])); ++at) {
-    const char c = text[at];
-    if (c == '"' && (in_quotes || at_cell_start)) in_quotes = !in_quotes;
-    const auto separator = std::find(kSeparators.begin(), kSeparators.end(), c);
-    at_cell_start = separator != kSeparators.end();
-    if (at_cell_start && !in_quotes) ++result.counts[separator - kSeparators.begin()];
-  }
-  result.end = at;
-  return result;
-}
-
-/// Where the first line with content after the line end at `at` begins; comments have content.
-std::size_t start_of_content(std::string_view text, std::size_t at) {
-  return std::min(text.size(), text.find_first_not_of(" \r\n", at));
 }
 
 }  // namespace
@@ -83,22 +45,29 @@ class CsvParser {
       fail(0, "the file is too large");
     }
     rows_optional_ = options.rows_optional;
+    numbered_columns_ = options.numbered_columns;
     skip_lines(options.skip_rows);
   }
 
   CsvTable parse() && {
-    skip_comments_and_blank_lines();
     skip_preamble();
-    separator_ = detect_separator();
     table_.decimal_comma_allowed_ = separator_ != ',';
-    read_header();
-    bool more = next_record();
+    bool more = read_header();
     if (more && is_units_row()) {
       take_units();
       more = next_record();
     }
     if (!more && !rows_optional_) fail_without_rows();
-    for (; more; more = next_record()) add_row();
+    while (more) {
+      if (begins_next_specimen()) {
+        more = skip_to_next_specimen();
+      } else {
+        add_row();
+        more = next_record();
+      }
+    }
+    if (groups_.count > 0) take_groups_apart();
+    if (!specimens_.empty()) add_specimen_column();
     return std::move(table_);
   }
 
@@ -146,74 +115,16 @@ class CsvParser {
   /// What an instrument has written above the header. Where there is no header to be found nothing
   /// is left out, and the reader says what it misses.
   void skip_preamble() {
-    constexpr int kMostLines = 200;
-    const std::size_t begin = at_;
-    const int first_line = line_;
-    for (int i = 0; i < kMostLines && !at_end(); ++i) {
-      if (begins_table()) return;
+    skip_comments_and_blank_lines();
+    const CsvStart start = find_csv_table(text(), at_, numbered_columns_);
+    while (at_ < start.at) {
+      const auto cells = csv_cells(text(), at_, start.separator);
+      if (!cells.empty()) above_.assign(cells.begin(), cells.end());
       skip_line();
-      skip_comments_and_blank_lines();
     }
-    at_ = begin;
-    line_ = first_line;
-  }
-
-  /// Whether the line at hand holds names, and numbers stand under them.
-  bool begins_table() {
-    separator_ = detect_separator();
-    std::size_t next = at_;
-    const std::vector<std::string_view> names = cells_of_line(next);
-    const bool numbered = std::ranges::any_of(names, [&](const auto& c) { return is_number(c); });
-    if (names.size() < 2 || numbered || are_units(names)) return false;
-    std::vector<std::string_view> row = cells_of_line(next);
-    if (are_units(row)) row = cells_of_line(next);
-    const auto filled = std::ranges::count_if(row, [](const auto& c) { return !c.empty(); });
-    const auto numbers = std::ranges::count_if(row, [&](const auto& c) { return is_number(c); });
-    return row.size() == names.size() && numbers >= 2 && 2 * numbers >= filled;
-  }
-
-  /// The cells of the line with content at or after a place, without the quotes around them. The
-  /// place moves on behind it.
-  std::vector<std::string_view> cells_of_line(std::size_t& at) const {
-    at = start_of_content(text(), at);
-    const std::size_t end = count_separators(text(), at).end;
-    std::vector<std::string_view> cells;
-    bool in_quotes = false;
-    for (std::size_t from = at; at <= end && from <= end; ++at) {
-      if (at < end && text()[at] == '"') in_quotes = !in_quotes;
-      if (at < end && (in_quotes || text()[at] != separator_)) continue;
-      std::string_view cell = trimmed(text_between(from, at));
-      const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
-      cells.push_back(quoted ? cell.substr(1, cell.size() - 2) : cell);
-      from = at + 1;
-    }
-    while (!cells.empty() && cells.back().empty()) cells.pop_back();
-    return cells;
-  }
-
-  bool is_number(std::string_view cell) const {
-    if (parse_number(cell)) return true;
-    std::string with_point(cell);
-    std::ranges::replace(with_point, ',', '.');
-    return separator_ != ',' && parse_number(with_point).has_value();
-  }
-
-  static bool are_units(const std::vector<std::string_view>& cells) {
-    return !cells.empty() && std::ranges::all_of(cells, may_be_unit);
-  }
-
-  /// The first separator that cuts the header and the row after it into equally many cells; else
-  /// the first that cuts the header at all.
-  char detect_separator() {
-    const SeparatorCounts header = count_separators(text(), at_);
-    const SeparatorCounts row = count_separators(text(), start_of_content(text(), header.end));
-    for (std::size_t i = 0; i < kSeparators.size(); ++i) {
-      if (header.counts[i] > 0 && header.counts[i] == row.counts[i]) return kSeparators[i];
-    }
-    for (std::size_t i = 0; i < kSeparators.size(); ++i) {
-      if (header.counts[i] > 0) return kSeparators[i];
-    }
-    return ',';
+    skip_comments_and_blank_lines();
+    separator_ = start.separator;
+    table_.preamble_size_ = at_;
   }
 
   /// Reads the next record that has any content into `record_`.
@@ -296,18 +207,39 @@ class CsvParser {
          fmt::format("at most {} characters a line", kMaxCsvLineSize));
   }
 
-  void read_header() {
+  /// Reads the names of the columns, or numbers them. Then the record at hand is the one after
+  /// them.
+  /// @return whether there is one
+  bool read_header() {
     if (!next_record()) fail(0, "the file is empty", "a header row and rows of data");
-    table_.header_line_ = record_line_;
+    header_line_text_ = trimmed(text_between(record_begin_, at_));
     while (record_.back().size == 0) record_.pop_back();
     const bool numbers = std::all_of(record_.begin(), record_.end(), [&](const Cell& cell) {
-      return parse_number(view(cell)).has_value();
+      return is_csv_number(view(cell), separator_);
     });
-    if (numbers) {
-      fail(record_line_, "the first row holds numbers, not the names of the columns",
-           fmt::format("a header row; {}", kSkipRowsHint));
+    if (numbers) return number_columns();
+    table_.header_line_ = record_line_;
+    std::vector<std::string> names;
+    for (const Cell& cell : record_) names.push_back(simplified(view(cell)));
+    groups_ = repeated_columns(names);
+    if (groups_.count > 0) {
+      names.resize(groups_.common + groups_.count * groups_.size);
+      for (std::string& name : names) table_.columns_.push_back({std::move(name), {}});
+    } else {
+      for (std::string& name : names) add_column(std::move(name));
     }
-    for (const Cell& cell : record_) add_column(simplified(view(cell)));
+    return next_record();
+  }
+
+  bool number_columns() {
+    if (!numbered_columns_) {
+      fail(record_line_, "the first row holds numbers, not the names of the columns",
+           fmt::format("a header row, or columns by their numbers and units under \"columns:\", "
+                       "e.g. `force: 2 (N)`; {}",
+                       kSkipRowsHint));
+    }
+    for (std::size_t i = 1; i <= record_.size(); ++i) add_column(std::to_string(i));
+    return true;
   }
 
   void add_column(std::string header) {
@@ -318,24 +250,31 @@ class CsvParser {
     table_.columns_.push_back({std::move(header), {}});
   }
 
-  bool is_units_row() const {
+  bool is_units_row() {
+    drop_empty_cells_beyond(table_.columns_.size());
     return record_.size() <= table_.columns_.size() &&
            std::all_of(record_.begin(), record_.end(),
-                       [&](const Cell& cell) { return may_be_unit(view(cell)); });
+                       [&](const Cell& cell) { return may_be_csv_unit(view(cell)); });
+  }
+
+  void drop_empty_cells_beyond(std::size_t columns) {
+    while (record_.size() > columns && record_.back().size == 0) record_.pop_back();
   }
 
   void take_units() {
     for (std::size_t i = 0; i < record_.size(); ++i) {
       const std::string_view unit = view(record_[i]);
       if (unit.empty()) continue;
-      table_.columns_[i].unit =
-          is_bracketed(unit) ? trimmed(unit.substr(1, unit.size() - 2)) : unit;
+      table_.columns_[i].unit = unit.front() == '(' || unit.front() == '['
+                                    ? trimmed(unit.substr(1, unit.size() - 2))
+                                    : unit;
     }
   }
 
   void add_row() {
     const std::size_t columns = table_.columns_.size();
-    while (record_.size() > columns && record_.back().size == 0) record_.pop_back();
+    drop_empty_cells_beyond(columns);
+    if (groups_.count > 0 && record_.size() < columns) record_.resize(columns);
     if (record_.size() != columns) {
       fail(record_line_, fmt::format("the row has {} cells", record_.size()),
            fmt::format("{} as in the header in line {} ({})", columns, table_.header_line_,
@@ -346,6 +285,94 @@ class CsvParser {
     if (table_.lines_.size() > kMaxCsvRows || table_.cells_.size() > kMaxCsvCells) {
       fail(record_line_, "the table is too large",
            fmt::format("at most {} rows and {} cells", kMaxCsvRows, kMaxCsvCells));
+    }
+  }
+
+  /// Whether the header comes again, perhaps below some lines on the next specimen.
+  bool begins_next_specimen() {
+    constexpr int kMostLinesBetween = 30;
+    const bool is_row = record_.size() == table_.columns_.size() &&
+                        std::ranges::any_of(record_, [&](const Cell& cell) {
+                          return is_csv_number(view(cell), separator_);
+                        });
+    if (is_row || table_.header_line_ == 0 || table_.columns_.size() < 2) return false;
+    next_specimen_ = record_begin_;
+    for (int i = 0; i < kMostLinesBetween && next_specimen_ < text().size(); ++i) {
+      const std::size_t end = next_csv_line(text(), next_specimen_);
+      if (trimmed(text_between(next_specimen_, end)) == header_line_text_) return true;
+      next_specimen_ = end;
+    }
+    return false;
+  }
+
+  /// Goes to the first row of the next specimen; whether there is one.
+  bool skip_to_next_specimen() {
+    if (specimens_.empty()) begin_specimen(0);
+    at_ = record_begin_;
+    line_ = record_line_;
+    while (at_ < next_specimen_) {
+      const auto cells = csv_cells(text(), at_, separator_);
+      if (!cells.empty()) above_.assign(cells.begin(), cells.end());
+      skip_line();
+    }
+    begin_specimen(table_.lines_.size());
+    skip_line();
+    const bool more = next_record();
+    return more && is_units_row() ? next_record() : more;
+  }
+
+  /// A specimen is called as the line above its header calls it, else by its number.
+  void begin_specimen(std::size_t first_row) {
+    const bool named = above_.size() == 1;
+    specimens_.push_back(
+        {first_row, named ? above_.front() : fmt::format("{}", specimens_.size() + 1)});
+    above_.clear();
+  }
+
+  /// Puts groups of columns, a specimen each, one below the other.
+  void take_groups_apart() {
+    const std::size_t width = table_.columns_.size();
+    const std::vector<Cell> side_by_side = std::move(table_.cells_);
+    const std::vector<int> lines = std::move(table_.lines_);
+    table_.cells_.clear();
+    table_.lines_.clear();
+    std::erase(above_, "");
+    const bool named = above_.size() == groups_.count;
+    for (std::size_t group = 0; group < groups_.count; ++group) {
+      specimens_.push_back(
+          {table_.lines_.size(), named ? above_[group] : fmt::format("{}", group + 1)});
+      for (std::size_t row = 0; row < lines.size(); ++row) {
+        const auto common = side_by_side.begin() + static_cast<std::ptrdiff_t>(row * width);
+        const auto own =
+            common + static_cast<std::ptrdiff_t>(groups_.common + group * groups_.size);
+        const auto own_end = own + static_cast<std::ptrdiff_t>(groups_.size);
+        if (std::all_of(own, own_end, [](const Cell& cell) { return cell.size == 0; })) continue;
+        table_.cells_.insert(table_.cells_.end(), common,
+                             common + static_cast<std::ptrdiff_t>(groups_.common));
+        table_.cells_.insert(table_.cells_.end(), own, own_end);
+        table_.lines_.push_back(lines[row]);
+      }
+    }
+    table_.columns_.resize(groups_.common + groups_.size);
+  }
+
+  /// The column `specimen`, which the table has beside those of its header.
+  void add_specimen_column() {
+    const std::size_t width = table_.columns_.size();
+    const std::vector<Cell> cells = std::move(table_.cells_);
+    table_.cells_.clear();
+    table_.columns_.push_back({"specimen", {}});
+    for (std::size_t i = 0; i < specimens_.size(); ++i) {
+      const Cell name = make_cell(text().size(), text().size() + specimens_[i].name.size());
+      table_.text_ += specimens_[i].name;
+      const std::size_t end =
+          i + 1 < specimens_.size() ? specimens_[i + 1].first_row : table_.lines_.size();
+      for (std::size_t row = specimens_[i].first_row; row < end; ++row) {
+        const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(row * width);
+        table_.cells_.insert(table_.cells_.end(), begin,
+                             begin + static_cast<std::ptrdiff_t>(width));
+        table_.cells_.push_back(name);
+      }
     }
   }
 
@@ -360,6 +387,7 @@ class CsvParser {
 
   CsvTable table_;
   bool rows_optional_ = false;
+  bool numbered_columns_ = false;
   char separator_ = ',';
   std::size_t at_ = 0;
   int line_ = 1;
@@ -367,6 +395,16 @@ class CsvParser {
   std::vector<Cell> record_;
   int record_line_ = 0;
   std::size_t record_begin_ = 0;
+
+  struct Specimen {
+    std::size_t first_row;
+    std::string name;
+  };
+  std::string header_line_text_;
+  std::vector<std::string> above_;  ///< the cells of the last line above the header
+  RepeatedColumns groups_;
+  std::size_t next_specimen_ = 0;    ///< where its header begins
+  std::vector<Specimen> specimens_;  ///< of files that hold several
 };
 
 CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options) {
@@ -374,6 +412,8 @@ CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options
 }
 
 CsvTable read_csv(const std::filesystem::path& path, const CsvOptions& options) {
+  if (is_workbook(path))
+    return parse_csv(workbook_text(path, options.sheet), path.string(), options);
   return parse_csv(read_text_file(path), path.string(), options);
 }
 

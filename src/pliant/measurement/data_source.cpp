@@ -59,6 +59,12 @@ std::vector<SpecimenRows> specimens_of_column(const CsvTable& table, int first) 
 
 }  // namespace
 
+bool names_column_numbers(const std::map<std::string, std::string>& columns) {
+  return std::ranges::any_of(columns, [](const auto& column) {
+    return !column.second.empty() && column.second[0] >= '0' && column.second[0] <= '9';
+  });
+}
+
 DataSource read_data_source(const Value& value) {
   DataSource source;
   source.where = value.location();
@@ -74,10 +80,12 @@ DataSource read_data_source(const Value& value) {
   source.files = find_files(file, source.written);
   if (auto v = fields.optional("encoding")) source.csv.encoding = v->text();
   if (auto v = fields.optional("skip_rows")) source.csv.skip_rows = v->integer(0, 100000);
+  if (auto v = fields.optional("sheet")) source.csv.sheet = v->text();
   if (auto v = fields.optional("columns")) {
     Fields columns = v->fields();
     for (auto& [name, header] : columns.all()) source.csv.columns[name] = header.text();
   }
+  source.csv.numbered_columns = names_column_numbers(source.csv.columns);
   fields.finish();
   return source;
 }

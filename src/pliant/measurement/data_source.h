@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,10 +26,13 @@ struct OwnColumn {
   std::vector<std::string> cells;
 };
 
-/// Reads `data:` of an experiment: a file, a pattern, or {file, columns, encoding, skip_rows}.
-/// Paths are relative to the document.
+/// Reads `data:` of an experiment: a file, a pattern, or {file, columns, encoding, skip_rows,
+/// sheet}. Paths are relative to the document.
 /// @throws InputError when no file matches
 DataSource read_data_source(const Value& value);
+
+/// Whether `columns:` names columns by number, as it must where no names stand above them.
+bool names_column_numbers(const std::map<std::string, std::string>& columns);
 
 /// A range of consecutive rows that belong to one specimen.
 struct SpecimenRows {

@@ -15,6 +15,8 @@
 #include "pliant/io/result_name.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/measurement/data_source.h"
+#include "pliant/study/blank_fields.h"
+#include "pliant/study/told_sizes.h"
 
 namespace pliant {
 namespace {
@@ -86,7 +88,7 @@ ExperimentSpec read_experiment(const Value& node, const SpecimenDefaults& defaul
   const TestType& type = read_test_type(fields.require("type"));
   spec.type = type.name;
   spec.data = read_data_source(fields.require("data"));
-  spec.test = type.read(fields, defaults, spec);
+  spec.test = type.read(fields, with_told_sizes(defaults, fields, type, spec), spec);
   if (auto v = fields.optional("standard")) spec.standard = v->text();
   // Of sheets noise is estimated, and a frame is not a row.
   const bool in_rows = !type.channels.empty();
@@ -310,6 +312,7 @@ std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
 
 Study read_study(const std::filesystem::path& path) {
   const Document document = read_yaml(path);
+  refuse_blanks(document);
   Fields fields = Value(document).fields();
   require_document(fields, "study", 1);
 

@@ -9,6 +9,7 @@
 
 #include "pliant/base/plausibility.h"
 #include "pliant/estimation/stated_options.h"
+#include "pliant/study/example_data.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
@@ -35,6 +36,11 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
     if (is_sheet(spec, study.model)) continue;
     experiments.push_back(read_experiment(spec, study));
     add_remarks(spec.name, experiments.back()->info(), result);
+    if (is_example_data(spec)) {
+      result.warnings.push_back(spec.name +
+                                ": the data are still those of the example that `pliant init` "
+                                "writes: the material is that of no fabric of yours");
+    }
   }
   return experiments;
 }

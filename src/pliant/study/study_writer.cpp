@@ -36,7 +36,8 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
   std::filesystem::path relative = std::filesystem::proximate(
       std::filesystem::absolute(written), std::filesystem::absolute(directory / "."), error);
   if (error) relative = written;
-  if (data.csv.columns.empty() && data.csv.encoding.empty() && data.csv.skip_rows == 0) {
+  if (data.csv.columns.empty() && data.csv.encoding.empty() && data.csv.skip_rows == 0 &&
+      data.csv.sheet.empty()) {
     return YAML::Node(relative.generic_string());
   }
   YAML::Node node;
@@ -44,6 +45,7 @@ YAML::Node data_node(const DataSource& data, const std::filesystem::path& direct
   if (!data.csv.columns.empty()) node["columns"] = texts_node(data.csv.columns);
   if (!data.csv.encoding.empty()) node["encoding"] = data.csv.encoding;
   if (data.csv.skip_rows > 0) node["skip_rows"] = data.csv.skip_rows;
+  if (!data.csv.sheet.empty()) node["sheet"] = data.csv.sheet;
   return node;
 }
 

@@ -31,6 +31,7 @@ const TestType& pure_bending_type() {
       .facts = {.deformation = Deformation::bend, .unfitted = kUnfittedImposedStrain},
       .channels = {force_channel("moment")},
       .template_files = template_files("bending"),
+      .required = {"direction"},
       .read = read,
       .make = make_experiment<PureBending>,
       .read_virtual = read_virtual,

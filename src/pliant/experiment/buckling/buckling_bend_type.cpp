@@ -77,6 +77,7 @@ const TestType& buckling_bend_type() {
                             "record"},
       .channels = {force_channel(), length_channel()},
       .template_files = template_files("buckling"),
+      .required = {"direction", "side", "length", "width"},
       .read = read,
       .make = make_experiment<BucklingBend>,
       .read_virtual = read_virtual,

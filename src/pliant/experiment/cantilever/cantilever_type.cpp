@@ -40,6 +40,7 @@ const TestType& cantilever_type() {
                              .facts = facts(),
                              .channels = {length_channel("position")},
                              .template_files = template_files("cantilever"),
+                             .required = {"direction"},
                              .read = read,
                              .make = make_experiment<Cantilever>,
                              .read_virtual = read_virtual,

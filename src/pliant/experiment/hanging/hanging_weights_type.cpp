@@ -42,6 +42,7 @@ const TestType& hanging_weights_type() {
                 .unfitted = kUnfittedStrip},
       .channels = {force_channel(), length_channel()},
       .template_files = template_files("hanging"),
+      .required = {"direction", "length", "width"},
       .read = read,
       .make = make_experiment<HangingWeights>,
       .read_virtual = read_virtual,

@@ -50,6 +50,7 @@ const TestType& bending_length_type() {
                 .undetermined = "at other curvatures: a bending length determines one number"},
       .channels = {length_channel("overhang")},
       .template_files = template_files("overhang"),
+      .required = {"direction"},
       .read = read,
       .make = make_experiment<Overhangs>,
       .read_virtual = read_virtual,

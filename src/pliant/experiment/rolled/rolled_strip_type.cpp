@@ -60,6 +60,7 @@ const TestType& rolled_strip_type() {
                              .facts = facts(),
                              .channels = {length_channel("position")},
                              .template_files = template_files("rolled"),
+                             .required = {"direction", "length"},
                              .read = read,
                              .make = make_experiment<RolledStrip>,
                              .read_virtual = read_virtual,

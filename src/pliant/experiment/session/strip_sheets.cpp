@@ -144,6 +144,7 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
   StripSheets sheets;
   sheets.warnings = cycles.info().warnings;
   sheets.questions = cycles.info().questions;
+  sheets.handled = spec.told;
   const Eigen::VectorXd offsets = cycles.force_offsets();
   for (int s = 0; s < static_cast<int>(offsets.size()); ++s) {
     std::vector<Row> rows = rows_of(cycles, s, offsets(s));

@@ -32,9 +32,25 @@ TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<doubl
 
 namespace {
 
+/// Testers of the KES family write the force per width.
+Dimension force_dimension(const DataRows& data) {
+  const bool per_width =
+      unit_conversion(data.quantity_unit("force"), Dimension::force_per_length).has_value();
+  return per_width ? Dimension::force_per_length : Dimension::force;
+}
+
+std::vector<double> forces_of(const DataRows& data, double width) {
+  const Dimension dimension = force_dimension(data);
+  std::vector<double> force = data.quantity("force", dimension);
+  if (dimension == Dimension::force_per_length) {
+    for (double& f : force) f *= width;
+  }
+  return force;
+}
+
 /// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
 /// taken last, unless it is called as we call it.
-PulledRows pulled_rows(const DataRows& data, double gauge_length) {
+PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) {
   const auto is_extension = [&] {
     // "Extension (%)" is a strain.
     const std::string unit = data.quantity_unit("extension");
@@ -56,16 +72,15 @@ PulledRows pulled_rows(const DataRows& data, double gauge_length) {
     lengths = data.quantity("length", Dimension::length);
   }
   require_positive(lengths, data, column);
-  return {column, data.quantity_unit(column), std::move(lengths),
-          data.quantity("force", Dimension::force)};
+  return {column, data.quantity_unit(column), std::move(lengths), forces_of(data, width)};
 }
 
 std::vector<std::string> questions_of(const TensileCycles& cycles, const ExperimentSpec& spec,
                                       const DataRows& data, const PulledRows& rows,
                                       double density) {
   StripFigures strip(*spec.test, density);
-  const auto other_slip =
-      strip.add_pull(rows, strip.column("force", Dimension::force, data.quantity_unit("force")));
+  const auto other_slip = strip.add_pull(
+      rows, strip.column("force", force_dimension(data), data.quantity_unit("force")));
   strip.add_rate(rows, cycles.info().time,
                  strip.column("time", Dimension::time, data.quantity_unit("time")));
   return first_asked({swap_question(cycles, rows.column, "force"), other_slip, strip.question()});
@@ -77,7 +92,7 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
                              const ClothFacts& cloth)
     : geometry_{spec.test->length, spec.test->width, cloth.membrane},
       apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
-  const PulledRows rows = pulled_rows(data, geometry_.gauge_length);
+  const PulledRows rows = pulled_rows(data, geometry_.gauge_length, geometry_.width);
   const std::vector<double>& force = rows.force;
   length_ = rows.length;
   require_rows(data.specimens(), data, 3);

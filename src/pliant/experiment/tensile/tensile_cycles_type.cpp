@@ -63,11 +63,13 @@ const TestType& tensile_cycles_type() {
                                        .unfitted = kUnfittedStrip},
                              .channels = {force_channel(), length_channel()},
                              .template_files = template_files("tensile"),
+                             .required = {"direction", "length", "width"},
                              .read = read,
                              .make = make_experiment<TensileCycles>,
                              .read_virtual = read_virtual,
                              .is_table = [](const TableColumns& columns) {
-                               return columns.has("force", Dimension::force) &&
+                               return (columns.has("force", Dimension::force) ||
+                                       columns.has("force", Dimension::force_per_length)) &&
                                       (columns.has("length", Dimension::length) ||
                                        columns.has("extension", Dimension::length) ||
                                        columns.has("strain", Dimension::fraction));

@@ -1,0 +1,122 @@
+#include "pliant/exchange/tester_file.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
+#include "pliant/experiment/understood_columns.h"
+#include "pliant/io/text_file.h"
+#include "pliant/io/workbook.h"
+#include "pliant/measurement/column_synonyms.h"
+#include "pliant/measurement/turning_points.h"
+#include "pliant/study/blank_fields.h"
+
+namespace pliant {
+namespace {
+
+/// The first of the encodings of testers' files that the bytes may be in.
+std::string found_encoding(const std::filesystem::path& path) {
+  const std::string bytes = read_text_file(path);
+  const bool has_nul = bytes.find('\0') != std::string::npos;
+  for (const char* encoding : {"", has_nul ? "utf-16le" : "windows-1252"}) {
+    try {
+      decode_text(bytes, encoding, path.string());
+      return encoding;
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return {};  // the reader says what is wrong
+}
+
+/// What drives a test along its path.
+std::vector<double> driver(const CsvTable& table, const UnderstoodColumns& columns) {
+  for (const char* name : {"extension", "length", "strain", "angle", "curvature", "distance"}) {
+    for (const auto& [header, column] : columns) {
+      if (column.quantity == name) return table.quantity(name, column.dimension);
+    }
+  }
+  return {};
+}
+
+/// Counts the specimens, and the passes of that which has most.
+void count_passes(const CsvTable& table, const UnderstoodColumns& columns, TesterFile& file) {
+  const std::vector<double> path = driver(table, columns);
+  const std::vector<std::string> names =
+      table.has("specimen") ? table.texts("specimen") : std::vector<std::string>(table.rows());
+  file.specimens = 0;
+  for (std::size_t first = 0; first < names.size();) {
+    std::size_t last = first;
+    while (last < names.size() && names[last] == names[first]) ++last;
+    ++file.specimens;
+    if (!path.empty()) {
+      const std::span<const double> own(path.data() + first, last - first);
+      const auto passes = half_cycles_of(own, reversal_threshold(own, 0)).size();
+      file.passes = std::max(file.passes, static_cast<int>(passes));
+    }
+    first = last;
+  }
+}
+
+/// The column of a quantity that the study must tell, as far as it can be found: by its name
+/// without its unit, or not at all.
+std::string blank_column(const CsvTable& table, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (const auto header = table.quantity_column(name)) {
+      return fmt::format("{} ({})", *header, kBlank);
+    }
+  }
+  return std::string(kBlank);
+}
+
+/// A strip that is pulled is what testers are used for most.
+void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, TesterFile& file) {
+  const auto is_understood = [&](std::string_view name) {
+    return std::ranges::any_of(columns, [&](const auto& c) { return c.second.quantity == name; });
+  };
+  file.type = &tensile_cycles_type();
+  file.is_type_known = false;
+  if (!is_understood("force")) file.columns["force"] = blank_column(table, {"force"});
+  if (is_understood("extension") || is_understood("length") || is_understood("strain")) return;
+  const bool is_length = !table.quantity_column("extension") && table.is_stated("length");
+  file.columns[is_length ? "length" : "extension"] = blank_column(table, {"extension", "length"});
+}
+
+}  // namespace
+
+TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
+                            const TestType* type) {
+  csv.synonyms = column_synonyms();
+  csv.numbered_columns = true;
+  if (csv.encoding.empty() && !is_workbook(path)) csv.encoding = found_encoding(path);
+  const CsvTable table = read_csv(path, csv);
+  const UnderstoodColumns columns = understood_columns(table);
+
+  TesterFile file;
+  file.path = path;
+  file.columns = csv.columns;
+  file.csv = std::move(csv);
+  file.rows = static_cast<int>(table.rows());
+  file.facts = tester_facts(table.preamble());
+  const TesterFact* direction = find_fact(file.facts, "direction");
+  file.direction = direction ? direction->value : told_direction(path.stem().string());
+
+  const std::vector<const TestType*> types = usable_types(columns);
+  const bool is_usable = std::ranges::find(types, type) != types.end();
+  if (type && !is_usable && type != &tensile_cycles_type()) {
+    throw InputError({path.string(), table.header_line()},
+                     fmt::format("has not the columns of {} (it has {})", type->name,
+                                 fmt::join(table.headers(), ", ")),
+                     R"(these columns, told by "columns")");
+  }
+  file.type = is_usable || types.empty() ? type : type ? type : types.front();
+  if (!is_usable && (types.empty() || type)) take_as_tensile(table, columns, file);
+  count_passes(table, columns, file);
+  return file;
+}
+
+}  // namespace pliant

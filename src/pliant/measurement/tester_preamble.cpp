@@ -1,0 +1,209 @@
+#include "pliant/measurement/tester_preamble.h"
+
+#include <algorithm>
+#include <set>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+
+namespace pliant {
+namespace {
+
+struct Label {
+  std::string_view field;
+  std::vector<std::string_view> words;      ///< in lower case; the surest first
+  std::optional<Dimension> dimension = {};  ///< none: a text
+};
+
+const std::vector<Label>& labels() {
+  static const std::vector<Label> labels{
+      {"length",
+       {"gauge length",
+        "gage length",
+        "initial gauge length",
+        "initial length",
+        "original length",
+        "grip separation",
+        "initial grip separation",
+        "grip to grip separation",
+        "jaw separation",
+        "clamp distance",
+        "nominal gauge length",
+        "einspannlänge",
+        "einspannlaenge",
+        "messlänge",
+        "messlaenge",
+        "anfangsmesslänge",
+        "ausgangslänge",
+        "klemmenabstand",
+        "einspannabstand",
+        "freie einspannlänge",
+        "l0",
+        "length"},
+       Dimension::length},
+      {"width",
+       {"specimen width", "sample width", "strip width", "width", "probenbreite", "streifenbreite",
+        "breite", "b0"},
+       Dimension::length},
+      {"pretension",
+       {"preload", "pre-load", "pre load", "pretension", "pre-tension", "vorkraft",
+        "vorspannkraft"},
+       Dimension::force},
+      {"speed",
+       {"test speed", "crosshead speed", "testing speed", "speed", "rate", "test rate",
+        "prüfgeschwindigkeit", "pruefgeschwindigkeit", "geschwindigkeit"}},
+      {"direction",
+       {"direction", "specimen direction", "sample direction", "test direction", "orientation",
+        "richtung", "probenrichtung", "prüfrichtung", "entnahmerichtung"}},
+      {"material",
+       {"material", "fabric", "sample name", "sample", "product", "werkstoff", "artikel"}},
+      {"specimen",
+       {"specimen label", "specimen id", "specimen name", "specimen", "sample id",
+        "probenbezeichnung", "probe", "probe nr", "proben-nr"}},
+      {"operator", {"operator", "operator name", "user", "bediener", "prüfer"}},
+      {"date", {"test date", "date", "start date", "prüfdatum", "datum"}},
+      {"standard", {"test standard", "standard", "test method", "method", "prüfnorm", "norm"}}};
+  return labels;
+}
+
+/// Lower case, also of the umlauts that labels have.
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    char& c = result[i];
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    const bool umlaut = i > 0 && result[i - 1] == '\xC3' && static_cast<unsigned char>(c) <= 0x9E;
+    if (umlaut) c = static_cast<char>(c + 32);
+  }
+  return result;
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// What separates a label, its value and its unit.
+std::string_view without_separators(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t;:,=\"|");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first);
+}
+
+/// A unit at the beginning: in brackets, or a word.
+std::string leading_unit(std::string_view text) {
+  if (text.starts_with("in ")) text.remove_prefix(3);
+  const bool bracket = !text.empty() && (text.front() == '(' || text.front() == '[');
+  if (bracket) text.remove_prefix(1);
+  const std::size_t end = text.find_first_of(bracket ? ")]" : ";,\t\"|");
+  return std::string(trimmed(text.substr(0, end)));
+}
+
+/// What follows a label at the beginning of a line; none where another word does.
+std::optional<std::string_view> after_label(std::string_view line, std::string_view label) {
+  if (!lower(line.substr(0, label.size())).starts_with(label)) return std::nullopt;
+  const std::string_view rest = line.substr(label.size());
+  const std::string_view words = trimmed(rest);
+  if (words.empty() || is_letter(rest.front())) return std::nullopt;
+  const bool goes_on = is_letter(words.front()) && !words.starts_with("in ");
+  return goes_on ? std::nullopt : std::optional(words);
+}
+
+/// "100 mm" of `;100,0;mm` or `(mm);100`; none where no number or no unit of the dimension stands
+/// there.
+std::optional<std::string> told_quantity(std::string_view text, Dimension dimension) {
+  std::string unit;
+  if (text.front() == '(' || text.front() == '[' || text.starts_with("in ")) {
+    unit = leading_unit(text);
+    const std::size_t end = text.find_first_of(")];,\t\":=|");
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+  }
+  text = without_separators(text);
+  const std::size_t end = std::min(text.find_first_not_of("+-.,0123456789eE"), text.size());
+  std::string number(text.substr(0, end));
+  while (number.ends_with(',')) number.pop_back();
+  std::ranges::replace(number, ',', '.');
+  const std::optional<double> value = parse_number(number);
+  if (!value) return std::nullopt;
+  if (unit.empty()) unit = leading_unit(without_separators(text.substr(number.size())));
+  if (!unit_conversion(unit, dimension)) return std::nullopt;
+  return format_number(*value) + " " + unit;
+}
+
+/// The words of a line after its label, quotes and separators aside.
+std::string told_text(std::string_view text) {
+  std::string words;
+  for (const char c : without_separators(text)) {
+    const bool separator = c == ';' || c == '\t' || c == '"' || c == '|';
+    if (!separator) {
+      words += c;
+    } else if (!words.ends_with(' ')) {
+      words += ' ';
+    }
+  }
+  const std::string_view trim = trimmed(words);
+  return std::string(trim.substr(0, trim.find_last_not_of(" ,") + 1));
+}
+
+std::optional<std::string> told_value(const Label& label, std::string_view line) {
+  for (const std::string_view word : label.words) {
+    const auto rest = after_label(line, word);
+    if (!rest) continue;
+    std::string value = label.dimension ? told_quantity(*rest, *label.dimension).value_or("")
+                        : label.field == "direction" ? told_direction(*rest)
+                                                     : told_text(*rest);
+    if (!value.empty()) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<TesterFact> tester_facts(std::string_view preamble) {
+  std::vector<TesterFact> facts;
+  int number = 0;
+  while (!preamble.empty()) {
+    ++number;
+    const std::size_t end = std::min(preamble.find_first_of("\r\n"), preamble.size());
+    const std::string_view line = preamble.substr(0, end);
+    preamble.remove_prefix(end);
+    preamble.remove_prefix(preamble.starts_with("\r\n") ? 2 : preamble.empty() ? 0 : 1);
+    const std::string_view words =
+        line.substr(std::min(line.find_first_not_of(" \t;,\"#"), line.size()));
+    for (const Label& label : labels()) {
+      if (find_fact(facts, label.field)) continue;
+      if (auto value = told_value(label, words)) {
+        facts.push_back({std::string(label.field), *value, std::string(trimmed(line)), number});
+        break;
+      }
+    }
+  }
+  return facts;
+}
+
+const TesterFact* find_fact(std::span<const TesterFact> facts, std::string_view field) {
+  const auto found = std::ranges::find(facts, field, &TesterFact::field);
+  return found == facts.end() ? nullptr : &*found;
+}
+
+std::string told_direction(std::string_view text) {
+  static const std::vector<std::pair<std::string, std::set<std::string>>> words{
+      {"warp", {"warp", "wale", "wales", "kette", "kettrichtung", "lengthwise", "längs", "laengs"}},
+      {"weft",
+       {"weft", "course", "courses", "fill", "filling", "schuss", "schussrichtung", "crosswise",
+        "quer"}},
+      {"bias", {"bias", "diagonal", "diag"}}};
+  std::set<std::string> found;
+  std::string word;
+  for (const char c : lower(text) + " ") {
+    if (is_letter(c)) {
+      word += c;
+      continue;
+    }
+    for (const auto& [direction, names] : words) {
+      if (names.contains(word)) found.insert(direction);
+    }
+    word.clear();
+  }
+  return found.size() == 1 ? *found.begin() : std::string();
+}
+
+}  // namespace pliant

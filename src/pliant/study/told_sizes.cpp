@@ -1,0 +1,54 @@
+#include "pliant/study/told_sizes.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "pliant/measurement/tester_preamble.h"
+
+namespace pliant {
+namespace {
+
+/// What the files tell of a field; none where one of them does not, or tells something else.
+std::optional<TesterFact> told_by_all(const DataSource& data, std::string_view field) {
+  std::optional<TesterFact> told;
+  for (const std::filesystem::path& file : data.files) {
+    const std::vector<TesterFact> facts = tester_facts(read_csv(file, data.csv).preamble());
+    const TesterFact* fact = find_fact(facts, field);
+    if (!fact || (told && told->value != fact->value)) return std::nullopt;
+    if (!told) told = *fact;
+  }
+  return told;
+}
+
+void add_told(std::string_view field, double& size, ExperimentSpec& experiment) {
+  std::optional<TesterFact> told;
+  try {
+    told = told_by_all(experiment.data, field);
+  } catch (const InputError&) {
+    return;  // whoever reads the rows says what is wrong
+  }
+  const double value = told ? parse_quantity(told->value, Dimension::length) : 0;
+  if (value <= 0) return;
+  size = value;
+  experiment.told.push_back(fmt::format(
+      "the study states no {}: {} from line {} of {} ({})", field, told->value, told->line,
+      experiment.data.files.front().filename().string(), one_line(told->written, 80)));
+}
+
+}  // namespace
+
+SpecimenDefaults with_told_sizes(SpecimenDefaults defaults, const Fields& fields,
+                                 const TestType& type, ExperimentSpec& experiment) {
+  const std::vector<std::string> given = fields.keys();
+  const auto is_missing = [&](std::string_view field, double size) {
+    return size == 0 && std::ranges::find(type.required, field) != type.required.end() &&
+           std::ranges::find(given, field) == given.end();
+  };
+  if (is_missing("length", defaults.length)) add_told("length", defaults.length, experiment);
+  if (is_missing("width", defaults.width)) add_told("width", defaults.width, experiment);
+  return defaults;
+}
+
+}  // namespace pliant

@@ -121,6 +121,15 @@ TEST_F(ResultFiles, MaterialReadsBackToTheSameBits) {
   EXPECT_GT(material.components.at("stretch.warp").range->second, 0.2);
 }
 
+TEST_F(ResultFiles, FitJsonHasTheDigestsOfTheDataThatWereRead) {
+  const json data = fit_json()["data"];
+  ASSERT_EQ(data.size(), 2U);
+  EXPECT_EQ(data[0]["experiment"], "weights");
+  EXPECT_EQ(data[0]["file"], "weights.csv");
+  EXPECT_EQ(data[0]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_NE(data[0]["sha256"], data[1]["sha256"]);
+}
+
 TEST_F(ResultFiles, MaterialSaysHowWellItsNumbersAreKnown) {
   const Material material = read_material(file("material.json"));
   const std::map<std::string, NumberError>& errors = material.components.at("stretch.warp").errors;

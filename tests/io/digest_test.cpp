@@ -29,5 +29,18 @@ TEST(Sha256, OfAFileIsThatOfItsBytes) {
   test::input_error_of([&] { sha256_of_file(folder.path()); });
 }
 
+TEST(Sha256, OfAFolderChangesWithEveryNameAndByteInIt) {
+  const test::TemporaryFolder folder;
+  folder.write("session/a.csv", "1");
+  folder.write("session/frames/b.ply", "2");
+  const std::string before = sha256_of_path(folder.path() / "session");
+  EXPECT_EQ(sha256_of_path(folder.path() / "session"), before);
+  folder.write("session/frames/b.ply", "3");
+  const std::string other = sha256_of_path(folder.path() / "session");
+  EXPECT_NE(other, before);
+  std::filesystem::rename(folder.path() / "session/a.csv", folder.path() / "session/c.csv");
+  EXPECT_NE(sha256_of_path(folder.path() / "session"), other);
+}
+
 }  // namespace
 }  // namespace pliant

@@ -126,6 +126,13 @@ struct SkippedExperiment {
   std::vector<std::string> missing;  ///< components that the material does not have
 };
 
+/// A file, or the folder of a session, that an experiment was read from.
+struct DataFile {
+  std::string experiment;
+  std::string file;    ///< as seen from the study
+  std::string sha256;  ///< of a folder that of all its files
+};
+
 /// Everything that a fit or an evaluation found out; the content of fit.json and its neighbours.
 struct StudyResult {
   std::string name;
@@ -137,6 +144,7 @@ struct StudyResult {
   std::vector<ParameterEstimate> parameters, nuisance;
   Eigen::MatrixXd covariance;  ///< parameters, then nuisance
   std::map<std::string, Eigen::VectorXd> singular_values;
+  std::vector<DataFile> data;
   std::vector<ExperimentResult> experiments;
   std::vector<ComponentCurve> curves;
   std::optional<EquilibriumWork> work;  ///< of sheets: fits, their predictions and uncertainty

@@ -5,8 +5,10 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 #include "pliant/base/assert.h"
@@ -56,6 +58,17 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   }
   if (file.bad()) throw InputError({path.string()}, "cannot be read");
   return hash.hexadecimal();
+}
+
+std::string sha256_of_path(const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return sha256_of_file(path);
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+    if (!entry.is_regular_file()) continue;
+    files.insert(entry.path().lexically_relative(path).string() + " " +
+                 sha256_of_file(entry.path()) + "\n");
+  }
+  return sha256_of(fmt::format("{}", fmt::join(files, "")));
 }
 
 }  // namespace pliant

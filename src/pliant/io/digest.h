@@ -12,4 +12,8 @@ std::string sha256_of(std::string_view bytes);
 /// @throws InputError when the file cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);
 
+/// The digest of a file, or of a folder: of the names and digests of all files in it.
+/// @throws InputError when a file cannot be read
+std::string sha256_of_path(const std::filesystem::path& path);
+
 }  // namespace pliant

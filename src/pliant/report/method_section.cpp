@@ -86,6 +86,16 @@ std::string work(const Results& results) {
          table.html();
 }
 
+std::string data_files(const Results& results) {
+  if (results.data.empty()) return {};
+  HtmlTable table({{"Experiment"}, {"File"}, {"SHA-256"}});
+  for (const DataDigest& d : results.data) {
+    table.begin_row();
+    for (const std::string* cell : {&d.experiment, &d.file, &d.sha256}) table.cell(*cell);
+  }
+  return "<h3>Data</h3>\n" + table.html();
+}
+
 std::string provenance(const Results& results) {
   std::vector<std::pair<std::string, std::string>> facts{{"Command", results.command},
                                                          {"Created", results.created},
@@ -109,7 +119,7 @@ std::string provenance(const Results& results) {
 std::string method_section(const Results& results) {
   return "<section id=\"method\"><h2>Assumptions and method</h2>\n" + assumptions(results) +
          all_warnings(results) + stages(results) + starts(results) + work(results) +
-         provenance(results) + "</section>\n";
+         data_files(results) + provenance(results) + "</section>\n";
 }
 
 }  // namespace pliant::report

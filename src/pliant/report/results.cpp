@@ -47,6 +47,10 @@ ResultParameter read_parameter(const JsonReader& json) {
   return p;
 }
 
+DataDigest read_data(const JsonReader& json) {
+  return {json.text("experiment"), json.text("file"), json.text("sha256")};
+}
+
 std::string read_skipped(const JsonReader& json) {
   return fmt::format("{}: the material has no {}", json.text("name"),
                      fmt::join(json.texts("missing"), ", "));
@@ -230,6 +234,7 @@ Results read_results(const std::filesystem::path& directory) {
   r.created = json.text_or("created", "");
   r.version = json.text_or("version", "");
   r.estimator = json.text_or("estimator", "");
+  r.data = read_all(json, "data", read_data);
   r.density = json.number("density");
   r.seconds = json.number("seconds");
   r.converged = json.flag_or("converged", true);

@@ -103,10 +103,16 @@ struct ResultJudgement {
   std::vector<std::string> misses;  ///< experiments that are not accepted, the worst first
 };
 
+/// A file that was read, by its digest.
+struct DataDigest {
+  std::string experiment, file, sha256;
+};
+
 /// fit.json or evaluation.json of a results directory.
 struct Results {
   bool evaluation = false;
   std::string name, material, command, created, version, estimator;
+  std::vector<DataDigest> data;
   std::optional<double> density;  ///< kg/m^2
   std::optional<double> seconds;
   bool converged = true;

@@ -371,6 +371,23 @@ std::string headline(const ReportData& data) {
                      escape_html(judgement.headline), text);
 }
 
+/// What a signature stands for: the version, the time and the beginnings of the digests of the
+/// data.
+std::string identity(const Results& results) {
+  constexpr std::size_t kMost = 4, kDigits = 12;
+  std::string text = "Pliant " + results.version;
+  if (!results.created.empty()) text += ", " + results.created;
+  if (results.data.empty()) return text;
+  if (results.data.size() > kMost) {
+    return text + fmt::format(". SHA-256 of {} data files below", results.data.size());
+  }
+  text += ". SHA-256 of the data:";
+  for (const DataDigest& d : results.data) {
+    text += fmt::format(" {} {}…", d.file, d.sha256.substr(0, kDigits));
+  }
+  return text;
+}
+
 constexpr std::string_view kSignature =
     "<div class=\"signature\"><span>Name</span><span>Date</span><span>Signature</span></div>\n";
 
@@ -394,8 +411,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
           not_determined(data) + "</div>\n";
   if (!data.is_of_sheets()) html += last;
   html += kSignature;
-  html += fmt::format("<p class=\"small\">Pliant {}{}{}</p>\n", escape_html(results.version),
-                      results.created.empty() ? "" : ", ", escape_html(results.created));
+  html += fmt::format("<p class=\"small\">{}</p>\n", escape_html(identity(results)));
   return html + "</section>\n";
 }
 

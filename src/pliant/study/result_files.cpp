@@ -330,6 +330,10 @@ std::string summary_text(const StudyResult& result, const RunFacts& facts, bool 
             {"version", facts.version},
             {"study", facts.study},
             {"study_sha256", facts.study_sha256}};
+  json["data"] = Json::array();
+  for (const DataFile& d : result.data) {
+    json["data"].push_back({{"experiment", d.experiment}, {"file", d.file}, {"sha256", d.sha256}});
+  }
   if (fitted) {
     json["estimator"] = result.estimator == EstimatorKind::path ? "path" : "anchor";
   } else {

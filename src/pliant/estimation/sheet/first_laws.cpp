@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "pliant/estimation/addend_starts.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 
@@ -110,6 +112,17 @@ std::vector<ComponentLaw> first_addends(const ComponentLaw& law, const Component
     }
   }
   return laws;
+}
+
+std::string missing_addends(const FitSettings& settings, const ComponentGroup& group,
+                            const ComponentLaw& law) {
+  const std::size_t asked = model_of(settings, group).addends.size();
+  if (law.addends.size() == asked) return {};
+  return fmt::format(
+      "{} of {} addends of {} were not fitted: no loop shows those that remember, or no stage "
+      "grows "
+      "this component",
+      asked - law.addends.size(), asked, group.front());
 }
 
 }  // namespace pliant

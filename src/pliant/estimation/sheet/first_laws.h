@@ -41,4 +41,9 @@ std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double str
 std::vector<ComponentLaw> first_addends(const ComponentLaw& law, const ComponentModel& model,
                                         double strain, bool remembering);
 
+/// What to tell of the addends that the study asks for and a fitted law lacks; nothing where it has
+/// them all.
+std::string missing_addends(const FitSettings& settings, const ComponentGroup& group,
+                            const ComponentLaw& law);
+
 }  // namespace pliant

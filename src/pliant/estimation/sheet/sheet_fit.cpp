@@ -46,7 +46,10 @@ class Fitter {
       run_stage(fit_.plan[s]);
       task.advance(static_cast<double>(s + 1));
     }
-    warn_of_missing_addends();
+    for (const ComponentGroup& group : fit_.groups) {
+      const std::string missing = missing_addends(settings_, group, law_of(fit_.material, group));
+      if (!missing.empty()) fit_.warnings.push_back(missing);
+    }
     fit_.work = search_.work();
     return std::move(fit_);
   }
@@ -295,18 +298,6 @@ class Fitter {
     }
     set_law(fit_.material, group, best);
     return std::isfinite(least);
-  }
-
-  void warn_of_missing_addends() {
-    for (const ComponentGroup& group : fit_.groups) {
-      const std::size_t asked = model_of(settings_, group).addends.size();
-      const std::size_t there = law_of(fit_.material, group).addends.size();
-      if (there == asked) continue;
-      fit_.warnings.push_back(fmt::format(
-          "{} of {} addends of {} were not fitted: no loop shows those that remember, or no stage "
-          "grows this component",
-          asked - there, asked, group.front()));
-    }
   }
 
   double strain_of(const ComponentGroup& group) const { return largest_strain(fit_, group); }

@@ -11,7 +11,9 @@
 #include "pliant/render/simulation_pictures.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/movie_file.h"
 #include "apps/pliant/render_options.h"
+#include "apps/pliant/view_option.h"
 
 namespace pliant {
 namespace {
@@ -23,10 +25,13 @@ struct RenderArguments {
   std::string frames;
   std::string camera, target = "0,0,0";
   double field_of_view = 30;  // degrees
-  std::string view = "three-quarter";
+  std::string view = kDefaultView;
   std::string range;
   std::string colour_map;
-  std::string colour;
+  std::string colour, back_colour;
+  std::string lines = "auto";
+  std::string movie;
+  double rate = 0;  // pictures a second of the film; 0: as in reality
   bool no_ground = false;
   int contact_sheet = 0;  // pictures; 0: one picture a frame
   PictureOptions options;
@@ -57,6 +62,21 @@ void refuse_large_sheet(int count, const PictureSize& size) {
       fmt::format("at most {} million pixels", kMostPixels / 1'000'000));
 }
 
+void set_cloth_looks(const RenderArguments& arguments, PictureOptions& options) {
+  constexpr float kBackShade = 0.5F;  // of a front of the user's
+  if (!arguments.colour.empty()) {
+    options.front = parse_colour_option("--colour", arguments.colour);
+    options.back = kBackShade * options.front;
+  }
+  if (!arguments.back_colour.empty()) {
+    options.back = parse_colour_option("--back-colour", arguments.back_colour);
+  }
+  options.lines = arguments.lines != "none";
+  if (options.lines && arguments.lines != "auto") {
+    options.line_spacing = parse_line_spacing(arguments.lines);
+  }
+}
+
 PictureOptions picture_options(const RenderArguments& arguments) {
   PictureOptions options = arguments.options;
   options.ground = !arguments.no_ground;
@@ -67,13 +87,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   if (arguments.contact_sheet > 0) refuse_large_sheet(arguments.contact_sheet, options.size);
   if (!arguments.camera.empty()) options.camera = camera_of(arguments);
   if (!arguments.range.empty()) options.range = parse_value_range(arguments.range);
-  if (arguments.colour.empty()) return options;
-  const std::optional<Colour> colour = parse_colour(arguments.colour);
-  if (!colour) {
-    throw InputError({"--colour"}, quoted_value(arguments.colour) + " is no colour",
-                     "red, green and blue as in #7fa3cf");
-  }
-  options.colour = *colour;
+  set_cloth_looks(arguments, options);
   return options;
 }
 
@@ -91,6 +105,7 @@ std::string summary_json(const RenderArguments& arguments, const std::vector<std
                          const PictureSetting& setting) {
   nlohmann::ordered_json json{
       {"command", "render"}, {"directory", arguments.output}, {"pictures", names}};
+  if (!arguments.movie.empty()) json["movie"] = arguments.movie;
   if (setting.legend) {
     json["field"] = {{"name", setting.legend->name},
                      {"unit", setting.legend->unit},
@@ -101,49 +116,75 @@ std::string summary_json(const RenderArguments& arguments, const std::vector<std
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::vector<std::string> draw_frames(const CommandContext& context,
-                                     const SimulationFrames& simulation,
-                                     const std::vector<SimulationFrame>& frames,
-                                     const PictureSetting& setting, const PictureOptions& options,
-                                     ResultDirectory& results) {
-  std::vector<std::string> names;
-  ProgressTask task(context.run.progress, "drawing frames", double(frames.size()));
-  for (const SimulationFrame& frame : frames) {
-    names.push_back(fmt::format("{:06}.png", frame.index));
-    results.write(names.back(),
-                  png_bytes(frame_picture(simulation, frame, setting, options, context.run)));
-    task.advance(double(names.size()));
+/// Where the pictures of frames go: files in a folder, a film or both.
+struct FrameOutlet {
+  std::optional<ResultDirectory> folder;
+  std::optional<MovieFile> movie;
+  std::vector<std::string> names = {};  // of the files
+
+  void add(int frame, const Image& picture) {
+    if (folder) {
+      names.push_back(fmt::format("{:06}.png", frame));
+      folder->write(names.back(), png_bytes(picture));
+    }
+    if (movie) movie->add(picture);
   }
-  return names;
+  void commit() {
+    if (movie) movie->commit();
+    if (folder) folder->commit();
+  }
+};
+
+void draw_frames(const CommandContext& context, const SimulationFrames& simulation,
+                 const std::vector<SimulationFrame>& frames, const PictureSetting& setting,
+                 const PictureOptions& options, FrameOutlet& outlet) {
+  ProgressTask task(context.run.progress, "drawing frames", double(frames.size()));
+  for (size_t i = 0; i < frames.size(); ++i) {
+    outlet.add(frames[i].index,
+               frame_picture(simulation, frames[i], setting, options, context.run));
+    task.advance(double(i + 1));
+  }
+}
+
+std::string pictures_text(const RenderArguments& arguments, const std::vector<std::string>& names) {
+  return fmt::format("{} picture{}: {}", names.size(), names.size() == 1 ? "" : "s",
+                     (std::filesystem::path(arguments.output) / names.front()).string());
 }
 
 void run_render(const CommandContext& context, const RenderArguments& arguments) {
+  if (arguments.output.empty() && arguments.movie.empty()) {
+    throw InputError({"--output"}, "is missing", "-o DIR for pictures, --movie FILE.mp4, or both");
+  }
   const PictureOptions options = picture_options(arguments);
   const SimulationFrames simulation = read_simulation_frames(arguments.simulation);
   const std::vector<SimulationFrame> frames = select_frames(simulation.frames, arguments.frames);
-  ResultDirectory results(arguments.output, "render");
-
   const bool sheet = arguments.contact_sheet > 0;
+  const FilmRate rate = film_rate(frames, arguments.rate);
+  FrameOutlet outlet;
+  if (!arguments.output.empty()) outlet.folder.emplace(arguments.output, "render");
+  if (!arguments.movie.empty()) outlet.movie.emplace(arguments.movie, options.size, rate.pictures);
+
   const PictureSetting setting = setting_of(
       simulation, options, sheet ? LegendPlace::beside : LegendPlace::in_picture, context.run);
-  std::vector<std::string> names = {"contact-sheet.png"};
   if (sheet) {
     const auto chosen = evenly_chosen(frames, arguments.contact_sheet);
-    results.write(names.front(),
-                  png_bytes(sheet_picture(simulation, chosen, setting, options, context.run)));
+    outlet.names = {"contact-sheet.png"};
+    outlet.folder->write(outlet.names.front(), png_bytes(sheet_picture(simulation, chosen, setting,
+                                                                       options, context.run)));
   } else {
-    names = draw_frames(context, simulation, frames, setting, options, results);
+    draw_frames(context, simulation, frames, setting, options, outlet);
   }
-  results.commit();
-  context.say(fmt::format("{} picture{}: {}", names.size(), names.size() == 1 ? "" : "s",
-                          (std::filesystem::path(arguments.output) / names.front()).string()));
-  context.print_json(summary_json(arguments, names, setting));
+  outlet.commit();
+  if (outlet.folder) context.say(pictures_text(arguments, outlet.names));
+  if (outlet.movie) {
+    context.say(
+        fmt::format("film of {} frames, {}: {}", frames.size(), rate.text(), arguments.movie));
+  }
+  context.print_json(summary_json(arguments, outlet.names, setting));
 }
 
 void add_view_options(CLI::App& command, RenderArguments& arguments) {
-  command.add_option("--view", arguments.view, "Seen from, fitted to all frames")
-      ->type_name("{front,side,top,three-quarter}")
-      ->capture_default_str();
+  add_view_option(command, arguments.view, "Seen from, fitted to all frames");
   command.add_option("--camera", arguments.camera, "Fixed camera in place of --view: X,Y,Z in m")
       ->type_name("X,Y,Z");
   command.add_option("--target", arguments.target, "What --camera looks at (m)")
@@ -173,11 +214,35 @@ void add_colour_options(CLI::App& command, RenderArguments& arguments) {
                   "Colours for --field (default: coolwarm where it has both signs, else viridis)")
       ->type_name("{viridis,coolwarm}")
       ->needs("--field");
-  command.add_option("--colour", arguments.colour, "Of cloth without --field")
+  command.add_option("--colour", arguments.colour, "Of the front of cloth without --field")
       ->type_name("#RRGGBB");
+  command
+      .add_option("--back-colour", arguments.back_colour,
+                  "Of its back (default with --colour: a darker one)")
+      ->type_name("#RRGGBB");
+  command
+      .add_option(
+          "--lines", arguments.lines,
+          "Lines along warp and (dashed) weft, so far apart at rest, e.g. '50 mm'; auto: by "
+          "the size of the cloth")
+      ->type_name("{LENGTH,auto,none}")
+      ->capture_default_str();
   command.add_flag("--mesh-lines", options.edges, "Draw the edges of the triangles");
   command.add_flag("--no-ground", arguments.no_ground, "Draw no shadow below the cloth");
   command.add_flag("--hard-shadow", options.hard_shadow, "Shadows with sharp edges");
+}
+
+void add_film_options(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_option("--movie", arguments.movie,
+                  "Film of the frames, beside or in place of pictures; needs ffmpeg")
+      ->type_name("FILE.mp4")
+      ->excludes("--contact-sheet");
+  command
+      .add_option("--rate", arguments.rate,
+                  "Frames a second of the film (default: as fast as in reality, at most 60)")
+      ->check(CLI::Range(0.1, 240.0))
+      ->needs("--movie");
 }
 
 }  // namespace
@@ -186,15 +251,17 @@ void add_render(CommandRegistry& registry) {
   CLI::App& command = registry.add("render", "Draw pictures of a simulation's frames");
   auto arguments = std::make_shared<RenderArguments>();
   command.add_option("DIR", arguments->simulation, "Results of simulate")->required();
-  command.add_option("-o,--output", arguments->output, "Directory for the pictures (DIR)")
-      ->required();
+  CLI::Option* output =
+      command.add_option("-o,--output", arguments->output, "Directory for the pictures (DIR)");
   command.add_option("--frames", arguments->frames, "Numbers of the frames to draw (default: all)")
       ->type_name("FIRST:LAST:STEP");
   command
       .add_option("--contact-sheet", arguments->contact_sheet,
                   "One picture of N frames evenly chosen in time")
       ->type_name("N")
-      ->check(CLI::Range(1, 400));
+      ->check(CLI::Range(1, 400))
+      ->needs(output);
+  add_film_options(command, *arguments);
   command
       .add_option("--size", arguments->size,
                   "Pixels of each picture (default: 800x600, on a contact sheet 400x300)")
@@ -210,7 +277,6 @@ void add_render(CommandRegistry& registry) {
       "Writes 000000.png, 000001.png, ..., one a frame, all in one view and one range of colours; "
       "or\n"
       "contact-sheet.png. Fields are those of the scene's `output: {fields: [strain, friction]}`.\n"
-      "A film of them:  ffmpeg -framerate 25 -i pictures/%06d.png -pix_fmt yuv420p film.mp4\n"
       "Exit status: 0 done, 1 stopped, 2 bad usage or bad input.");
   registry.on(command, [arguments](CommandContext& context) { run_render(context, *arguments); });
 }

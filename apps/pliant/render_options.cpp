@@ -1,6 +1,7 @@
 #include "apps/pliant/render_options.h"
 
-#include <initializer_list>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
 
 namespace pliant {
 namespace {
@@ -28,18 +30,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
                          const std::string& expected) {
   throw InputError({option}, quoted_value(text) + " cannot be used", expected);
-}
-
-/// The value that a name stands for.
-template <typename T>
-T named(const std::string& option, const std::string& text,
-        std::initializer_list<std::pair<const char*, T>> choices) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : choices) {
-    if (text == name) return value;
-    names.emplace_back(name);
-  }
-  throw InputError({option}, quoted_value(text) + did_you_mean(text, names), list_of_names(names));
 }
 
 /// First and last number and step of "FIRST:LAST:STEP".
@@ -83,17 +73,18 @@ PictureSize parse_picture_size(const std::string& text) {
   return size;
 }
 
-ViewDirection parse_view(const std::string& text) {
-  return named<ViewDirection>("--view", text,
-                              {{"front", ViewDirection::front},
-                               {"side", ViewDirection::side},
-                               {"top", ViewDirection::top},
-                               {"three-quarter", ViewDirection::three_quarter}});
+Colour parse_colour_option(const std::string& option, const std::string& text) {
+  const std::optional<Colour> colour = parse_colour(text);
+  if (!colour) refuse(option, text, "red, green and blue as in #7fa3cf");
+  return *colour;
 }
 
 ColourMap parse_colour_map(const std::string& text) {
-  return named<ColourMap>("--colour-map", text,
-                          {{"viridis", ColourMap::viridis}, {"coolwarm", ColourMap::coolwarm}});
+  if (text == "viridis") return ColourMap::viridis;
+  if (text == "coolwarm") return ColourMap::coolwarm;
+  const std::vector<std::string> names{"viridis", "coolwarm"};
+  throw InputError({"--colour-map"}, quoted_value(text) + did_you_mean(text, names),
+                   list_of_names(names));
 }
 
 Eigen::Vector3d parse_point(const std::string& option, const std::string& text) {
@@ -133,6 +124,35 @@ std::vector<SimulationFrame> select_frames(const std::vector<SimulationFrame>& f
         fmt::format("numbers from {} to {}", frames.front().index, frames.back().index));
   }
   return selected;
+}
+
+double parse_line_spacing(const std::string& text) {
+  try {
+    const double spacing = parse_quantity(text, Dimension::length);
+    if (spacing > 0) return spacing;
+  } catch (const QuantityError&) {
+  }
+  refuse("--lines", text, "a length above 0, as in '50 mm', auto or none");
+}
+
+std::string FilmRate::text() const {
+  std::string text = format_number(pictures, 3) + " a second";
+  if (std::abs(speed - 1) > 0.01) {
+    text += fmt::format(", {} times as fast as in reality", format_number(speed, 2));
+  }
+  return text;
+}
+
+FilmRate film_rate(const std::vector<SimulationFrame>& frames, double rate) {
+  std::vector<double> spacings;
+  for (size_t i = 1; i < frames.size(); ++i) {
+    spacings.push_back(frames[i].time - frames[i - 1].time);
+  }
+  if (spacings.empty()) return {rate > 0 ? rate : 1};
+  const auto middle = spacings.begin() + std::ssize(spacings) / 2;
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  const double pictures = rate > 0 ? rate : std::clamp(1 / *middle, 1.0, 60.0);
+  return {pictures, pictures * *middle};
 }
 
 }  // namespace pliant

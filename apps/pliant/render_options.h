@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/render/camera.h"
 #include "pliant/render/colour_map.h"
 #include "pliant/render/render.h"
 #include "pliant/render/simulation_frames.h"
@@ -19,9 +18,10 @@ inline constexpr long kMostPixels = 200'000'000;
 /// @throws InputError
 PictureSize parse_picture_size(const std::string& text);
 
-/// "front", "side", "top" or "three-quarter".
+/// "#rrggbb".
+/// @param option  as the user wrote it, for the message
 /// @throws InputError
-ViewDirection parse_view(const std::string& text);
+Colour parse_colour_option(const std::string& option, const std::string& text);
 
 /// "viridis" or "coolwarm".
 /// @throws InputError
@@ -41,5 +41,21 @@ std::pair<double, double> parse_value_range(const std::string& text);
 /// @throws InputError, also where that is none
 std::vector<SimulationFrame> select_frames(const std::vector<SimulationFrame>& frames,
                                            const std::string& text);
+
+/// "50 mm", above 0, in metres.
+/// @throws InputError
+double parse_line_spacing(const std::string& text);
+
+/// How fast a film shows its frames.
+struct FilmRate {
+  double pictures = 0;  ///< a second
+  double speed = 1;     ///< against reality
+
+  /// "10 a second" and, where it is not that of reality, the speed.
+  std::string text() const;
+};
+
+/// @param rate  that the user wants; 0: that of reality, but between 1 and 60 pictures a second
+FilmRate film_rate(const std::vector<SimulationFrame>& frames, double rate);
 
 }  // namespace pliant

@@ -12,8 +12,9 @@ namespace {
 constexpr int kSheetPictures = 6;
 
 /// Small and coarse: a short simulation must not wait for its pictures.
-PictureOptions picture_options() {
+PictureOptions picture_options(ViewDirection view) {
   PictureOptions options;
+  options.view = view;
   options.size = {400, 300};
   options.quality.samples = 4;
   return options;
@@ -21,7 +22,7 @@ PictureOptions picture_options() {
 
 SimulationFrames with_frames(const SimulationFrames& simulation,
                              std::vector<SimulationFrame> frames) {
-  return {simulation.directory, std::move(frames), simulation.units};
+  return {simulation.directory, std::move(frames), simulation.units, simulation.mesh};
 }
 
 /// A few frames, evenly in time: the view and the colours are fitted to these alone, so that a long
@@ -36,8 +37,8 @@ SimulationFrames chosen_frames(const SimulationFrames& simulation) {
   return with_frames(simulation, std::move(chosen));
 }
 
-std::string motion_picture(const SimulationFrames& simulation, const RunContext& run) {
-  const PictureOptions options = picture_options();
+std::string motion_picture(const SimulationFrames& simulation, const PictureOptions& options,
+                           const RunContext& run) {
   const SimulationFrames chosen = chosen_frames(simulation);
   const PictureSetting setting = setting_of(chosen, options, LegendPlace::beside, run);
   return png_bytes(sheet_picture(chosen, chosen.frames, setting, options, run));
@@ -53,10 +54,9 @@ std::vector<std::string> field_names(const SimulationFrames& simulation) {
 }
 
 /// The fields at the last frame, less those that are the same everywhere.
-std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation,
+std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation, PictureOptions options,
                                          const RunContext& run) {
   const SimulationFrames last = with_frames(simulation, {simulation.frames.back()});
-  PictureOptions options = picture_options();
   options.ground = false;
   std::vector<FieldPicture> pictures;
   for (const std::string& name : field_names(simulation)) {
@@ -71,13 +71,16 @@ std::vector<FieldPicture> field_pictures(const SimulationFrames& simulation,
 
 }  // namespace
 
-SimulationPictures report_pictures(const std::filesystem::path& directory, const RunContext& run) {
+SimulationPictures report_pictures(const std::filesystem::path& directory, ViewDirection view,
+                                   const RunContext& run) {
   const SimulationFrames simulation = read_simulation_frames(directory);
   if (!std::filesystem::exists(simulation.file_of(simulation.frames.back()))) {
     return {.missing = "No pictures: the frames were not written as PLY files."};
   }
   const RunContext quietly{silent_progress(), run.stop, run.threads, run.seed};
-  return {motion_picture(simulation, quietly), field_pictures(simulation, quietly), ""};
+  const PictureOptions options = picture_options(view);
+  return {motion_picture(simulation, options, quietly),
+          field_pictures(simulation, options, quietly), ""};
 }
 
 }  // namespace pliant

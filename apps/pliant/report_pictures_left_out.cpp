@@ -5,7 +5,7 @@
 
 namespace pliant {
 
-SimulationPictures report_pictures(const std::filesystem::path&, const RunContext&) {
+SimulationPictures report_pictures(const std::filesystem::path&, ViewDirection, const RunContext&) {
   return {.missing = "No pictures: this program was built without Embree 3 or libpng."};
 }
 

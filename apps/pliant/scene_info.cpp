@@ -254,7 +254,7 @@ void describe_run(const Scene& scene, FileInfo& info) {
 
 FileInfo scene_info(const std::filesystem::path& path) {
   const Scene scene = read_scene(path);
-  std::vector<Eigen::Matrix3Xd> positions;
+  std::vector<ClothVertices> vertices;
   FileInfo info = begin_info(path, "scene/1");
   info.json["name"] = scene.name;
   info.json["cloth"] = Json::array();
@@ -263,9 +263,9 @@ FileInfo scene_info(const std::filesystem::path& path) {
     const MeshedCloth built = meshed(cloth);
     describe_cloth(built, info);
     for (const std::string& warning : built.mesh.warnings) info.warnings.push_back(warning);
-    positions.push_back(built.mesh.mesh.positions);
+    vertices.push_back({built.mesh.mesh.positions, built.mesh.numbering.groups});
   }
-  describe_holds(scene, held_vertices(scene, positions), info);
+  describe_holds(scene, held_vertices(scene, vertices), info);
   describe_surroundings(scene, info);
   describe_run(scene, info);
   warn_of_materials(scene, info);

@@ -6,6 +6,7 @@
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
+#include "pliant/report/simulation_results.h"
 #include "pliant/scene/checkpoint.h"
 #include "pliant/scene/frame_files.h"
 #include "pliant/scene/simulation_result.h"
@@ -14,6 +15,7 @@
 #include "apps/pliant/given_document.h"
 #include "apps/pliant/report_pictures.h"
 #include "apps/pliant/run_facts.h"
+#include "apps/pliant/view_option.h"
 
 namespace pliant {
 namespace {
@@ -25,6 +27,7 @@ struct SimulateArguments {
   std::string output;
   std::string fill;
   std::string checkpoint_every;
+  std::string view = kDefaultView;
   bool resume = false;
   bool no_report = false;
 };
@@ -54,6 +57,7 @@ class SimulationRun {
       : context_(context),
         arguments_(arguments),
         checkpoint_period_(checkpoint_period(arguments)),
+        view_(parse_view(arguments.view)),
         scene_(read_scene(arguments.scene)),
         simulation_(scene_, filler(), context.common.threads),
         identity_(scene_identity(scene_, arguments.fill)),
@@ -120,7 +124,7 @@ class SimulationRun {
   // A simulation that went astray has frames that nobody can draw, but it has a report.
   SimulationPictures pictures() const {
     try {
-      return report_pictures(results_.path(), context_.run);
+      return report_pictures(results_.path(), view_, context_.run);
     } catch (const InputError& error) {
       return {.missing = std::string("No pictures: ") + error.what()};
     }
@@ -143,10 +147,8 @@ class SimulationRun {
       }
       return;
     }
-    if (scene_.output.has(FrameFormat::pc2)) {
-      results_.write("cloth.obj", cloth_obj(simulation_));
-      pc2_.emplace(results_.grow("cloth.pc2"), points);
-    }
+    results_.write("cloth.obj", cloth_obj(simulation_));
+    if (scene_.output.has(FrameFormat::pc2)) pc2_.emplace(results_.grow("cloth.pc2"), points);
     write_frame();
   }
 
@@ -197,6 +199,7 @@ class SimulationRun {
   const CommandContext& context_;
   const SimulateArguments& arguments_;
   std::optional<double> checkpoint_period_;  // s, simulated
+  ViewDirection view_;                       // of the report's pictures
   Scene scene_;
   Simulation simulation_;
   std::string identity_;
@@ -213,6 +216,7 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           run.simulation().scene().name, run.simulation().built().faces.cols(),
                           now.steps, run.simulation().scene().time.step, now.energies.size(),
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
+  context.say(report::limits_text(report::read_simulation_results(arguments.output)));
   if (!arguments.no_report) {
     context.say(fmt::format("report: {}",
                             (std::filesystem::path(arguments.output) / "report.html").string()));
@@ -238,6 +242,7 @@ void add_simulate(CommandRegistry& registry) {
                      "writes one in any case");
   command.add_flag("--resume", arguments->resume,
                    "Go on from the checkpoint in DIR, to the same result");
+  add_view_option(command, arguments->view, "From where the report's pictures show the cloth");
   command.add_flag("--no-report", arguments->no_report, "Leave out report.html and its pictures");
   command.footer(
       "Writes frames/, energy.csv, simulation.json and report.html; docs/formats/scene.md tells\n"

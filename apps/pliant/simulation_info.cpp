@@ -38,6 +38,11 @@ void describe(const report::SimulationResults& results, FileInfo& info) {
   if (!method.empty()) info.lines.push_back(labelled("method", method));
   info.lines.push_back(labelled("frames", fmt::format("{}, up to {} s", results.frames,
                                                       format_number(results.last_time, kDigits))));
+  const std::string limits = report::limits_text(results);
+  info.json["not_modelled"] = results.not_modelled;
+  info.json["crossing_pairs"] = nullptr;
+  if (results.crossing_pairs) info.json["crossing_pairs"] = *results.crossing_pairs;
+  if (!limits.empty()) info.lines.push_back(labelled("limits", limits));
   info.warnings = results.warnings;
 }
 

@@ -83,8 +83,9 @@ TEST_F(RenderCommand, TakesEveryOptionOfLooks) {
   const std::string picture = content_of(folder.file("out/000002.png"));
   const std::vector<std::vector<std::string>> looks{
       {"--view", "front"},
-      {"--view", "side"},
+      {"--view", "left"},
       {"--view", "top"},
+      {"--view", "bottom"},
       {"--camera", "1,-3,2", "--target", "0.5,0,0.5", "--field-of-view", "40"},
       {"--field", "strain_weft"},
       {"--field", "strain_weft", "--colour-map", "coolwarm"},
@@ -103,10 +104,90 @@ TEST_F(RenderCommand, TakesEveryOptionOfLooks) {
   }
 }
 
+TEST_F(RenderCommand, ShowsTheBackInAColourOfItsOwn) {
+  render({"--frames", "2", "--view", "back"});
+  const std::string picture = content_of(folder.file("out/000002.png"));
+  render({"--frames", "2", "--view", "back", "--back-colour", "#208040"});
+  EXPECT_NE(content_of(folder.file("out/000002.png")), picture);
+  render({"--frames", "2", "--view", "back", "--colour", "#208040"});
+  EXPECT_NE(content_of(folder.file("out/000002.png")), picture);
+}
+
 TEST_F(RenderCommand, PutsFramesOnAContactSheet) {
   EXPECT_EQ(render({"--contact-sheet", "3"}).status, 0);
   EXPECT_THAT(pictures(), UnorderedElementsAre("contact-sheet.png", kList));
   EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(128, 96));
+}
+
+/// Films, made by a script in place of ffmpeg: it writes its arguments and what it is given.
+class RenderMovie : public RenderCommand {
+ protected:
+  void SetUp() override {
+    RenderCommand::SetUp();
+    write_ffmpeg("for last; do :; done; echo \"$@\" > \"$last\"; cat >> \"$last\"");
+  }
+  void write_ffmpeg(const std::string& script) const {
+    std::filesystem::permissions(folder.write("bin/ffmpeg", "#!/bin/sh\n" + script + "\n"),
+                                 std::filesystem::perms::owner_all);
+  }
+  ProgramRun film(std::vector<std::string> arguments = {}, bool has_ffmpeg = true) const {
+    const std::string path =
+        has_ffmpeg ? folder.file("bin") + ":" + std::getenv("PATH") : folder.file("empty");
+    arguments.insert(arguments.begin(), {"render", folder.file("sim"), "--size", "63x48", "--movie",
+                                         folder.file("film/a.mp4")});
+    std::filesystem::create_directory(folder.path() / "film");
+    return run_program(arguments, {.in_child = [&] { setenv("PATH", path.c_str(), 1); }});
+  }
+  std::vector<std::string> films() const { return names_in(folder.path() / "film"); }
+};
+
+TEST_F(RenderMovie, GivesFfmpegEveryFrameAtTheSpeedOfReality) {
+  const ProgramRun run = film();
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("film of 5 frames, 25 a second"));
+  EXPECT_THAT(films(), UnorderedElementsAre("a.mp4"));
+  const std::string bytes = content_of(folder.file("film/a.mp4"));
+  const size_t begin = bytes.find('\n') + 1;
+  EXPECT_THAT(bytes.substr(0, begin), AllOf(HasSubstr("-video_size 63x48"),
+                                            HasSubstr("-framerate 25"), HasSubstr("rgb24")));
+  EXPECT_EQ(bytes.size() - begin, 5u * 63 * 48 * 3);
+}
+
+TEST_F(RenderMovie, ComesBesidePicturesAndAtARateAskedFor) {
+  const ProgramRun run = film({"-o", folder.file("out"), "--rate", "50", "--frames", "::2"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("film of 3 frames, 50 a second, 4 times as fast as in reality"));
+  EXPECT_THAT(pictures(), UnorderedElementsAre("000000.png", "000002.png", "000004.png", kList));
+}
+
+TEST_F(RenderMovie, SaysSoWhereThereIsNoFfmpegAndLeavesNothing) {
+  const ProgramRun run = film({"-o", folder.file("out")}, false);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: --movie: "), HasSubstr("ffmpeg")));
+  EXPECT_TRUE(films().empty());
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+TEST_F(RenderMovie, TellsWhatFfmpegSaidWhereItFailedAndLeavesNothing) {
+  write_ffmpeg("for last; do :; done; cat > \"$last\"; echo no encoder here >&2; exit 1");
+  const ProgramRun run = film({"-o", folder.file("out")});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: "), HasSubstr("no encoder here")));
+  EXPECT_TRUE(films().empty());
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+TEST_F(RenderMovie, RefusesAFolderThatIsNotThere) {
+  const ProgramRun run =
+      run_program({"render", folder.file("sim"), "--movie", folder.file("none/a.mp4")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), HasSubstr("there is no folder"));
+}
+
+TEST_F(RenderCommand, AsksForPicturesOrAFilm) {
+  const ProgramRun run = run_program({"render", folder.file("sim")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), AllOf(HasSubstr("-o DIR"), HasSubstr("--movie")));
 }
 
 TEST_F(RenderCommand, SaysInJsonWhatItDrew) {
@@ -128,8 +209,8 @@ TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
       {{"--frames", "7:9"}, "0 to 4"},
       {{"--frames", "::0"}, "--frames"},
       {{"--view", "frnt"},
-       "--view: \"frnt\" (did you mean \"front\"?); expected \"front\", \"side\", \"top\" or "
-       "\"three-quarter\""},
+       "--view: \"frnt\" (did you mean \"front\"?); expected \"front\", \"back\", \"left\", "
+       "\"right\", \"top\", \"bottom\", \"three-quarter\" or \"three-quarter-back\""},
       {{"--field", "strain_weft", "--colour-map", "jet"},
        "--colour-map: \"jet\"; expected \"viridis\" or \"coolwarm\""},
       {{"--camera", "1,2"}, "--camera"},
@@ -138,6 +219,11 @@ TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
       {{"--field", "strain"}, "strain_weft"},
       {{"--field", "strain_weft", "--range", "1:1"}, "--range"},
       {{"--colour", "blue"}, "--colour"},
+      {{"--back-colour", "blue"}, "--back-colour"},
+      {{"--lines", "0 mm"}, "--lines"},
+      {{"--lines", "often"}, "--lines"},
+      {{"--movie", "film.gif"}, "FILE.mp4"},
+      {{"--rate", "25"}, "--movie"},
       {{"--contact-sheet", "0"}, "--contact-sheet"},
       {{"--contact-sheet", "400", "--size", "8000x6000"}, "--contact-sheet"}};
   for (const auto& [arguments, named] : wrong) {

@@ -66,8 +66,33 @@ TEST_F(Simulate, WritesTheFramesThatItTellsOf) {
     }
   }
   EXPECT_EQ(names_in(folder.results() / "frames").size(), 4u);
-  EXPECT_THAT(names_in(folder.results()),
-              IsSupersetOf({"simulation.json", "energy.csv", "clips.csv", "report.html"}));
+  EXPECT_THAT(names_in(folder.results()), IsSupersetOf({"simulation.json", "energy.csv",
+                                                        "clips.csv", "cloth.obj", "report.html"}));
+}
+
+TEST_F(Simulate, SaysWhatItDoesNotModelAndWhatBecameOfIt) {
+  simulate(kShort, "{every: 60 ms}");
+  EXPECT_THAT(result["not_modelled"], Contains("contact"));
+  if (result["crossing_pairs"].is_null()) GTEST_SKIP() << "this program was built without CGAL";
+  EXPECT_EQ(result["crossing_pairs"], 0);
+  EXPECT_THAT(run.err, HasSubstr("Not modelled: contact"));
+}
+
+// Two equal squares, of which one stands upright through the other.
+TEST_F(Simulate, CountsTrianglesThatPassThroughEachOther) {
+  const std::string sheet =
+      "mesh: {grid: 100 mm x 100 mm, nodes: 4x4}, material: " PLIANT_SOURCE_DIR
+      "/materials/cotton.json";
+  folder.write("scene.yaml",
+               "pliant: scene/1\ncloth:\n  - {name: a, " + sheet + "}\n  - {name: b, " + sheet +
+                   ", place: {rotate: {axis: [1, 0, 0], angle: 90 deg}, translate: [0.005, 0.05, "
+                   "-0.04]}}\ngravity: [0, 0, 0]\n"
+                   "time: {step: 10 ms, duration: 20 ms}\n");
+  run = folder.simulate({});
+  ASSERT_EQ(run.status, 0) << run.err;
+  result = json::parse(bytes("simulation.json"));
+  if (result["crossing_pairs"].is_null()) GTEST_SKIP() << "this program was built without CGAL";
+  EXPECT_GT(result["crossing_pairs"], 0);
 }
 
 TEST_F(Simulate, GivesFieldsTheUnitsOfTheirComponents) {

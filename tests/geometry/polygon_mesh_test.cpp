@@ -94,10 +94,11 @@ TEST(PolygonMesh, OfAnObjFileHasTheTextureOfItsCorners) {
   const TemporaryFolder folder;
   const auto path = folder.write("a.OBJ",
                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvn 0 0 1\n"
-                                 "f 1/1/1 2//1 3/1/1\n");
+                                 "g hem\nf 1/1/1 2//1 3/1/1\n");
   const PolygonMesh mesh = read_polygon_mesh(path);
   EXPECT_EQ(mesh.numbering.first, 1);
-  EXPECT_EQ(mesh.numbering.line_of_face(0), 6);
+  EXPECT_EQ(mesh.numbering.line_of_face(0), 7);
+  EXPECT_EQ(mesh.numbering.groups, (VertexGroups{{"hem", {0, 1, 2}}}));
   ASSERT_TRUE(mesh.has_texture());
   EXPECT_EQ(mesh.texture.col(2), Eigen::Vector2d(0.5, 0.25));
   EXPECT_TRUE(mesh.texture.col(1).hasNaN());
@@ -110,12 +111,13 @@ TEST(PolygonMesh, OfAPlyFileCountsFromZero) {
       "a.ply",
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\nproperty uchar red\nelement face 1\n"
-      "property list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n");
+      "property list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 0\n0 1 0 3\n3 0 1 2\n");
   const PolygonMesh mesh = read_polygon_mesh(path);
   EXPECT_EQ(mesh.numbering.first, 0);
   EXPECT_FALSE(mesh.has_texture());
   EXPECT_EQ(mesh.positions.col(1), Eigen::Vector3d(1, 0, 0));
   EXPECT_THAT(mesh.ignored, ElementsAre("\"red\" of each vertex"));
+  EXPECT_EQ(mesh.numbering.groups, (VertexGroups{{"red", {0, 2}}}));
 }
 
 TEST(PolygonMesh, NeedsFacesAndAKnownName) {

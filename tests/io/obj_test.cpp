@@ -53,8 +53,25 @@ TEST(Obj, LeavesOutWhatItDoesNotKnowAndSaysSo) {
   EXPECT_THAT(mesh.texture_points, SizeIs(2));
   EXPECT_THAT(mesh.faces.corners, SizeIs(4));
   EXPECT_THAT(mesh.face_lines, ElementsAre(15));
-  EXPECT_THAT(mesh.ignored,
-              ElementsAre(Pair("g", 1), Pair("mtllib", 1), Pair("o", 1), Pair("vn", 2)));
+  EXPECT_THAT(mesh.ignored, ElementsAre(Pair("mtllib", 1), Pair("o", 1), Pair("vn", 2)));
+}
+
+TEST(Obj, TellsTheVerticesOfItsGroups) {
+  const ObjMesh mesh = parse_obj(kSquare +
+                                     "f 1 2 3\ng collar front\nf 1 3 4\np 2\n"
+                                     "g hem\np -1 1\ng\nf 1 2 4\n",
+                                 "a.obj");
+  EXPECT_THAT(mesh.groups,
+              ElementsAre(Pair("collar", ElementsAre(0, 1, 2, 3)),
+                          Pair("front", ElementsAre(0, 1, 2, 3)), Pair("hem", ElementsAre(0, 3))));
+}
+
+TEST(Obj, RefusesPointsThatAreNotThereWithTheirLine) {
+  for (const char* point : {"0", "5", "-5", "x"}) {
+    const InputError error =
+        input_error_of([&] { parse_obj(kSquare + "g a\np " + point + "\n", "a.obj"); });
+    EXPECT_EQ(error.where().line, 6) << point;
+  }
 }
 
 TEST(Obj, ComesBackToTheBit) {

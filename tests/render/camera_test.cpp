@@ -9,8 +9,11 @@
 namespace pliant {
 namespace {
 
-constexpr ViewDirection kDirections[] = {ViewDirection::front, ViewDirection::side,
-                                         ViewDirection::top, ViewDirection::three_quarter};
+constexpr ViewDirection kDirections[] = {
+    ViewDirection::front,         ViewDirection::back,
+    ViewDirection::left,          ViewDirection::right,
+    ViewDirection::top,           ViewDirection::bottom,
+    ViewDirection::three_quarter, ViewDirection::three_quarter_back};
 // Of rounding, for coordinates of order 1 to 1000 in double precision.
 constexpr double kRounding = 1e-9;
 
@@ -44,11 +47,31 @@ TEST(View, FromTheFrontHasXToTheRightAndZUp) {
   EXPECT_LT((axes.col(1) - Eigen::Vector3d::UnitZ()).norm(), kRounding);
 }
 
-TEST(View, FromTheSideHasYToTheRightAndZUp) {
+TEST(View, FromTheRightHasYToTheRightAndZUp) {
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
-  const Eigen::Matrix3d axes = camera_axes(fit_camera(box, ViewDirection::side, 1));
+  const Eigen::Matrix3d axes = camera_axes(fit_camera(box, ViewDirection::right, 1));
   EXPECT_LT((axes.col(0) - Eigen::Vector3d::UnitY()).norm(), kRounding);
   EXPECT_LT((axes.col(1) - Eigen::Vector3d::UnitZ()).norm(), kRounding);
+}
+
+TEST(View, FromTheBackTheLeftAndBelowLooksTheOtherWay) {
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+  const auto forward = [&](ViewDirection view) -> Eigen::Vector3d {
+    return camera_axes(fit_camera(box, view, 1)).col(2);
+  };
+  for (const auto& [one, other] : {std::pair(ViewDirection::front, ViewDirection::back),
+                                   std::pair(ViewDirection::left, ViewDirection::right),
+                                   std::pair(ViewDirection::top, ViewDirection::bottom)}) {
+    EXPECT_LT((forward(one) + forward(other)).norm(), kRounding);
+  }
+}
+
+TEST(View, KnowsHowWideAPictureIsAtADepth) {
+  const Camera camera{{0, -2, 0}, {0, 0, 0}};
+  const double width = width_at(camera, 1.5, {0.1, 1, 0.2});
+  const double left = project(camera, 1.5, {0, 1, 0}).x();
+  EXPECT_NEAR(project(camera, 1.5, {0.25 * width, 1, 0}).x() - left, 0.25, kRounding);
+  EXPECT_LT(width_at(camera, 1.5, {0, -3, 0}), 0);
 }
 
 TEST(View, FromTheTopHasXToTheRightAndYUp) {

@@ -61,7 +61,7 @@ TEST(Picture, HasXToTheRightAndZUpwards) {
 TEST(Picture, SmoothsEdges) {
   RenderScene scene = facing_square();
   scene.meshes[0] = rectangle({-0.5, 0, -0.5}, (0.5 + 8.5 / 32) * kX, kZ);
-  scene.meshes[0].colour = Colour::Zero();
+  scene.meshes[0].front = Colour::Zero();
   const Image image = draw(scene, front_camera());
   EXPECT_EQ(image.at(39, 32), (Pixel{0, 0, 0}));
   EXPECT_EQ(image.at(40, 32), (Pixel{188, 188, 188}));  // half of the light
@@ -70,17 +70,18 @@ TEST(Picture, SmoothsEdges) {
 
 TEST(Picture, ShowsWhatIsNearestWhicheverMeshComesFirst) {
   RenderScene scene = facing_square();
-  scene.meshes[0].colour = Colour::UnitX();
+  scene.meshes[0].front = Colour::UnitX();
   RenderMesh behind = rectangle({-0.5, 0.3, -0.5}, kX, kZ);
-  behind.colour = Colour::UnitY();
+  behind.front = Colour::UnitY();
   scene.meshes.push_back(behind);
   EXPECT_GT(draw(scene, front_camera()).at(32, 32)[0], 200);
   std::swap(scene.meshes[0], scene.meshes[1]);
   EXPECT_GT(draw(scene, front_camera()).at(32, 32)[0], 200);
 }
 
-TEST(Picture, ShowsBothSidesOfASurfaceAlike) {
+TEST(Picture, ShowsBothSidesOfASurfaceAlikeButForTheirColours) {
   RenderScene scene = facing_square();
+  scene.meshes[0].back = scene.meshes[0].front;
   const Image front = draw(scene, front_camera());
   scene.meshes[0].triangles.row(0).swap(scene.meshes[0].triangles.row(1));
   EXPECT_EQ(draw(scene, front_camera()).pixels(), front.pixels());
@@ -181,7 +182,7 @@ TEST(Shadow, FadesTowardsTheEdgeOfThePicture) {
 TEST(Light, MakesWhatItFallsOnSquarelyAsBrightAsItsColour) {
   RenderScene scene = facing_square();
   scene.ambient = 0;
-  scene.meshes[0].colour = colour_of_rgb(0x7fa3cf);
+  scene.meshes[0].front = colour_of_rgb(0x7fa3cf);
   EXPECT_EQ(draw(scene, front_camera()).at(32, 32), (Pixel{0x7f, 0xa3, 0xcf}));
 }
 
@@ -190,8 +191,18 @@ TEST(Light, FallsOffWithTheCosine) {
   RenderScene scene = facing_square();
   scene.ambient = 0;
   scene.light = {{std::sqrt(0.75), -0.5, 0}, 0};
-  scene.meshes[0].colour = Colour::Ones();
+  scene.meshes[0].front = Colour::Ones();
   EXPECT_EQ(draw(scene, front_camera()).at(32, 32), (Pixel{188, 188, 188}));
+}
+
+TEST(Picture, TellsTheFrontFromTheBack) {
+  RenderScene scene = facing_square();
+  scene.ambient = 0;
+  scene.meshes[0].front = Colour::UnitX();
+  scene.meshes[0].back = Colour::UnitY();
+  EXPECT_EQ(draw(scene, front_camera()).at(32, 32), (Pixel{255, 0, 0}));
+  scene.meshes[0].triangles.row(1).swap(scene.meshes[0].triangles.row(2));
+  EXPECT_EQ(draw(scene, front_camera()).at(32, 32), (Pixel{0, 255, 0}));
 }
 
 TEST(Light, FromBehindLeavesASurfaceDark) {

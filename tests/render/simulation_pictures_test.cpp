@@ -72,8 +72,8 @@ TEST(SimulationFrames, OfAFolderWithoutResultsAreRefused) {
 TEST(Pictures, HaveOneCameraThatContainsEveryVertexOfEveryFrame) {
   const SimulationFolder folder(4);
   const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
-  for (const ViewDirection view : {ViewDirection::front, ViewDirection::side, ViewDirection::top,
-                                   ViewDirection::three_quarter}) {
+  for (const ViewDirection view : {ViewDirection::front, ViewDirection::right,
+                                   ViewDirection::bottom, ViewDirection::three_quarter}) {
     PictureOptions options = small_pictures();
     options.view = view;
     const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
@@ -174,6 +174,77 @@ TEST(Pictures, OfAnUnknownFieldNameTheFieldsThereAre) {
       input_error_of([&] { setting_of(simulation, options, LegendPlace::beside, {}); });
   EXPECT_THAT(error.problem(), HasSubstr("strain_wfet"));
   EXPECT_THAT(error.expected(), HasSubstr("strain_weft"));
+}
+
+/// The square of the folder with its rest plane, of which simulation.json tells.
+void add_cloth(const SimulationFolder& folder, const std::string& faces) {
+  folder.write("sim/cloth.obj",
+               "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n" + faces);
+  folder.write("sim/simulation.json",
+               "{\"pliant\": \"simulation/1\", \"mesh\": \"cloth.obj\",\n"
+               " \"frames\": [{\"index\": 0, \"time\": 0}]}\n");
+}
+
+TEST(Pictures, HaveLinesOnTheClothWhereItsRestShapeIsKnown) {
+  const SimulationFolder folder(1);
+  const auto setting = [&](const PictureOptions& options) {
+    return setting_of(read_simulation_frames(folder.path() / "sim"), options,
+                      LegendPlace::in_picture, {});
+  };
+  EXPECT_FALSE(setting(small_pictures()).lines);
+  add_cloth(folder, "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  PictureOptions options = small_pictures();
+  ASSERT_TRUE(setting(options).lines);
+  EXPECT_DOUBLE_EQ(setting(options).lines->spacing, 0.1);
+  EXPECT_EQ(setting(options).lines->rest_corners.col(2), Eigen::Vector2d(1, 1));
+  EXPECT_DOUBLE_EQ(setting(options).scale_bar->lines.value(), 0.1);
+  options.line_spacing = 0.25;
+  EXPECT_DOUBLE_EQ(setting(options).lines->spacing, 0.25);
+  options.lines = false;
+  EXPECT_FALSE(setting(options).lines);
+}
+
+TEST(Pictures, OfFramesThatAreAnotherMeshThanTheClothAreRefused) {
+  const SimulationFolder folder(1);
+  add_cloth(folder, "f 1/1 2/2 3/3\n");
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  const PictureOptions options = small_pictures();
+  const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+  const InputError error = input_error_of(
+      [&] { frame_picture(simulation, simulation.frames[0], setting, options, {}); });
+  EXPECT_THAT(error.problem(), HasSubstr("has 2 triangles"));
+  EXPECT_THAT(error.expected(), HasSubstr("cloth.obj"));
+}
+
+TEST(Pictures, OfAClothWithoutRestPlaneAreRefused) {
+  const SimulationFolder folder(1);
+  add_cloth(folder, "f 1 2 3\nf 1 3 4\n");
+  EXPECT_THAT(input_error_of([&] { read_cloth(folder.path() / "sim/cloth.obj"); }).problem(),
+              HasSubstr("rest plane"));
+}
+
+// The square is 1 m wide and seen from the front, at the depth that the bar is for.
+TEST(Pictures, HaveAScaleBarThatIsTrueInTheMiddleOfWhatIsShown) {
+  const SimulationFolder folder(2);
+  const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+  const PictureOptions options = small_pictures();
+  const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+  const auto across = [&](double x) {
+    return project(setting.camera, options.size.aspect(), {x, 0, 0.5}).x();
+  };
+  ASSERT_TRUE(setting.scale_bar);
+  EXPECT_NEAR(setting.scale_bar->share, (across(1) - across(0)) * setting.scale_bar->length, 1e-9);
+  EXPECT_DOUBLE_EQ(setting.scale_bar->length, 0.2);
+}
+
+TEST(ScaleBar, IsAsLongInThePictureAsItSays) {
+  Image image(400, 300);
+  draw_scale_bar(image, {0.05, 0.25});
+  const float margin = 1.6F * label_style(300).cap_height;
+  const int row = static_cast<int>(300 - margin);
+  int dark = 0;
+  for (int x = 0; x < static_cast<int>(margin) + 104; ++x) dark += image.at(x, row)[0] < 128;
+  EXPECT_NEAR(dark, 100, 2);  // the ends are round
 }
 
 TEST(Pictures, HaveTheSizeAskedForAndASheetHasRoomForAll) {

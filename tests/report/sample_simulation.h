@@ -20,17 +20,19 @@ struct SampleSimulation {
       R"({"kind": "dynamic", "integrator": "bdf2", "solve": "converged", "tolerance": 1e-5,
  "linear_tolerance": null, "adaptive": false, "friction": "variational"})";
   int most_substeps = 1;
+  std::string crossing_pairs = "null";
+  double drag = 0;  ///< J, in the last frame
 };
 
 inline void write_sample_simulation(const std::filesystem::path& directory,
                                     const SampleSimulation& sample = {}) {
   constexpr int kFrames = 20;
-  std::string frames, energy = "time_s,kinetic_J,stored_J,work_J,total_J\n";
+  std::string frames, energy = "time_s,kinetic_J,stored_J,work_J,total_J,drag_J\n";
   for (int i = 0; i < kFrames; ++i) {
     frames += fmt::format("{}{{\"index\": {}, \"time\": {}}}", i == 0 ? "" : ", ", i, 0.01 * i);
     const double stored = 5 - 0.02 * i, work = 0.01 * i;
-    energy += fmt::format("{},{},{},{},{}\n", 0.01 * i, 0.005 * i, stored, work,
-                          stored + work + 0.005 * i);
+    energy += fmt::format("{},{},{},{},{},{}\n", 0.01 * i, 0.005 * i, stored, work,
+                          stored + work + 0.005 * i, i + 1 < kFrames ? 0 : sample.drag);
   }
   const std::string numbers =
       sample.statistics ? R"({"min": 1, "median": 3, "mean": 3.25, "max": 9})" : "null";
@@ -45,9 +47,9 @@ inline void write_sample_simulation(const std::filesystem::path& directory,
  "finished": {}, "triangles": 4800, "vertices": 2501, "steps": 40, "time_step": 0.005,
  "method": {}, "frames": [{}], "seconds_per_step": {},
  "substeps": {{"min": 1, "median": 1, "mean": 1.5, "max": {}}}, "newton_iterations": {}, "linear_iterations": {},
- "peak_memory_MB": 96, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
+ "peak_memory_MB": 96, "not_modelled": ["contact", "drag of the air"], "crossing_pairs": {}, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
                  sample.name, sample.finished, sample.method, frames, seconds, sample.most_substeps,
-                 numbers, numbers, sample.energy ? "\"energy.csv\"" : "null",
+                 numbers, numbers, sample.crossing_pairs, sample.energy ? "\"energy.csv\"" : "null",
                  sample.warning.empty() ? "" : "\"" + sample.warning + "\""));
   if (sample.energy) write_text(directory / "energy.csv", energy);
 }

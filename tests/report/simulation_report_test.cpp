@@ -53,10 +53,39 @@ TEST(SimulationReport, HoldsItsFactsItsStepsAndItsWarnings) {
   const std::string html = report_of({.warning = "bend.warp of cotton was not measured"});
   EXPECT_THAT(html, HasSubstr("<dt>Scene</dt><dd>curtain.yaml</dd>"));
   EXPECT_THAT(html, HasSubstr("<dt>Memory</dt><dd>96 MB</dd>"));
-  EXPECT_THAT(html, HasSubstr("<dt>Lost to friction and damping</dt><dd>0.19 J</dd>"));
   EXPECT_THAT(html, HasSubstr("<td>Newton iterations</td><td class=\"number\">1</td>"
                               "<td class=\"number\">3</td><td class=\"number\">3.25</td>"));
   EXPECT_THAT(html, HasSubstr("<li>bend.warp of cotton was not measured</li>"));
+}
+
+TEST(SimulationReport, SaysInItsHeadlineWhatIsNotModelledAndWhatBecameOfIt) {
+  EXPECT_THAT(report_of({}), HasSubstr("(median). Not modelled: contact, drag of the air.</p>"));
+  EXPECT_THAT(report_of({.crossing_pairs = "0"}),
+              HasSubstr("drag of the air. At the end no triangles pass through each other.</p>"));
+  EXPECT_THAT(report_of({.crossing_pairs = "1"}),
+              HasSubstr("At the end 1 pair of triangles pass through each other.</p>"));
+  EXPECT_THAT(report_of({.finished = false, .crossing_pairs = "40"}),
+              HasSubstr("At the last step 40 pairs of triangles pass through each other.</p>"));
+}
+
+TEST(SimulationReport, ShowsItsPicturesBeforeFactsAndWarnings) {
+  const std::string html = own_text(report_of({.warning = "careful"}, {"png", {}, ""}));
+  const std::size_t picture = html.find("<img class"), warnings = html.find("<h2>Warnings</h2>");
+  EXPECT_LT(html.find("class=\"verdict\""), picture);
+  EXPECT_LT(picture, html.find("<dt>Scene</dt>"));
+  EXPECT_LT(html.find("<dt>Scene</dt>"), warnings);
+  EXPECT_LT(warnings, html.size());
+}
+
+TEST(SimulationReport, ListsLossesBesideTheEnergies) {
+  EXPECT_THAT(report_of({}), HasSubstr("<td>kinetic</td><td class=\"number\">95 mJ</td>"));
+  EXPECT_THAT(report_of({}), HasSubstr("<td>lost to friction and damping</td>"
+                                       "<td class=\"number\">0.19 J</td>"));
+  EXPECT_THAT(own_text(report_of({})), Not(HasSubstr("lost to the air")));
+  const std::string html = report_of({.drag = 0.0625});
+  EXPECT_THAT(html, HasSubstr("<td>lost to friction and damping</td>"
+                              "<td class=\"number\">0.128 J</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>lost to the air</td><td class=\"number\">62.5 mJ</td>"));
 }
 
 TEST(SimulationReport, StatesTheMethod) {
@@ -139,8 +168,8 @@ std::vector<double> values_of(const report::EnergyFigure& energy, std::size_t se
 }
 
 TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
-  const auto energy = report::energy_figure(
-      results_with({{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}}));
+  const auto energy = report::energy_figure(results_with(
+      {{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}, {0, 0, 0}}));
   ASSERT_EQ(energy.legend.size(), 4u);
   EXPECT_THAT(values_of(energy, 0), ElementsAre(0, 0.25, 0.125));
   EXPECT_THAT(values_of(energy, 1), ElementsAre(0, -0.5, -0.75));
@@ -149,7 +178,8 @@ TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
 }
 
 TEST(EnergyFigure, OfAPathOfEquilibriaHasNoKineticEnergy) {
-  const auto energy = report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}}));
+  const auto energy =
+      report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}, {0, 0}}));
   EXPECT_EQ(energy.legend.size(), 3u);
 }
 
@@ -160,6 +190,7 @@ TEST(EnergyFigure, KeepsPeaksOfALongSimulation) {
     table.kinetic.push_back(i == 31'415 ? 9 : 0.5);
     table.stored.push_back(0);
     table.work.push_back(0);
+    table.drag.push_back(0);
   }
   const auto kinetic = values_of(report::energy_figure(results_with(table)), 0);
   EXPECT_LT(kinetic.size(), 5'000u);

@@ -22,7 +22,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // The cloth of `with_more`: vertices 0 1 2 at the bottom, 6 7 8 at the top.
-Eigen::Matrix3Xd sheet() { return regular_grid(0.1, 0.1, 3, 3).positions; }
+ClothVertices sheet() {
+  return {regular_grid(0.1, 0.1, 3, 3).positions,
+          {{"collar", {7, 8}}, {"hem", {0, 1}}, {"nobody", {}}}};
+}
 
 std::vector<int> selected(const std::string& criteria) {
   const Scene scene = read_scene_text(with_more("pins: [{cloth: sheet, " + criteria + "}]"));
@@ -75,8 +78,41 @@ TEST(VertexSelection, RefusesABoxWithoutVertices) {
   const InputError error =
       refusal_of("pins: [{cloth: sheet, within: {box: {low: [1, 1, 1], high: [2, 2, 2]}}}]");
   EXPECT_EQ(error.where().line, 5);
-  EXPECT_EQ(error.where().field, "pins[0]");
+  EXPECT_EQ(error.where().field, "pins[0].within.box");
   EXPECT_EQ(error.problem(), "holds no vertex");
+  EXPECT_THAT(error.expected(), HasSubstr("spans [0, 0, 0] to [0.1, 0.1, 0] m"));
+}
+
+TEST(VertexSelection, RefusesABoxWithoutVerticesBesideOtherCriteria) {
+  EXPECT_EQ(refusal_of("pins: [{cloth: sheet, edges: [top],"
+                       " within: {box: {low: [1, 1, 1], high: [2, 2, 2]}}}]")
+                .where()
+                .field,
+            "pins[0].within.box");
+}
+
+TEST(VertexSelection, TakesTheVertexNearestToAPointAndToEachOfSeveral) {
+  EXPECT_THAT(selected("nearest: [0.07, 0.04, 0.02]"), ElementsAre(4));
+  EXPECT_THAT(selected("nearest: [[0, 0.11, 0], [0.09, 0.01, 0]]"), ElementsAre(2, 6));
+}
+
+TEST(VertexSelection, RefusesAPointFarFromTheClothWithItsPlace) {
+  const InputError error = refusal_of("pins: [{cloth: sheet, nearest: [[0, 0, 0], [50, 50, 0]]}]");
+  EXPECT_EQ(error.where().field, "pins[0].nearest[1]");
+  EXPECT_THAT(error.problem(), HasSubstr("from the nearest vertex"));
+}
+
+TEST(VertexSelection, TakesVertexGroupsOfTheMeshFile) {
+  EXPECT_THAT(selected("groups: [hem, collar]"), ElementsAre(0, 1, 7, 8));
+}
+
+TEST(VertexSelection, RefusesAGroupThatIsNotThereAndOneThatIsEmptyByName) {
+  const InputError unknown = refusal_of("pins: [{cloth: sheet, groups: [hem, colar]}]");
+  EXPECT_EQ(unknown.where().field, "pins[0].groups[1]");
+  EXPECT_EQ(unknown.problem(), "the mesh has no vertex group \"colar\" (did you mean \"collar\"?)");
+  EXPECT_EQ(unknown.expected(), "\"collar\", \"hem\" or \"nobody\"");
+  EXPECT_EQ(refusal_of("pins: [{cloth: sheet, groups: [nobody]}]").problem(),
+            "the vertex group \"nobody\" is empty");
 }
 
 TEST(HeldVertices, ArePinsAndClipsInTheirOrder) {

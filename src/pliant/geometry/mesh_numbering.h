@@ -1,9 +1,13 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace pliant {
+
+/// Numbers of vertices by the name that a file has for them, rising.
+using VertexGroups = std::map<std::string, std::vector<int>>;
 
 /// How the owner of a mesh finds its vertices and triangles again: as faces of a file.
 struct MeshNumbering {
@@ -12,6 +16,8 @@ struct MeshNumbering {
   std::vector<int> faces = {};  ///< face of each triangle, from 0; empty: each triangle is a face
   std::vector<int> face_lines = {};    ///< line of each face in a text file; empty in a binary one
   std::vector<int> vertex_lines = {};  ///< the same of each vertex
+  /// `g` lines of OBJ; properties of the vertices in PLY, with the vertices where they are not 0.
+  VertexGroups groups = {};
 
   int face_of(int triangle) const { return faces.empty() ? triangle : faces[triangle]; }
   int line_of_face(int face) const { return face_lines.empty() ? 0 : face_lines[face]; }

@@ -54,7 +54,8 @@ Eigen::Matrix2Xd texture_of(const ObjMesh& obj) {
 
 PolygonMesh from_obj(ObjMesh obj, const std::string& file) {
   PolygonMesh mesh;
-  mesh.numbering = {file, 1, {}, std::move(obj.face_lines), std::move(obj.vertex_lines)};
+  mesh.numbering = {
+      file, 1, {}, std::move(obj.face_lines), std::move(obj.vertex_lines), std::move(obj.groups)};
   mesh.positions = to_matrix(obj.positions);
   mesh.texture = texture_of(obj);
   mesh.faces = std::move(obj.faces);
@@ -73,6 +74,10 @@ PolygonMesh from_ply(PlyMesh ply, const std::string& file) {
   mesh.ignored = std::move(ply.ignored);
   for (const PlyColumn& column : ply.vertex_columns) {
     mesh.ignored.push_back(fmt::format("{} of each vertex", quoted_value(column.name)));
+    std::vector<int>& group = mesh.numbering.groups[column.name];
+    for (std::size_t i = 0; i < column.values.size(); ++i) {
+      if (column.values[i] != 0) group.push_back(static_cast<int>(i));
+    }
   }
   for (const PlyColumn& column : ply.face_columns) {
     mesh.ignored.push_back(fmt::format("{} of each face", quoted_value(column.name)));

@@ -20,14 +20,16 @@ struct ObjMesh {
   std::vector<int> texture_corners;
   std::vector<int> face_lines;    ///< where each face stands, counted from 1; empty when not read
   std::vector<int> vertex_lines;  ///< the same of each position
-  /// After reading: statements that were left out (normals, groups, materials, ...) and how often.
+  /// The vertices of the faces and points below each `g` line, by its names; rising.
+  std::map<std::string, std::vector<int>> groups;
+  /// After reading: statements that were left out (normals, materials, ...) and how often.
   std::map<std::string, int> ignored;
 };
 
-/// Reads the statements v, vt and f: corners as `v`, `v/vt`, `v//vn` or `v/vt/vn`, numbers counted
-/// from 1 or backwards from -1, any number of corners, lines continued with a backslash. Weights
-/// and colours behind a position's x, y, z and a texture point's third coordinate are left out, as
-/// is every other statement.
+/// Reads the statements v, vt, f, p and g: corners as `v`, `v/vt`, `v//vn` or `v/vt/vn`, numbers
+/// counted from 1 or backwards from -1, any number of corners, lines continued with a backslash.
+/// Weights and colours behind a position's x, y, z and a texture point's third coordinate are left
+/// out, as is every other statement.
 /// @throws InputError with the line
 ObjMesh read_obj(const std::filesystem::path& path);
 ObjMesh parse_obj(std::string_view text, const std::string& file);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -87,6 +88,10 @@ class ObjParser {
         add_texture_point(rest);
       } else if (statement == "f") {
         add_face(rest);
+      } else if (statement == "p") {
+        add_points(rest);
+      } else if (statement == "g") {
+        begin_group(rest);
       } else if (!statement.empty()) {
         ignore(statement);
       }
@@ -95,6 +100,7 @@ class ObjParser {
       throw InputError({file_}, "there are no vertices", "an OBJ file, with lines \"v X Y Z\"");
     }
     check_corners();
+    finish_groups();
     return std::move(mesh_);
   }
 
@@ -127,6 +133,37 @@ class ObjParser {
     check_count(mesh_.faces.corners.size());
     mesh_.faces.ends.push_back(mesh_.faces.corners.size());
     mesh_.face_lines.push_back(lines_.number());
+    add_to_groups(mesh_.faces[mesh_.faces.size() - 1]);
+  }
+
+  void add_points(std::string_view rest) {
+    std::vector<int> points;
+    while (!rest.empty()) {
+      const std::string_view word = take_word(rest);
+      points.push_back(index(word, mesh_.positions.size(), word));
+      if (points.back() < std::ssize(mesh_.positions)) continue;
+      fail(fmt::format("there is no vertex {} yet", quoted_value(word)), "vertices given before");
+    }
+    add_to_groups(points);
+  }
+
+  /// What follows belongs to the groups that the line names; to none where it names none.
+  void begin_group(std::string_view rest) {
+    groups_.clear();
+    while (!rest.empty()) groups_.push_back(&mesh_.groups[std::string(take_word(rest))]);
+  }
+
+  void add_to_groups(std::span<const int> vertices) {
+    for (std::vector<int>* group : groups_) {
+      group->insert(group->end(), vertices.begin(), vertices.end());
+    }
+  }
+
+  void finish_groups() {
+    for (auto& [name, vertices] : mesh_.groups) {
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    }
   }
 
   void add_corner(std::string_view word) {
@@ -217,6 +254,7 @@ class ObjParser {
   LineReader lines_;
   const std::string& file_;
   ObjMesh mesh_;
+  std::vector<std::vector<int>*> groups_;  // of what follows
   bool has_texture_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -73,6 +74,14 @@ double place_of(const ColourScale& scale, double value) {
   return scale.high > scale.low ? (value - scale.low) / (scale.high - scale.low) : 0.5;
 }
 
+/// "10 cm"; in mm below 1 cm, in m from 1 m on.
+std::string length_text(double length) {
+  constexpr double kRounding = 1 - 1e-9;
+  if (length >= kRounding) return fmt::format("{:g} m", length);
+  if (length >= 0.01 * kRounding) return fmt::format("{:g} cm", 100 * length);
+  return fmt::format("{:g} mm", 1000 * length);
+}
+
 }  // namespace
 
 TextStyle label_style(int picture_height) {
@@ -114,6 +123,24 @@ void draw_colour_bar(Image& image, const FieldLegend& legend, const TextStyle& s
     draw_text(image, numbers.label(tick), {bar_right + 0.8F * layout.gap, y + style.cap_height / 2},
               TextAlignment::left, style);
   }
+}
+
+void draw_scale_bar(Image& image, const ScaleBar& bar) {
+  constexpr Pixel kWhite = {255, 255, 255};
+  const TextStyle style = label_style(image.height());
+  const float margin = 1.6F * style.cap_height, tick = style.cap_height / 2;
+  const auto length = static_cast<float>(bar.share * image.width());
+  const Eigen::Vector2f from(margin, static_cast<float>(image.height()) - margin);
+  const Eigen::Vector2f to = from + length * Eigen::Vector2f::UnitX();
+  const Eigen::Vector2f up = tick * Eigen::Vector2f::UnitY();
+  for (const auto& [width, ink] : {std::pair(5.0F, kWhite), std::pair(1.5F, style.ink)}) {
+    draw_line(image, from, to, width, ink);
+    for (const Eigen::Vector2f& end : {from, to}) draw_line(image, end - up, end + up, width, ink);
+  }
+  std::string text = length_text(bar.length);
+  if (bar.lines) text += fmt::format("; lines {}, weft dashed", length_text(*bar.lines));
+  draw_text(image, text, to + Eigen::Vector2f(style.cap_height, style.cap_height / 2),
+            TextAlignment::left, style);
 }
 
 void draw_time(Image& image, double seconds, int decimals) {

@@ -25,10 +25,18 @@ Pose pose_of(ViewDirection direction) {
   switch (direction) {
     case ViewDirection::front:
       return {Eigen::Vector3d::UnitY(), z};
-    case ViewDirection::side:
+    case ViewDirection::back:
+      return {-Eigen::Vector3d::UnitY(), z};
+    case ViewDirection::left:
+      return {Eigen::Vector3d::UnitX(), z};
+    case ViewDirection::right:
       return {-Eigen::Vector3d::UnitX(), z};
     case ViewDirection::top:
       return {-z, Eigen::Vector3d::UnitY()};
+    case ViewDirection::bottom:
+      return {z, -Eigen::Vector3d::UnitY()};
+    case ViewDirection::three_quarter_back:
+      return {Eigen::Vector3d(0.55, -1, -0.48).normalized(), z};
     case ViewDirection::three_quarter:
       break;
   }
@@ -81,6 +89,11 @@ Eigen::Vector2d project(const Camera& camera, double aspect, const Eigen::Vector
   const Eigen::Vector3d p = camera_axes(camera).transpose() * (point - camera.position);
   const double slope = std::tan(camera.field_of_view / 2);
   return {0.5 + p.x() / (2 * slope * aspect * p.z()), 0.5 - p.y() / (2 * slope * p.z())};
+}
+
+double width_at(const Camera& camera, double aspect, const Eigen::Vector3d& point) {
+  const double depth = camera_axes(camera).col(2).dot(point - camera.position);
+  return 2 * std::tan(camera.field_of_view / 2) * aspect * depth;
 }
 
 Camera fit_camera(const Eigen::AlignedBox3d& box, ViewDirection direction, double aspect,

@@ -22,11 +22,19 @@ Eigen::Vector2d project(const Camera& camera, double aspect, const Eigen::Vector
 
 /// Where a scene is seen from, gravity pointing down along -z.
 enum class ViewDirection {
-  front,          ///< along +y
-  side,           ///< along -x
-  top,            ///< along -z, y upwards
-  three_quarter,  ///< from the front, right and above
+  front,               ///< along +y
+  back,                ///< along -y
+  left,                ///< along +x
+  right,               ///< along -x
+  top,                 ///< along -z, y upwards
+  bottom,              ///< along +z, y downwards
+  three_quarter,       ///< from the front, right and above
+  three_quarter_back,  ///< from the back, left and above
 };
+
+/// Width of what a picture shows at the depth of a point (m); not above 0 behind the camera.
+/// @param aspect  width / height of the picture
+double width_at(const Camera& camera, double aspect, const Eigen::Vector3d& point);
 
 /// What stays free at the edges of a picture, as fractions of its width and height.
 struct Margins {

@@ -12,15 +12,6 @@ constexpr int kMostDecimals = 6;
 // Numbers from 0.001 to 100,000 are written out.
 constexpr double kSmallestPlain = 1e-3, kLargestPlain = 1e5;
 
-double round_step(double rough) {
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    // Rounding must not push a step that is round itself to the next one.
-    if (factor * power >= rough * (1 - 1e-9)) return factor * power;
-  }
-  return 10 * power;
-}
-
 std::vector<double> multiples_in(double low, double high, double step) {
   const double slack = 1e-9 * (high - low);
   std::vector<double> multiples;
@@ -60,6 +51,15 @@ NumberScale number_scale(double low, double high, int count) {
   }
   scale.decimals = decimals_for(step / std::pow(10.0, scale.exponent));
   return scale;
+}
+
+double round_step(double rough) {
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    // Rounding must not push a step that is round itself to the next one.
+    if (factor * power >= rough * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
 }
 
 int decimals_for(double spacing) {

@@ -19,6 +19,10 @@ struct NumberScale {
 /// @param count  at least 2
 NumberScale number_scale(double low, double high, int count);
 
+/// The least of 1, 2 and 5 times a power of ten that is not below `rough`, but for rounding.
+/// @param rough  > 0
+double round_step(double rough);
+
 /// Decimals that tell numbers `spacing` apart from each other, within 2 % of it; at most 6.
 int decimals_for(double spacing);
 

@@ -87,7 +87,8 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
   hit.triangle = static_cast<int>(query.hit.primID);
   hit.barycentric = {1 - query.hit.u - query.hit.v, query.hit.u, query.hit.v};
   hit.normal = Eigen::Vector3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized();
-  if (hit.normal.dot(ray.direction) > 0) hit.normal = -hit.normal;
+  hit.front = hit.normal.dot(ray.direction) < 0;
+  if (!hit.front) hit.normal = -hit.normal;
   hit.distance = query.ray.tfar;
   return hit;
 }

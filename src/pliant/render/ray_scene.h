@@ -22,6 +22,8 @@ struct RayHit {
   Eigen::Vector3f barycentric;  ///< weights of the triangle's corners
   Eigen::Vector3f normal;       ///< of the flat triangle, unit length, towards the ray's origin
   float distance = 0;
+  bool front =
+      true;  ///< whether the triangle's corners run counter-clockwise as seen along the ray
 };
 
 /// Triangle meshes that rays are cast against (Embree). Safe to use from several threads.

@@ -16,7 +16,9 @@ KeyLight light_for_view(const Eigen::Vector3d& forward) {
   const Eigen::Vector3d side =
       Eigen::AngleAxisd(kTurn, Eigen::Vector3d::UnitZ()) * backward.normalized();
   KeyLight light;
-  light.direction = std::cos(kElevation) * side + std::sin(kElevation) * Eigen::Vector3d::UnitZ();
+  const bool looks_up = forward.z() > std::sin(kElevation) * forward.norm();
+  const double height = std::sin(looks_up ? -kElevation : kElevation);
+  light.direction = std::cos(kElevation) * side + height * Eigen::Vector3d::UnitZ();
   return light;
 }
 

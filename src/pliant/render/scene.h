@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "pliant/render/colour_map.h"
+#include "pliant/render/rest_lines.h"
 
 namespace pliant {
 
@@ -17,11 +18,13 @@ struct VertexField {
 
 /// A surface in a picture, seen from both sides.
 struct RenderMesh {
-  Eigen::Matrix3Xd positions;  ///< m, one column a vertex
-  Eigen::Matrix3Xi triangles;  ///< vertices of each triangle
-  Colour colour = colour_of_rgb(0x7fa3cf);
-  std::optional<VertexField> field = {};  ///< in place of `colour`
-  bool edges = false;                     ///< draw the edges of the triangles
+  Eigen::Matrix3Xd positions;              ///< m, one column a vertex
+  Eigen::Matrix3Xi triangles;              ///< vertices of each triangle
+  Colour front = colour_of_rgb(0x7fa3cf);  ///< where the corners of triangles run counter-clockwise
+  Colour back = colour_of_rgb(0xb98f66);
+  std::optional<VertexField> field = {};  ///< in place of both colours
+  std::optional<RestLines> lines = {};
+  bool edges = false;  ///< draw the edges of the triangles
 };
 
 /// Light from one direction, like the sun's.
@@ -39,7 +42,8 @@ struct RenderScene {
   Colour background = Colour::Ones();
 };
 
-/// A light over the left shoulder of who looks along `forward`, never below 45 degrees.
+/// A light over the left shoulder of who looks along `forward`, never below 45 degrees; from below
+/// for who looks steeply upwards.
 KeyLight light_for_view(const Eigen::Vector3d& forward);
 
 }  // namespace pliant

@@ -89,8 +89,8 @@ Colour Shading::surface_light(const Ray& ray, const RayHit& hit, const PixelSamp
   const Eigen::Vector3f point = ray.origin + hit.distance * ray.direction;
   const LitPoint lit{surface.rounded_point(hit, point) + nudge_ * hit.normal, surface.normal(hit),
                      sample};
-  const float edge_half_width = 0.5F * sample.pixel_angle * hit.distance;
-  return light_at(lit) * surface.colour(hit, edge_half_width);
+  const float half_pixel = 0.5F * sample.pixel_angle * hit.distance;
+  return light_at(lit) * surface.colour(hit, half_pixel);
 }
 
 Colour Shading::ground_light(const Eigen::Vector3f& point, const PixelSample& sample) const {

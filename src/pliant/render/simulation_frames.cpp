@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/io/obj.h"
 #include "pliant/io/ply.h"
 
 namespace pliant {
@@ -52,6 +53,11 @@ Eigen::Matrix3Xi fan_triangles(const Polygons& faces) {
   return triangles;
 }
 
+Eigen::Matrix3Xd matrix_of(const std::vector<Point3>& points) {
+  static_assert(sizeof(Point3) == 3 * sizeof(double));
+  return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
+}
+
 }  // namespace
 
 std::filesystem::path SimulationFrames::file_of(const SimulationFrame& frame) const {
@@ -70,7 +76,28 @@ SimulationFrames read_simulation_frames(const std::filesystem::path& directory) 
   simulation.directory = directory;
   simulation.frames = read_frames(fields.require("frames"));
   simulation.units = fields.texts("fields");
+  if (const auto mesh = fields.optional("mesh")) simulation.mesh = directory / mesh->text();
   return simulation;
+}
+
+TriangleMesh read_cloth(const std::filesystem::path& file) {
+  const ObjMesh obj = read_obj(file);
+  TriangleMesh mesh;
+  mesh.positions = matrix_of(obj.positions);
+  mesh.triangles = fan_triangles(obj.faces);
+  const bool triangles = std::ssize(obj.faces.corners) == mesh.triangles.size();
+  if (!triangles || obj.texture_corners.size() != obj.faces.corners.size()) {
+    throw InputError({file.string()}, "is no cloth with its rest plane",
+                     "triangles with texture coordinates, as simulate writes them");
+  }
+  mesh.rest_corners.resize(2, mesh.triangles.size());
+  for (Eigen::Index c = 0; c < mesh.rest_corners.cols(); ++c) {
+    const int point = obj.texture_corners[static_cast<size_t>(c)];
+    if (point < 0) throw InputError({file.string()}, "has a corner without texture point");
+    const auto& [u, v] = obj.texture_points[static_cast<size_t>(point)];
+    mesh.rest_corners.col(c) << u, v;
+  }
+  return mesh;
 }
 
 FrameMesh read_frame(const std::filesystem::path& file) {
@@ -80,9 +107,7 @@ FrameMesh read_frame(const std::filesystem::path& file) {
   }
   constexpr double kFarthest = 1e15;  // m; beyond it, products of coordinates overflow in the rays
   FrameMesh mesh;
-  static_assert(sizeof(Point3) == 3 * sizeof(double));
-  mesh.positions = Eigen::Map<const Eigen::Matrix3Xd>(ply.positions.front().data(), 3,
-                                                      std::ssize(ply.positions));
+  mesh.positions = matrix_of(ply.positions);
   if (!(mesh.positions.cwiseAbs().maxCoeff() < kFarthest)) {
     throw InputError({file.string()}, "has vertices too far away to be drawn",
                      "coordinates below 1e15 m");

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "pliant/geometry/triangle_mesh.h"
+
 namespace pliant {
 
 struct SimulationFrame {
@@ -19,6 +21,7 @@ struct SimulationFrames {
   std::filesystem::path directory;
   std::vector<SimulationFrame> frames;       ///< one or more, index and time increasing
   std::map<std::string, std::string> units;  ///< of fields, by name, where they are known
+  std::filesystem::path mesh = {};  ///< the cloth with its rest plane; empty where not written
 
   std::filesystem::path file_of(const SimulationFrame& frame) const;
 };
@@ -26,6 +29,11 @@ struct SimulationFrames {
 /// Reads `directory`/simulation.json.
 /// @throws InputError
 SimulationFrames read_simulation_frames(const std::filesystem::path& directory);
+
+/// The cloth that all frames show, with its rest coordinates.
+/// @param file  OBJ, triangles with texture coordinates in metres
+/// @throws InputError
+TriangleMesh read_cloth(const std::filesystem::path& file);
 
 /// The cloth of one frame.
 struct FrameMesh {

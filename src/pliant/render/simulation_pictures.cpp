@@ -105,8 +105,13 @@ RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
   scene.ground = setting.ground;
   scene.light = light_for_view(setting.camera.target - setting.camera.position);
   if (options.hard_shadow) scene.light.angular_radius = 0;
-  RenderMesh mesh{
-      std::move(frame.positions), std::move(frame.triangles), options.colour, {}, options.edges};
+  RenderMesh mesh{std::move(frame.positions),
+                  std::move(frame.triangles),
+                  options.front,
+                  options.back,
+                  {},
+                  setting.lines,
+                  options.edges};
   if (setting.legend) {
     scene.ambient = kFieldAmbient;
     mesh.field = VertexField{std::move(frame.fields[options.field]), setting.legend->scale};
@@ -121,10 +126,37 @@ Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& f
   const std::filesystem::path file = simulation.file_of(frame);
   FrameMesh mesh = read_frame(file);
   if (setting.legend) field_of(mesh, options.field, file);
+  if (setting.lines && setting.lines->rest_corners.cols() != mesh.triangles.size()) {
+    throw InputError({file.string()}, fmt::format("has {} triangles", mesh.triangles.cols()),
+                     fmt::format("{}, as in {}", setting.lines->rest_corners.cols() / 3,
+                                 simulation.mesh.string()));
+  }
   const RenderScene scene = scene_of(std::move(mesh), setting, options);
   Image image = render(scene, setting.camera, options.size, options.quality, run);
   draw_time(image, frame.time, setting.time_decimals);
+  if (setting.scale_bar) draw_scale_bar(image, *setting.scale_bar);
   return image;
+}
+
+std::optional<RestLines> lines_of(const SimulationFrames& simulation,
+                                  const PictureOptions& options) {
+  if (!options.lines || simulation.mesh.empty()) return std::nullopt;
+  const TriangleMesh cloth = read_cloth(simulation.mesh);
+  const double area = rest_area(cloth);
+  if (!(area > 0)) return std::nullopt;
+  return RestLines{cloth.rest_corners, options.line_spacing.value_or(usual_spacing(area))};
+}
+
+/// A round length of a tenth to a quarter of the picture's width in the middle of what is shown.
+std::optional<ScaleBar> scale_bar_of(const PictureSetting& setting, double aspect,
+                                     const Eigen::AlignedBox3d& box) {
+  const double width = width_at(setting.camera, aspect, box.center());
+  if (!(width > 0)) return std::nullopt;
+  ScaleBar bar;
+  bar.length = round_step(0.1 * width);
+  bar.share = bar.length / width;
+  if (setting.lines) bar.lines = setting.lines->spacing;
+  return bar;
 }
 
 }  // namespace
@@ -143,6 +175,8 @@ PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptio
       options.camera.value_or(fit_camera(extent.box, options.view, options.size.aspect(), margins));
   // A little below, so that a cloth which lies flat does not touch it.
   if (options.ground) setting.ground = extent.box.min().z() - 1e-3 * extent.box.diagonal().norm();
+  setting.lines = lines_of(simulation, options);
+  setting.scale_bar = scale_bar_of(setting, options.size.aspect(), extent.box);
   setting.time_decimals = time_decimals(simulation.frames);
   return setting;
 }

@@ -24,7 +24,10 @@ struct PictureOptions {
   /// Values of the first and the last colour; by default the 2nd and the 98th percentile over all
   /// frames, for coolwarm as far from zero on both sides.
   std::optional<std::pair<double, double>> range = {};
-  Colour colour = RenderMesh().colour;  ///< where no field is shown
+  Colour front = RenderMesh().front;  ///< where no field is shown
+  Colour back = RenderMesh().back;
+  bool lines = true;                        ///< along weft and warp, where rest shapes are known
+  std::optional<double> line_spacing = {};  ///< at rest (m); by default by the size of the cloth
   bool edges = false;
   bool ground = true;  ///< a floor below the lowest point of all frames
   bool hard_shadow = false;
@@ -35,6 +38,8 @@ struct PictureSetting {
   Camera camera;
   std::optional<double> ground;       ///< height (m)
   std::optional<FieldLegend> legend;  ///< of the field shown
+  std::optional<RestLines> lines;
+  std::optional<ScaleBar> scale_bar;
   int time_decimals = 0;
 };
 

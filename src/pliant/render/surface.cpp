@@ -14,11 +14,8 @@ namespace {
 
 // Finer than the steps of 8-bit colour.
 constexpr int kFieldColours = 512;
-constexpr float kEdgeShade = 0.4F;  // of the surface's own colour
-
-float corner_angle(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
+// Of the surface's own colour.
+constexpr float kEdgeShade = 0.4F, kLineShade = 0.55F;
 
 /// Places of values between the ends of a scale, NaN where there is no value.
 Eigen::VectorXf scale_positions(const VertexField& field) {
@@ -34,29 +31,14 @@ Eigen::VectorXf scale_positions(const VertexField& field) {
 
 }  // namespace
 
-Eigen::Matrix3Xf vertex_normals(const Eigen::Matrix3Xf& positions,
-                                const Eigen::Matrix3Xi& triangles) {
-  Eigen::Matrix3Xf normals = Eigen::Matrix3Xf::Zero(3, positions.cols());
-  for (const auto& triangle : triangles.colwise()) {
-    const Eigen::Matrix3f corners = positions(Eigen::all, triangle);
-    const Eigen::Vector3f normal =
-        (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).stableNormalized();
-    for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3f to_next = corners.col((k + 1) % 3) - corners.col(k);
-      const Eigen::Vector3f to_last = corners.col((k + 2) % 3) - corners.col(k);
-      normals.col(triangle[k]) += corner_angle(to_next, to_last) * normal;
-    }
-  }
-  for (auto normal : normals.colwise()) normal.stableNormalize();
-  return normals;
-}
-
 Surface::Surface(const RenderMesh& mesh, Eigen::Matrix3Xf positions)
     : positions_(std::move(positions)),
       triangles_(mesh.triangles),
-      normals_(vertex_normals(positions_, triangles_)),
-      colour_(mesh.colour),
+      normals_(corner_normals(positions_, triangles_)),
+      front_(mesh.front),
+      back_(mesh.back),
       edges_(mesh.edges) {
+  if (mesh.lines) lines_.emplace(*mesh.lines, positions_, triangles_);
   if (!mesh.field) return;
   PLIANT_ASSERT(mesh.field->values.size() == positions_.cols(), "a field has a value a vertex");
   field_ = scale_positions(*mesh.field);
@@ -69,7 +51,7 @@ Surface::Surface(const RenderMesh& mesh, Eigen::Matrix3Xf positions)
 
 Eigen::Vector3f Surface::normal(const RayHit& hit) const {
   const Eigen::Vector3f smooth =
-      normals_(Eigen::all, triangles_.col(hit.triangle)) * hit.barycentric;
+      normals_.normals(Eigen::all, normals_.corners.col(hit.triangle)) * hit.barycentric;
   const float length = smooth.norm();
   if (!(length > 0)) return hit.normal;
   return smooth.dot(hit.normal) < 0 ? Eigen::Vector3f(-smooth / length)
@@ -79,22 +61,24 @@ Eigen::Vector3f Surface::normal(const RayHit& hit) const {
 Eigen::Vector3f Surface::rounded_point(const RayHit& hit, const Eigen::Vector3f& point) const {
   Eigen::Vector3f result = point;
   for (int k = 0; k < 3; ++k) {
-    const int vertex = triangles_(k, hit.triangle);
-    Eigen::Vector3f normal = normals_.col(vertex);
+    Eigen::Vector3f normal = normals_.normals.col(normals_.corners(k, hit.triangle));
     if (normal.dot(hit.normal) < 0) normal = -normal;
-    const float below = std::min(0.0F, normal.dot(point - positions_.col(vertex)));
+    const Eigen::Vector3f corner = positions_.col(triangles_(k, hit.triangle));
+    const float below = std::min(0.0F, normal.dot(point - corner));
     result -= hit.barycentric[k] * below * normal;
   }
   return result;
 }
 
-Colour Surface::colour(const RayHit& hit, float edge_half_width) const {
+Colour Surface::colour(const RayHit& hit, float half_width) const {
   const Colour plain = plain_colour(hit);
-  return edges_ && on_edge(hit, edge_half_width) ? Colour(kEdgeShade * plain) : plain;
+  if (edges_ && on_edge(hit, half_width)) return kEdgeShade * plain;
+  if (lines_ && lines_->covers(hit, half_width)) return kLineShade * plain;
+  return plain;
 }
 
 Colour Surface::plain_colour(const RayHit& hit) const {
-  if (field_.size() == 0) return colour_;
+  if (field_.size() == 0) return hit.front ? front_ : back_;
   const float place = hit.barycentric.dot(field_(triangles_.col(hit.triangle)));
   if (std::isnan(place)) return no_value_colour_;
   const float index = std::clamp(place, 0.0F, 1.0F) * (kFieldColours - 1);

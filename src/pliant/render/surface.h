@@ -1,18 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "pliant/render/corner_normals.h"
 #include "pliant/render/ray_scene.h"
+#include "pliant/render/rest_lines.h"
 #include "pliant/render/scene.h"
 
 namespace pliant {
-
-/// Unit normals of the vertices: those of the triangles around each, by their angles there
-/// (Thuermer1998). A vertex without triangle area around it has the normal 0.
-Eigen::Matrix3Xf vertex_normals(const Eigen::Matrix3Xf& positions,
-                                const Eigen::Matrix3Xi& triangles);
 
 /// A mesh made ready for shading: what is at a point where a ray meets it.
 class Surface {
@@ -30,9 +28,9 @@ class Surface {
   /// (Hanika2021).
   Eigen::Vector3f rounded_point(const RayHit& hit, const Eigen::Vector3f& point) const;
 
-  /// The reflectance, edges included.
-  /// @param edge_half_width  half the width of a drawn edge (m)
-  Colour colour(const RayHit& hit, float edge_half_width) const;
+  /// The reflectance, lines and edges included.
+  /// @param half_width  half the width of a drawn edge, and of the thinnest line (m)
+  Colour colour(const RayHit& hit, float half_width) const;
 
  private:
   Colour plain_colour(const RayHit& hit) const;
@@ -40,8 +38,10 @@ class Surface {
 
   Eigen::Matrix3Xf positions_;
   Eigen::Matrix3Xi triangles_;
-  Eigen::Matrix3Xf normals_;
-  Colour colour_;
+  CornerNormals normals_;
+  Colour front_;
+  Colour back_;
+  std::optional<RestLinePattern> lines_;
   bool edges_;
   Eigen::VectorXf field_;              // per vertex: 0 = first colour, 1 = last; or empty
   std::vector<Colour> field_colours_;  // of the scale, evenly spaced

@@ -15,29 +15,29 @@ constexpr SeriesStyle kKinetic = {"kinetic", "kinetic", "#00538a", "solid", null
 constexpr SeriesStyle kStored = {
     "stored", "stored (elastic and gravity), change", "#b34700", "6px,3px", nullptr, 2.0};
 constexpr SeriesStyle kLost = {
-    "lost", "lost to friction, damping and air", "#555f6b", "2px,3px", nullptr, 1.8};
+    "lost", "lost to friction and damping", "#555f6b", "2px,3px", nullptr, 1.8};
+constexpr SeriesStyle kDrag = {"drag", "lost to the air", "#7a4a8c", "1px,4px", nullptr, 1.8};
 constexpr SeriesStyle kTotal = {
     "total", "sum of all, change", "#1f2933", "8px,3px,2px,3px", nullptr, 1.6};
 
-struct Series {
-  SeriesStyle style;
-  std::vector<double> values;
-};
+bool has_any(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+}
 
-std::vector<Series> series_of(const EnergyTable& energy) {
-  Series kinetic{kKinetic, energy.kinetic}, stored{kStored, {}}, lost{kLost, energy.work},
-      total{kTotal, {}};
+std::vector<EnergySeries> series_of(const EnergyTable& energy) {
+  EnergySeries stored{kStored, {}}, lost{kLost, {}}, total{kTotal, {}};
   for (std::size_t i = 0; i < energy.rows(); ++i) {
     stored.values.push_back(energy.stored[i] - energy.stored[0]);
+    lost.values.push_back(energy.work[i] - energy.drag[i]);
     total.values.push_back(energy.kinetic[i] - energy.kinetic[0] + stored.values[i] +
                            energy.work[i]);
   }
-  std::vector<Series> series{stored, lost, total};
+  std::vector<EnergySeries> series;
   // A path of equilibria has no motion.
-  const auto moves = [](double value) { return value != 0; };
-  if (std::any_of(kinetic.values.begin(), kinetic.values.end(), moves)) {
-    series.insert(series.begin(), kinetic);
-  }
+  if (has_any(energy.kinetic)) series.push_back({kKinetic, energy.kinetic});
+  series.insert(series.end(), {stored, lost});
+  if (has_any(energy.drag)) series.push_back({kDrag, energy.drag});
+  series.push_back(total);
   return series;
 }
 
@@ -50,15 +50,15 @@ std::vector<double> taken(const std::vector<double>& values, const std::set<std:
 }  // namespace
 
 EnergyFigure energy_figure(const SimulationResults& results) {
-  const std::vector<Series> all = series_of(results.energy);
+  EnergyFigure result;
+  result.series = series_of(results.energy);
   std::set<std::size_t> rows;
-  for (const Series& series : all) {
+  for (const EnergySeries& series : result.series) {
     const std::vector<std::size_t> drawn = thin_for_drawing(series.values, {}, kBudget);
     rows.insert(drawn.begin(), drawn.end());
   }
-  EnergyFigure result;
   const std::vector<double> time = taken(results.energy.time, rows);
-  for (const Series& series : all) {
+  for (const EnergySeries& series : result.series) {
     result.figure.traces.push_back(trace(series.style, time, taken(series.values, rows)));
     result.legend.push_back(series.style);
   }

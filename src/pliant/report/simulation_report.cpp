@@ -1,5 +1,6 @@
 #include "pliant/report/simulation_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -50,7 +51,8 @@ std::string verdict(const SimulationResults& results) {
     text += fmt::format(" It stopped at {}; `pliant simulate --resume` goes on from there.",
                         time_text(simulated_time(results)));
   }
-  return text;
+  const std::string limits = limits_text(results);
+  return limits.empty() ? text : text + " " + limits;
 }
 
 std::string facts(const SimulationResults& results) {
@@ -73,9 +75,6 @@ std::string facts(const SimulationResults& results) {
     all.emplace_back("Least contact distance",
                      number_text(1e3 * *results.min_contact_distance) + " mm");
   }
-  if (results.energy.rows() > 0) {
-    all.emplace_back("Lost to friction and damping", energy_text(results.energy.work.back()));
-  }
   all.insert(all.end(), results.info.begin(), results.info.end());
   return fact_list(all);
 }
@@ -86,12 +85,23 @@ std::string warnings(const SimulationResults& results) {
          "</section>\n";
 }
 
+std::string energy_table(const std::vector<EnergySeries>& all) {
+  HtmlTable table({{"Energy"}, {"At the end", Align::number}, {"Largest", Align::number}});
+  for (const EnergySeries& series : all) {
+    table.begin_row();
+    table.cell(series.style.name);
+    table.cell(energy_text(series.values.back()));
+    table.cell(energy_text(*std::max_element(series.values.begin(), series.values.end())));
+  }
+  return table.html();
+}
+
 std::string energy_section(const SimulationResults& results, FigureSheet& figures) {
   if (results.energy.rows() < 2) return {};
   const EnergyFigure energy = energy_figure(results);
   std::string html = "<section class=\"figure-block\"><h2>Energy</h2>\n";
   if (figures.can_draw()) html += legend_html(energy.legend);
-  return html + figures.add(energy.figure, "figure-medium") +
+  return html + figures.add(energy.figure, "figure-medium") + energy_table(energy.series) +
          "<p class=\"small\">Stored energy and the sum less what they are at the first frame. The "
          "sum falls by what the time integrator damps, and takes up the work of whatever is moved "
          "from outside.</p></section>\n";
@@ -174,9 +184,8 @@ std::string make_simulation_report(const std::filesystem::path& results_director
   body += report::escape_html(results.name) + " <span>simulation</span></h1></header>\n";
   body +=
       fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(report::verdict(results)));
-  body += report::facts(results) + report::warnings(results);
-  body += report::motion_section(results, pictures);
-  body += report::energy_section(results, figures);
+  body += report::motion_section(results, pictures) + report::facts(results);
+  body += report::energy_section(results, figures) + report::warnings(results);
   body += "</section>\n" + report::step_section(results);
   body += report::field_section(results, pictures) + report::origin_section(results);
   return report::page(results.name + ": simulation", body, figures);

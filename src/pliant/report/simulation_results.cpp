@@ -30,8 +30,14 @@ SimulationMethod read_method(const JsonReader& json) {
 
 EnergyTable read_energy(const std::filesystem::path& file) {
   const CsvTable table = read_csv(file);
-  return {table.numbers("time_s"), table.numbers("kinetic_J"), table.numbers("stored_J"),
-          table.numbers("work_J")};
+  EnergyTable energy{table.numbers("time_s"),
+                     table.numbers("kinetic_J"),
+                     table.numbers("stored_J"),
+                     table.numbers("work_J"),
+                     {}};
+  energy.drag =
+      table.has("drag_J") ? table.numbers("drag_J") : std::vector<double>(energy.rows(), 0.0);
+  return energy;
 }
 
 void read_frames(const JsonReader& json, SimulationResults& results) {
@@ -63,6 +69,18 @@ std::string method_text(const SimulationMethod& method) {
   }
   if (method.adaptive) parts.emplace_back("steps halved where they fail");
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string limits_text(const SimulationResults& results) {
+  if (results.not_modelled.empty()) return {};
+  std::string text = fmt::format("Not modelled: {}.", fmt::join(results.not_modelled, ", "));
+  if (!results.crossing_pairs) return text;
+  const char* end = results.finished ? "At the end" : "At the last step";
+  if (*results.crossing_pairs == 0) {
+    return fmt::format("{} {} no triangles pass through each other.", text, end);
+  }
+  return fmt::format("{} {} {} pair{} of triangles pass through each other.", text, end,
+                     *results.crossing_pairs, *results.crossing_pairs == 1 ? "" : "s");
 }
 
 SimulationResults read_simulation_results(const std::filesystem::path& directory) {
@@ -98,6 +116,8 @@ SimulationResults read_simulation_results(const std::filesystem::path& directory
   r.energy_file = json.relative_file_or("energy", "");
   if (!r.energy_file.empty()) r.energy = read_energy(directory / r.energy_file);
   r.warnings = json.texts("warnings");
+  r.not_modelled = json.texts("not_modelled");
+  if (json.number("crossing_pairs")) r.crossing_pairs = json.integer_or("crossing_pairs", 0);
   return r;
 }
 

@@ -19,6 +19,7 @@ struct EnergyTable {
   std::vector<double> kinetic;  ///< J
   std::vector<double> stored;   ///< J, elastic and of gravity
   std::vector<double> work;     ///< J, lost to friction, damping and air since the start
+  std::vector<double> drag;     ///< J, of it to the air; 0 where the file does not say
 
   std::size_t rows() const { return time.size(); }
 };
@@ -34,6 +35,11 @@ struct SimulationMethod {
 /// The method in one line, without the length of the step.
 std::string method_text(const SimulationMethod& method);
 
+struct SimulationResults;
+
+/// What was not modelled, and what became of it: one sentence, empty where the file does not say.
+std::string limits_text(const SimulationResults& results);
+
 /// simulation.json of a results directory, and its energies.
 struct SimulationResults {
   std::string name, command, created, version, scene, scene_sha256;
@@ -47,7 +53,9 @@ struct SimulationResults {
   StepStatistics seconds, substeps, newton_iterations, linear_iterations;
   std::optional<double> peak_memory;           ///< MB
   std::optional<double> min_contact_distance;  ///< m
-  std::string energy_file;                     ///< relative to the directory; empty: none
+  std::vector<std::string> not_modelled;       ///< what real cloth does and this one does not
+  std::optional<int> crossing_pairs;  ///< of triangles that pass through each other in the end
+  std::string energy_file;            ///< relative to the directory; empty: none
   EnergyTable energy;
   std::vector<std::string> warnings;
 };

@@ -85,6 +85,7 @@ SimulationState read_state(const Json& json, const State& start) {
   state.state = start;
   state.steps = json.at("steps");
   state.work = json.at("work");
+  state.drag = json.at("drag");
   fill_state(json.at("state"), state.state);
   state.records.seconds = list_of<double>(json.at("seconds"));
   state.records.substeps = list_of<int>(json.at("substeps"));
@@ -161,6 +162,7 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
   const Json json{{"identity", identity},
                   {"steps", state.steps},
                   {"work", state.work},
+                  {"drag", state.drag},
                   {"state", state_json(state.state)},
                   {"seconds", bytes_of(state.records.seconds)},
                   {"substeps", bytes_of(state.records.substeps)},

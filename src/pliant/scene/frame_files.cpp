@@ -75,10 +75,10 @@ std::string vtu_bytes(const Simulation& simulation) {
 }
 
 std::string energy_table(const Simulation& simulation) {
-  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J\n";
+  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J,drag_J\n";
   for (const EnergyRow& row : simulation.now().energies) {
-    table +=
-        fmt::format("{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work, row.total());
+    table += fmt::format("{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work,
+                         row.total(), row.drag);
   }
   return table;
 }
@@ -103,6 +103,18 @@ std::string pvd_text(const Simulation& simulation) {
     frames.push_back({row.time, fmt::format("frames/{:06}.vtu", frames.size())});
   }
   return write_pvd(frames);
+}
+
+/// Corners of one vertex at one place of the rest plane share a texture point.
+void add_rest_plane(const TriangleMesh& mesh, ObjMesh& obj) {
+  std::map<std::pair<int, Point2>, int> points;
+  for (Eigen::Index c = 0; c < mesh.rest_corners.cols(); ++c) {
+    const Point2 place{mesh.rest_corners(0, c), mesh.rest_corners(1, c)};
+    const auto next = static_cast<int>(obj.texture_points.size());
+    const auto [found, added] = points.try_emplace({mesh.triangles(c), place}, next);
+    if (added) obj.texture_points.push_back(place);
+    obj.texture_corners.push_back(found->second);
+  }
 }
 
 }  // namespace
@@ -151,11 +163,7 @@ std::string cloth_obj(const Simulation& simulation) {
   obj.positions = cloth_points(simulation);
   obj.faces = faces_of(simulation);
   for (const ClothPiece& cloth : simulation.built().cloths) {
-    const Eigen::Matrix2Xd& corners = cloth.mesh.rest_corners;
-    for (Eigen::Index c = 0; c < corners.cols(); ++c) {
-      obj.texture_corners.push_back(static_cast<int>(obj.texture_points.size()));
-      obj.texture_points.push_back({corners(0, c), corners(1, c)});
-    }
+    add_rest_plane(cloth.mesh, obj);
   }
   return write_obj(obj);
 }

@@ -14,9 +14,9 @@ constexpr std::array<bool, 3> kEveryDirection{true, true, true};
 /// What holds each vertex of a cloth in each direction of the world; a file line, 0 for nothing.
 class Holders {
  public:
-  explicit Holders(std::span<const Eigen::Matrix3Xd> positions) {
-    for (const Eigen::Matrix3Xd& cloth : positions) {
-      lines_.emplace_back(static_cast<std::size_t>(cloth.cols()));
+  explicit Holders(std::span<const ClothVertices> cloths) {
+    for (const ClothVertices& cloth : cloths) {
+      lines_.emplace_back(static_cast<std::size_t>(cloth.positions.cols()));
     }
   }
 
@@ -53,20 +53,20 @@ void check_cords(const SceneClip& clip, const Eigen::Matrix3Xd& positions) {
 
 }  // namespace
 
-HeldVertices held_vertices(const Scene& scene, std::span<const Eigen::Matrix3Xd> positions) {
-  PLIANT_ASSERT(positions.size() == scene.cloth.size(), "the positions of each cloth");
+HeldVertices held_vertices(const Scene& scene, std::span<const ClothVertices> cloths) {
+  PLIANT_ASSERT(cloths.size() == scene.cloth.size(), "the vertices of each cloth");
   HeldVertices held;
-  Holders holders(positions);
+  Holders holders(cloths);
   for (const ScenePin& pin : scene.pins) {
-    const auto& mesh = positions[static_cast<std::size_t>(pin.cloth)];
-    held.pins.push_back(selected_vertices(pin.vertices, mesh));
+    const ClothVertices& cloth = cloths[static_cast<std::size_t>(pin.cloth)];
+    held.pins.push_back(selected_vertices(pin.vertices, cloth));
     holders.hold(pin.cloth, held.pins.back(), pin.directions, pin.where);
   }
   for (const SceneClip& clip : scene.clips) {
-    const auto& mesh = positions[static_cast<std::size_t>(clip.cloth)];
-    held.clips.push_back(selected_vertices(clip.vertices, mesh));
+    const ClothVertices& cloth = cloths[static_cast<std::size_t>(clip.cloth)];
+    held.clips.push_back(selected_vertices(clip.vertices, cloth));
     holders.hold(clip.cloth, held.clips.back(), kEveryDirection, clip.where);
-    check_cords(clip, mesh);
+    check_cords(clip, cloth.positions);
   }
   return held;
 }

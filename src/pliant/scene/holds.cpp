@@ -29,8 +29,10 @@ VertexSelection read_held_vertices(Fields& fields, const SceneCloth& cloth) {
   if (cloth.mesh.is_rectangle()) return selection;
   for (const char* key : {"edges", "corners"}) {
     if (auto v = fields.optional(key)) {
-      v->fail("the mesh of " + quoted_value(cloth.name) + " comes from a file",
-              "`vertices` or `within`; only grids and rectangles have named edges and corners");
+      v->fail(
+          "the mesh of " + quoted_value(cloth.name) + " comes from a file",
+          "`vertices`, `nearest`, `groups` or `within`; only grids and rectangles have named edges "
+          "and corners");
     }
   }
   return selection;

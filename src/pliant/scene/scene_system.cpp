@@ -112,23 +112,23 @@ class SceneBuilder {
   System& system() { return *result_.system; }
 
   void read_cloths() {
-    std::vector<Eigen::Matrix3Xd> own_positions;
+    std::vector<ClothVertices> vertices;
     for (const SceneCloth& cloth : scene_.cloth) {
       ClothMesh made = make_cloth_mesh(cloth.mesh);
       result_.warnings.insert(result_.warnings.end(), made.warnings.begin(), made.warnings.end());
       regions_.push_back(regions_of(cloth, made, filler_, result_.warnings));
       TriangleMesh& mesh = made.mesh;
-      own_positions.push_back(mesh.positions);
+      vertices.push_back({mesh.positions, made.numbering.groups});
       for (const Region& region : regions_.back()) {
         require_mass(region, scene_);
         require_grid(region, mesh);
       }
       mesh.positions = initial_positions(cloth, mesh.positions);
-      const int vertices = mesh.vertex_count();
+      const int count = mesh.vertex_count();
       result_.cloths.push_back({cloth.name, std::move(mesh), result_.vertices, {}});
-      result_.vertices += vertices;
+      result_.vertices += count;
     }
-    held_ = held_vertices(scene_, own_positions);
+    held_ = held_vertices(scene_, vertices);
   }
 
   // Positions, masses and faces of all points: vertices, then the points of cords.

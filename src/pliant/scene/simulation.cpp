@@ -16,7 +16,8 @@ struct Simulation::StepResult {
   int substeps = 0;
   int newton_iterations = 0;
   int linear_iterations = 0;
-  double work = 0;  // J
+  double work = 0;  // against friction, damping and air (J)
+  double drag = 0;  // of it, against the air
 };
 
 /// Takes a simulation's state through one step.
@@ -80,7 +81,8 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     result.linear_iterations += summary.linear_iterations;
     if (summary.converged) {
       ++result.substeps;
-      result.work += summary.work;
+      result.work += summary.work + summary.drag;
+      result.drag += summary.drag;
       state = std::move(next);
       return;
     }
@@ -173,6 +175,7 @@ void Simulation::record_energy(double stored) {
   row.kinetic = now_.state.velocities.colwise().squaredNorm().dot(built_.system->masses()) / 2;
   row.stored = stored;
   row.work = now_.work;
+  row.drag = now_.drag;
   now_.energies.push_back(row);
 }
 
@@ -200,6 +203,7 @@ void Simulation::advance() {
   // Not a sum of steps, which would drift.
   now_.state.time = now_.steps * scene_.time.step;
   now_.work += result.work;
+  now_.drag += result.drag;
   now_.records.seconds.push_back(seconds_now() - begin);
   now_.records.substeps.push_back(result.substeps);
   now_.records.newton_iterations.push_back(result.newton_iterations);

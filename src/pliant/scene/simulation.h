@@ -16,6 +16,7 @@ struct EnergyRow {
   double kinetic = 0;
   double stored = 0;  ///< elastic energy, gravity and cords
   double work = 0;    ///< done against friction, damping and air since the start
+  double drag = 0;    ///< of it, against the air
 
   double total() const { return kinetic + stored + work; }
 };
@@ -43,6 +44,7 @@ struct SimulationState {
   int steps = 0;  ///< of the scene's constant size, accepted
   State state;
   double work = 0;  ///< see EnergyRow
+  double drag = 0;
   StepRecords records;
   std::vector<EnergyRow> energies;  ///< one a frame
   std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene

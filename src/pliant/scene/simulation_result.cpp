@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pliant/geometry/crossings.h"
 #include "pliant/scene/frame_files.h"
 
 namespace pliant {
@@ -47,6 +48,20 @@ Json method(const Stepping& time) {
           {"friction", name_of(time.friction)}};
 }
 
+// What real cloth does and this simulation does not.
+Json not_modelled(const Scene& scene) {
+  Json list{"contact"};
+  if (!scene.time.friction) list.push_back("internal friction");
+  if (!scene.air && scene.time.kind == SimulationKind::dynamic) list.push_back("drag of the air");
+  return list;
+}
+
+Json crossing_pairs(const Simulation& simulation) {
+  const auto pairs =
+      crossing_triangles(simulation.now().state.configuration.positions, simulation.built().faces);
+  return pairs ? Json(pairs->size()) : Json(nullptr);
+}
+
 }  // namespace
 
 std::string simulation_text(const Simulation& simulation, const SimulationFacts& facts) {
@@ -76,7 +91,10 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"newton_iterations", statistics(now.records.newton_iterations)},
             {"linear_iterations", statistics(now.records.linear_iterations)},
             {"peak_memory_MB", facts.peak_memory},
+            {"not_modelled", not_modelled(scene)},
+            {"crossing_pairs", crossing_pairs(simulation)},
             {"min_contact_distance", nullptr},
+            {"mesh", "cloth.obj"},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
             {"warnings", simulation.built().warnings}};

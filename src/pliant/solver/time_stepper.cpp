@@ -123,7 +123,7 @@ StepSummary TimeStepper::advance(State& state, double step) {
     newton.tolerance = options_.tolerance;
     at = system_.coordinates().moved(at, guess);
     const NewtonSummary solved = minimize(objective, newton, workspace_, at);
-    summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual, 0};
+    summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
   }
   if (!at.positions.allFinite()) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
@@ -134,7 +134,7 @@ StepSummary TimeStepper::advance(State& state, double step) {
   next.time = time;
   next.velocities = (at.positions - start) / scheme.time;
   summary.work = system_.advance_history(at, under, next.history);
-  if (drag) summary.work += drag->work(state.configuration, at);
+  if (drag) summary.drag = drag->work(state.configuration, at);
   next.last_step = step;
   next.last_positions = std::move(state.configuration.positions);
   next.last_velocities = std::move(state.velocities);

@@ -24,7 +24,8 @@ struct StepSummary {
   int newton_iterations = 1;
   int linear_iterations = 0;
   double residual = 0;  ///< largest force left (N); of a linearised step that of its equations
-  double work = 0;      ///< done against friction, damping and drag during the step (J)
+  double work = 0;      ///< done against friction and damping during the step (J)
+  double drag = 0;      ///< done against the air (J)
 };
 
 /// Steps a system through time by minimising its incremental potential: |x - x^|^2_M / (2 t^2) plus

@@ -60,8 +60,10 @@ Way way_of_document(const std::string& type) {
                              : found->second;
 }
 
-[[noreturn]] void refuse(const fs::path& file, const Way& way, const std::string& type) {
-  throw InputError({file.string()}, fmt::format("is {}, not a {}", way.what, type),
+[[noreturn]] void refuse(const fs::path& file, const Way& way, const std::string& type,
+                         int line = 0) {
+  const std::string field = line > 0 ? "pliant" : "";
+  throw InputError({file.string(), line, field}, fmt::format("is {}, not a {}/1", way.what, type),
                    fmt::format(fmt::runtime(way.in), file.string()));
 }
 
@@ -82,14 +84,17 @@ void refuse_other_document(const fs::path& file, const std::string& ending,
   if (!told && is_arcsim_material(document)) {
     refuse(file, {"a material of ARCSim, which no command reads yet", "a " + type}, type);
   }
-  if (told && !told->starts_with(type + "/")) refuse(file, way_of_document(*told), type);
+  if (told && !told->starts_with(type + "/")) {
+    refuse(file, way_of_document(*told), type, document.root.line);
+  }
 }
 
 fs::path document_of_folder(const fs::path& folder, const std::string& type) {
   const fs::path document = folder / (type + (type == "material" ? ".json" : ".yaml"));
   if (fs::exists(document)) return document;
   if (fs::exists(folder / "session.yaml")) refuse(folder, way_of_document("session/1"), type);
-  throw InputError({folder.string()}, fmt::format("holds no {}", document.filename().string()),
+  throw InputError({folder.string()},
+                   fmt::format("is a directory that holds no {}", document.filename().string()),
                    fmt::format("a {}, or a folder that holds one", type));
 }
 

@@ -101,7 +101,7 @@ TEST(Commands, NameTheWayInForFilesOfAnotherKind) {
   EXPECT_THAT(said("a.xlsx", ""), HasSubstr("`pliant init --from"));
   EXPECT_THAT(said("a.JPG", ""), HasSubstr("`pliant import"));
   EXPECT_THAT(said("a.h5", ""), HasSubstr("saved as CSV"));
-  EXPECT_THAT(said("a.obj", "", "simulate"), HasSubstr("is a mesh, not a scene"));
+  EXPECT_THAT(said("a.obj", "", "simulate"), HasSubstr("is a mesh, not a scene/1"));
   EXPECT_THAT(said("m.json", R"({"pliant": "material/1"})"),
               HasSubstr("`pliant evaluate STUDY -m"));
   EXPECT_THAT(said("s.yaml", "pliant: scene/1\n"), HasSubstr("`pliant simulate"));

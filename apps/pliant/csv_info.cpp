@@ -98,11 +98,13 @@ void add_standard_figures(const TestType& type, const TesterFile& file, FileInfo
 void add_tester(const TesterFile& file, FileInfo& info) {
   if (!file.csv.encoding.empty()) info.lines.push_back(labelled("encoding", file.csv.encoding));
   info.json["specimens"] = file.specimens;
-  info.json["passes"] = file.passes;
+  info.json["passes"] = file.passes ? Json(*file.passes) : Json(nullptr);
   if (file.specimens > 1) {
     info.lines.push_back(labelled("specimens", fmt::format("{}", file.specimens)));
   }
-  info.lines.push_back(labelled("ways to and fro", fmt::format("{}", file.passes)));
+  if (file.passes) {
+    info.lines.push_back(labelled("ways to and fro", fmt::format("{}", *file.passes)));
+  }
   info.json["facts"] = Json::object();
   for (const TesterFact& fact : file.facts) {
     info.json["facts"][fact.field] = fact.value;

@@ -145,6 +145,8 @@ class SimulationRun {
         pc2_.emplace(Pc2Writer::resume(results_.path() / "cloth.pc2", points,
                                        static_cast<int>(simulation_.now().energies.size())));
       }
+      // It may have been stopped where a shorter run ends.
+      if (simulation_.is_finished() && !simulation_.is_recorded()) write_frame();
       return;
     }
     results_.write("cloth.obj", cloth_obj(simulation_));

@@ -46,8 +46,8 @@ std::string table_preview(const std::filesystem::path& path, const CsvOptions& r
   Preview preview;
   preview.title = path.filename().string();
   preview.facts = {{"Rows", fmt::format("{}", file.rows)},
-                   {"Specimens", fmt::format("{}", file.specimens)},
-                   {"Ways to and fro", fmt::format("{}", file.passes)}};
+                   {"Specimens", fmt::format("{}", file.specimens)}};
+  if (file.passes) preview.facts.emplace_back("Ways to and fro", fmt::format("{}", *file.passes));
   for (const TesterFact& fact : file.facts) preview.facts.emplace_back(fact.field, fact.value);
   preview.driver = driver.label;
   preview.measured = measured.label;

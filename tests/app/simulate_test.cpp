@@ -132,8 +132,8 @@ TEST_F(Simulate, WritesFramesAndCheckpointsThatInfoDescribes) {
   EXPECT_TRUE(result["fields"].contains(frame["fields"][0]["name"]));
   const json checkpoint = info("checkpoint.bin");
   EXPECT_EQ(checkpoint["type"], "checkpoint/1");
-  EXPECT_EQ(checkpoint["steps"], 4);
-  EXPECT_NEAR(checkpoint["time"].get<double>(), 0.04, 1e-15);
+  EXPECT_EQ(checkpoint["steps"], 6);
+  EXPECT_NEAR(checkpoint["time"].get<double>(), 0.06, 1e-15);
   EXPECT_EQ(checkpoint["scene_identity"].get<std::string>().size(), 64u);
 
   std::string damaged = bytes("checkpoint.bin");

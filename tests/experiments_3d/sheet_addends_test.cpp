@@ -1,6 +1,7 @@
 // Fits of sheets know the addends of a material: laws that a page adds, and further branches of
 // friction.
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -12,8 +13,10 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/study/sheet_study.h"
 #include "pliant/study/study_fit.h"
 
+#include "io/input_error_of.h"
 #include "io/temporary_folder.h"
 #include "support/added_stiffness.h"
 #include "support/virtual_lab.h"
@@ -112,6 +115,32 @@ TEST_F(SlowSheetAddends, FollowALoopCloserByASecondBranch) {
     EXPECT_NEAR(number.value, known->second, 3 * number.std_error.value()) << number.name;
   }
   EXPECT_EQ(met, 5);
+}
+
+TEST_F(SlowSheetAddends, StandInForFrictionThatTheStudyLeavesOut) {
+  const StudyResult own = fit(""), added = fit("friction: none, addends: [dahl]");
+  const auto named = [&](const char* name) {
+    return std::ranges::find(added.parameters, name, &ParameterEstimate::name) !=
+           added.parameters.end();
+  };
+  EXPECT_TRUE(named("stretch.weft.dahl.a"));
+  EXPECT_FALSE(named("stretch.weft.friction.a"));
+  EXPECT_NEAR(added.experiments.front().rms_percent, own.experiments.front().rms_percent, 0.05);
+}
+
+TEST(SheetAddends, CannotCarryASheetWhereAllOfThemRemember) {
+  FitSettings settings;
+  settings.model.components["stretch.weft"] = {
+      CurveKind::none, FrictionChoice::automatic, {find_addend_kind("dahl")}};
+  EXPECT_THAT(test::input_error_of([&] { refuse_foreign_options(settings); }).problem(),
+              ::testing::HasSubstr("no addend is elastic"));
+}
+
+TEST(SheetStiffness, IsNotAffineForOneComponentEither) {
+  FitSettings settings;
+  settings.model.components["shear"] = {CurveKind::affine, FrictionChoice::automatic, {}};
+  EXPECT_EQ(test::input_error_of([&] { refuse_foreign_options(settings); }).where().field,
+            "model.components.shear.stiffness");
 }
 
 constexpr const char* kKnit = R"({

@@ -73,6 +73,18 @@ TEST(CsvLayouts, SpecimensBelowEachOtherBecomeOneTable) {
   EXPECT_EQ(csv.line(2), 11);
 }
 
+TEST(CsvLayouts, SpecimensBelowEachOtherKeepTheirRowsWhereLinesEndInASeparator) {
+  const CsvTable csv = table("F;x;\nN;mm;\n1;2;\n3;4;\n5;6;\n\nF;x;\nN;mm;\n7;8;\n9;10;\n");
+  EXPECT_EQ(csv.rows(), 5U);
+  EXPECT_THAT(csv.texts("specimen"), ElementsAre("1", "1", "1", "2", "2"));
+}
+
+TEST(CsvLayouts, AWrongRowAmongSpecimensIsRefusedAtItsLine) {
+  const InputError error =
+      input_error_of([] { table("F;x\nN;mm\n1;2\n3\n5;6\n7;8\nF;x\nN;mm\n7;8\n9;10\n"); });
+  EXPECT_EQ(error.where().line, 4);
+}
+
 TEST(CsvLayouts, ColumnsGoByTheirNumbersWhereNoNamesStandAboveThem) {
   const CsvOptions options{.columns = {{"force", "2 (N)"}, {"length_mm", "1"}},
                            .numbered_columns = true};

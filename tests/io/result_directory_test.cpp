@@ -143,6 +143,14 @@ TEST(ResultDirectory, NeverWritesOverWhatTheUserPutBesideResults) {
   EXPECT_EQ(content_of(folder.path() / "report.html"), "precious");
 }
 
+TEST(ResultDirectory, RefusesAtOnceWhatStandsAmongItsResults) {
+  const TemporaryFolder folder;
+  make_results(folder.path(), "fit", {"fit.json", "predictions/a.csv"});
+  folder.write("predictions/new.csv", "precious");
+  const InputError error = input_error_of([&] { ResultDirectory(folder.path(), "fit"); });
+  EXPECT_EQ(error.problem(), "holds a file that no \"fit\" wrote: \"predictions/new.csv\"");
+}
+
 TEST(ResultDirectory, OwnsWhatIsListedLater) {
   const TemporaryFolder folder;
   make_results(folder.path(), "fit", {"fit.json"});

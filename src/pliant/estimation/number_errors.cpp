@@ -25,13 +25,11 @@ std::map<std::string, NumberError> errors_of(const std::vector<ParameterEstimate
 
 }  // namespace
 
-void state_errors(const std::vector<ParameterEstimate>& parameters, Material& material) {
+void state_errors(const std::vector<ParameterEstimate>& parameters, bool isotropic,
+                  Material& material) {
   for (auto& [name, component] : material.components) {
     if (component.status != ComponentStatus::measured) continue;
-    component.errors = errors_of(parameters, name);
-    if (component.errors.empty()) {
-      component.errors = errors_of(parameters, shared_component(name));
-    }
+    component.errors = errors_of(parameters, isotropic ? shared_component(name) : name);
   }
 }
 

@@ -56,7 +56,7 @@ void count_passes(const CsvTable& table, const UnderstoodColumns& columns, Teste
     if (!path.empty()) {
       const std::span<const double> own(path.data() + first, last - first);
       const auto passes = half_cycles_of(own, reversal_threshold(own, 0)).size();
-      file.passes = std::max(file.passes, static_cast<int>(passes));
+      file.passes = std::max(file.passes.value_or(1), static_cast<int>(passes));
     }
     first = last;
   }

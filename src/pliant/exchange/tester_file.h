@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct TesterFile {
   std::string direction;  ///< by the preamble or the file's name; empty: not told
   int rows = 0;
   int specimens = 1;
-  int passes =
-      1;  ///< ways to and fro of the specimen with most of them; 1 is a pull without return
+  /// Ways to and fro of the specimen with most of them; 1 is a pull without return. Nothing where
+  /// no column tells how far it was taken.
+  std::optional<int> passes = {};
 };
 
 /// Reads and understands a table.

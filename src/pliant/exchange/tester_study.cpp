@@ -167,9 +167,11 @@ std::string required_line(const TesterFile& file, std::string_view field) {
 std::string passes_text(const TesterFile& file) {
   std::string text = fmt::format("{} rows", file.rows);
   if (file.specimens > 1) text += fmt::format(" of {} specimens", file.specimens);
-  if (!file.type->facts.deformation || file.type->facts.measures_profiles) return text;
+  if (!file.type->facts.deformation || file.type->facts.measures_profiles || !file.passes) {
+    return text;
+  }
   if (file.passes == 1) return text + ", one way: without the way back friction stays unknown";
-  return text + fmt::format(", {} ways to and fro", file.passes);
+  return text + fmt::format(", {} ways to and fro", *file.passes);
 }
 
 std::string lines_of_group(const Group& group, std::set<std::string>& names) {

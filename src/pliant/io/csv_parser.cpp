@@ -277,8 +277,9 @@ class CsvParser {
     if (groups_.count > 0 && record_.size() < columns) record_.resize(columns);
     if (record_.size() != columns) {
       fail(record_line_, fmt::format("the row has {} cells", record_.size()),
-           fmt::format("{} as in the header in line {} ({})", columns, table_.header_line_,
-                       kSkipRowsHint));
+           table_.header_line_ == 0 ? fmt::format("{} as in the first row", columns)
+                                    : fmt::format("{} as in the header in line {} ({})", columns,
+                                                  table_.header_line_, kSkipRowsHint));
     }
     table_.lines_.push_back(record_line_);
     table_.cells_.insert(table_.cells_.end(), record_.begin(), record_.end());
@@ -288,18 +289,35 @@ class CsvParser {
     }
   }
 
-  /// Whether the header comes again, perhaps below some lines on the next specimen.
+  /// Whether cells are as many as a row has, but for empty ones at its end, with a number.
+  bool look_like_row(const std::vector<std::string_view>& cells) const {
+    const std::size_t columns = table_.columns_.size();
+    const bool fit = cells.size() >= columns &&
+                     std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(columns), cells.end(),
+                                 [](std::string_view cell) { return cell.empty(); });
+    return fit && std::ranges::any_of(cells, [&](std::string_view cell) {
+             return is_csv_number(cell, separator_);
+           });
+  }
+
+  bool record_looks_like_row() {
+    drop_empty_cells_beyond(table_.columns_.size());
+    return record_.size() == table_.columns_.size() &&
+           std::ranges::any_of(
+               record_, [&](const Cell& cell) { return is_csv_number(view(cell), separator_); });
+  }
+
+  /// Whether the header comes again, perhaps below some lines on the next specimen. A row among
+  /// these lines says that the present record is a wrong row.
   bool begins_next_specimen() {
     constexpr int kMostLinesBetween = 30;
-    const bool is_row = record_.size() == table_.columns_.size() &&
-                        std::ranges::any_of(record_, [&](const Cell& cell) {
-                          return is_csv_number(view(cell), separator_);
-                        });
-    if (is_row || table_.header_line_ == 0 || table_.columns_.size() < 2) return false;
+    if (record_looks_like_row()) return false;
+    if (table_.header_line_ == 0 || table_.columns_.size() < 2) return false;
     next_specimen_ = record_begin_;
     for (int i = 0; i < kMostLinesBetween && next_specimen_ < text().size(); ++i) {
       const std::size_t end = next_csv_line(text(), next_specimen_);
       if (trimmed(text_between(next_specimen_, end)) == header_line_text_) return true;
+      if (look_like_row(csv_cells(text(), next_specimen_, separator_))) return false;
       next_specimen_ = end;
     }
     return false;

@@ -229,7 +229,14 @@ void ResultDirectory::find_foreign_files(bool has_results) {
   if (error) fail_unusable(directory_, error);
   files.erase(std::string(kManifestName));
   std::ranges::set_difference(files, earlier_files_, std::inserter(foreign_, foreign_.end()));
-  if (!has_results && !foreign_.empty()) refuse_foreign(*foreign_.begin());
+  const auto in_the_way = [&](const std::string& file) {
+    const std::string folder = file.substr(0, file.find('/') + 1);
+    const auto beside = earlier_files_.lower_bound(folder);
+    return !folder.empty() && beside != earlier_files_.end() && beside->starts_with(folder);
+  };
+  for (const std::string& file : foreign_) {
+    if (!has_results || in_the_way(file)) refuse_foreign(file);
+  }
 }
 
 void ResultDirectory::refuse_foreign(const std::string& relative_name) const {

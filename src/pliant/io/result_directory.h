@@ -13,8 +13,9 @@ namespace pliant {
 /// Files are collected in a hidden folder inside `directory`; `commit` moves them into place and
 /// removes what an earlier run of the same command left there. A long run may `publish` what it has
 /// so far, again and again. A hidden list of files, `.pliant-results.json`, tells results from
-/// anything else. A folder with files and without the list of the same command is refused; what the
-/// user put beside listed results stays there, and is never overwritten.
+/// anything else. A folder with files and without the list of the same command is refused, and so
+/// are other files in the folders of listed results, where new results may want their names. What
+/// the user put beside listed results stays there, and is never overwritten.
 /// One run at a time may write to a folder.
 class ResultDirectory {
  public:

@@ -23,7 +23,6 @@ constexpr std::size_t kMaxExperiments = 8;
 constexpr std::size_t kMaxFacts = 10;
 constexpr std::size_t kMaxListed = 4;
 constexpr std::size_t kMaxTextLength = 110;
-constexpr std::size_t kMaxDoubtLength = 320;
 constexpr std::size_t kMaxNameLength = 22;
 constexpr std::size_t kLoopBudget = 200;
 constexpr int kPrintWidth = 703;  // A4 less its margins, at 96 px an inch
@@ -36,11 +35,10 @@ std::string shortened(const std::string& text, std::size_t length = kMaxTextLeng
   return text.substr(0, end) + " …";
 }
 
-std::vector<std::string> first_of(const std::vector<std::string>& texts, std::size_t count,
-                                  std::size_t length = kMaxTextLength) {
+std::vector<std::string> first_of(const std::vector<std::string>& texts, std::size_t count) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < std::min(count, texts.size()); ++i) {
-    list.push_back(shortened(texts[i], length));
+    list.push_back(shortened(texts[i], kMaxTextLength));
   }
   if (texts.size() > count) {
     list.push_back(fmt::format("and {} more, listed below", texts.size() - count));
@@ -346,7 +344,7 @@ std::string doubts(const Results& results) {
   const auto section = [](const char* title, const std::vector<std::string>& sentences) {
     if (sentences.empty()) return std::string();
     return fmt::format("<section class=\"warnings\"><h2>{}</h2>\n{}</section>\n", title,
-                       bullet_list(first_of(sentences, kMaxListed, kMaxDoubtLength)));
+                       bullet_list(sentences));
   };
   return section("Is the data right?", results.questions) +
          section("Not predicted", results.skipped);

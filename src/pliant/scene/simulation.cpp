@@ -149,11 +149,14 @@ bool Simulation::is_frame() const {
   return now_.steps % steps_per_frame(scene_.output, scene_.time) == 0 || is_finished();
 }
 
+bool Simulation::is_recorded() const {
+  return !now_.energies.empty() && now_.energies.back().time == now_.state.time;
+}
+
 void Simulation::resume(SimulationState state) {
   now_ = std::move(state);
   // The last frame of a shorter run may stand where this one has none.
-  const bool recorded = !now_.energies.empty() && now_.energies.back().time == now_.state.time;
-  if (!recorded || is_frame()) return;
+  if (!is_recorded() || is_frame()) return;
   now_.energies.pop_back();
   now_.clips.resize(now_.clips.size() - built_.start.configuration.clips.size());
 }

@@ -69,6 +69,8 @@ class Simulation {
   bool is_finished() const { return now_.steps >= scene_.time.step_count(); }
   /// Whether a frame stands at the present step.
   bool is_frame() const;
+  /// Whether it has been recorded.
+  bool is_recorded() const;
   /// Keeps what tables tell of the present step: energies, clips.
   void record_frame();
 

@@ -20,7 +20,10 @@ struct Blank {
 
 void find_blanks(const Node& node, const std::string& path, std::string_view field,
                  std::vector<Blank>& blanks) {
-  if (node.kind == Node::Kind::scalar && node.text.find(kBlank) != std::string::npos) {
+  // Under `columns` a blank may carry the unit.
+  const bool blank =
+      node.text == kBlank || (field == "columns" && node.text.find(kBlank) != std::string::npos);
+  if (node.kind == Node::Kind::scalar && blank) {
     blanks.push_back({node.line, path, blank_hint(field)});
   }
   for (const Node::Field& child : node.fields) {

@@ -141,6 +141,7 @@ void take(const JointFit& joint, const Share& share, ComponentFit& component) {
 /// Gives the fit of sheets what the joint one found of it.
 SheetUncertainty take(const JointFit& joint, const Share& share,
                       const std::vector<Unknown>& unknowns, SheetFit& sheets) {
+  sheets.converged = sheets.converged && joint.converged;
   SheetUncertainty result;
   for (const Eigen::Index u : share.unknowns) {
     result.unknowns.push_back(unknowns[static_cast<std::size_t>(u)]);
@@ -208,6 +209,19 @@ void warn_of_slip(const std::vector<ComponentWork>& works, StudyResult& result) 
   }
 }
 
+std::string about_everything(const Study& study, std::size_t experiments) {
+  if (!fits_strips(study)) {
+    return fmt::format(
+        "after the stages all {} experiments are fitted together by the loss, each weighed by its "
+        "own noise; standard errors do not contain that of the mesh",
+        experiments);
+  }
+  return fmt::format(
+      "strips and sheets: {} experiments are fitted together in the end, each weighed by its own "
+      "noise; the numbers have one covariance",
+      experiments);
+}
+
 KnownComponents known_components(const Study& study, const std::vector<ComponentWork>& works) {
   const Material material = material_of(study, works);
   KnownComponents known;
@@ -243,7 +257,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   const Stopwatch watch;
   StudyResult result = describe(study);
   refuse_foreign_options(study);
-  if (study.model.isotropic) {
+  if (study.model.isotropic && fits_strips(study)) {
     throw InputError({study.file, 0, "model.variant"},
                      "strips are fitted along weft and along warp, with nothing to share",
                      "nonlinear-orthotropic or linear-orthotropic, or sheets alone");
@@ -252,6 +266,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   const std::vector<SheetExperiment> data = read_sheet_experiments(study, result);
   result.assumptions = assumptions_of(study, strips);
   std::ranges::move(stated_options(study.fit), std::back_inserter(result.assumptions));
+  if (!fits_strips(study)) require_known_parameters(study, tests_to_fit(data));
 
   std::vector<ComponentWork> works = fit_components(study, strips, options, context, result);
   leave_out_unseen_friction(study, works, result);
@@ -282,10 +297,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   add_sheets(sheets, uncertainty, data, std::move(predictions), result);
   warn_of_unmatched_options(study.fit, result);
   result.stages.push_back({"all", "together", "times the noise", joint.rms, true});
-  result.assumptions.push_back(fmt::format(
-      "strips and sheets: {} experiments are fitted together in the end, each weighed by its own "
-      "noise; the numbers have one covariance",
-      layout.problem.experiments.size()));
+  result.assumptions.push_back(about_everything(study, layout.problem.experiments.size()));
   if (!result.profiles.empty() || !result.models.empty()) {
     result.assumptions.emplace_back(
         "profiles and rankings of models are those of each component's strips alone");

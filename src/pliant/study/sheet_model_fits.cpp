@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/number_errors.h"
 #include "pliant/study/sheet_study.h"
 
 namespace pliant {
@@ -67,6 +68,10 @@ std::vector<SheetStart> starts_of(const ModelVariant& wanted,
 
 void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combinations,
                       const RunContext& context, const std::function<void(const ModelFit&)>& done) {
+  if (study.fit.loss != RobustLoss::none) {
+    throw InputError({study.file, 0, "fit.loss"}, "models are compared by least squares alone",
+                     "none");
+  }
   std::vector<Solution> solutions;
   std::exception_ptr first_failure;
   for (const ModelVariant& combination : combinations) {
@@ -79,6 +84,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
+      state_errors(fit.result.parameters, fit.study.model.isotropic, fit.result.material);
       fit.result.judgement = judge(fit.result, fit.study.accept, /*evaluation=*/false);
       solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {

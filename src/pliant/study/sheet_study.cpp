@@ -244,6 +244,18 @@ void refuse_foreign_options(const FitSettings& settings) {
     refuse("model.stiffness", "sheets are not fitted with affine stiffnesses",
            "constant or hermite");
   }
+  for (const auto& [name, component] : settings.model.components) {
+    const std::string field = "model.components." + name + ".stiffness";
+    if (component.stiffness == CurveKind::affine) {
+      refuse(field.c_str(), "sheets are not fitted with affine stiffnesses", "constant or hermite");
+    }
+    if (component.stiffness == CurveKind::none &&
+        std::ranges::all_of(component.addends,
+                            [](const AddendKind* kind) { return remembers(*kind); })) {
+      refuse(field.c_str(), "is `none`, and no addend is elastic: a sheet needs stiffness at rest",
+             "constant or hermite, or an elastic addend");
+    }
+  }
   if (settings.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
   }

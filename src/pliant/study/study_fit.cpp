@@ -106,7 +106,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
-  state_errors(result.parameters, result.material);
+  state_errors(result.parameters, study.model.isotropic, result.material);
   result.judgement = judge(result, study.accept, /*evaluation=*/false);
   return result;
 }

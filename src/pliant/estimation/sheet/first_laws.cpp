@@ -46,7 +46,7 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
 
 std::vector<double> first_bending(const Material& material, const ComponentGroup& group) {
   const auto known = [&](const char* component) {
-    return material.components.at(component).stiffness->value(0);
+    return law_of(material.components.at(component)).elastic_secant(0);
   };
   std::vector<double> values;
   if (group.front() == "bend.diagonal") {
@@ -77,6 +77,11 @@ ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group
     if (own != settings.model.components.end()) return own->second;
   }
   return {};
+}
+
+bool asks_for_friction(const FitSettings& settings, const ComponentGroup& group) {
+  return model_of(settings, group).friction.value_or(settings.model.friction) !=
+         FrictionChoice::none;
 }
 
 std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain) {
@@ -117,11 +122,11 @@ std::vector<ComponentLaw> first_addends(const ComponentLaw& law, const Component
 std::string missing_addends(const FitSettings& settings, const ComponentGroup& group,
                             const ComponentLaw& law) {
   const std::size_t asked = model_of(settings, group).addends.size();
-  if (law.addends.size() == asked) return {};
+  if (law.addends.size() >= asked) return {};
   return fmt::format(
-      "{} of {} addends of {} were not fitted: no loop shows those that remember, or no stage "
-      "grows "
-      "this component",
+      "{} of {} addends of {} were not fitted: no stage of the fit tells them, or no loop shows "
+      "those "
+      "that remember",
       asked - law.addends.size(), asked, group.front());
 }
 

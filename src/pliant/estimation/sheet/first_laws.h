@@ -31,6 +31,9 @@ ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int
 /// What a study asks of the law of a group: what it says of the first component that it names.
 ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group);
 
+/// Whether a study asks for friction of a group beside its addends, or leaves it to the data.
+bool asks_for_friction(const FitSettings& settings, const ComponentGroup& group);
+
 /// Laws with friction of a tenth of the largest stress, spread over a share of the largest strain.
 std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain);
 

@@ -123,7 +123,7 @@ class Fitter {
     const ComponentLaw rubbing = law_of(fit_.material, group);
     restore(dragged);
     const double refined = refine(stage, group, by_cords);
-    if (rubbing.friction_law == FrictionLaw::none) return;
+    if (!rubbing.remembers()) return;
 
     const State elastic = state();
     ComponentLaw law = rubbing;
@@ -221,7 +221,7 @@ class Fitter {
       return FittedModel{rms, points, 0, frames_of(stage)};
     };
     // Each search along a path with friction takes long.
-    const bool rubs = law_of(fit_.material, group).friction_law != FrictionLaw::none;
+    const bool rubs = law_of(fit_.material, group).remembers();
     const Growth growth = grow_model(first, settings_.fit.control_points, fit_of,
                                      accuracy_of(stage), /*patience=*/rubs ? 1 : 2);
     for (const GrowthStep& step : growth.steps) {
@@ -263,14 +263,14 @@ class Fitter {
   bool guess_friction(const SheetStage& stage, const ComponentGroup& group) {
     SheetProblem without = problem_of(stage);
     if (!search_.shows_loop(stage, without)) return false;
-    if (begin_at_best(stage, group,
-                      first_friction(law_of(fit_.material, group), strain_of(group)))) {
-      guess_addends(stage, group, /*remembering=*/true);
-      return true;
+    const bool own = asks_for_friction(settings_, group);
+    if (own && !begin_at_best(stage, group,
+                              first_friction(law_of(fit_.material, group), strain_of(group)))) {
+      fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
+                              names_of(stage.tests) + " have no path of equilibria with it");
+      return false;
     }
-    fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
-                            names_of(stage.tests) + " have no path of equilibria with it");
-    return false;
+    return guess_addends(stage, group, /*remembering=*/true) || own;
   }
 
   /// The addends that the study asks for, those that remember or the others.
@@ -361,7 +361,7 @@ class Fitter {
       return group.front().starts_with("stretch");
     });
     if (stretched == fit_.groups.end() || is_fitted({"shear"}) || is_fixed({"shear"})) return false;
-    const double stretch = fit_.material.components.at(stretched->front()).stiffness->value(0);
+    const double stretch = law_of(fit_.material, *stretched).elastic_secant(0);
     fit_.material.components.at("shear").stiffness =
         ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
     return true;
@@ -414,9 +414,8 @@ class Fitter {
                            : fmt::format("{} control point{}", points, points == 1 ? "" : "s");
     if (stage.groups.size() > 1) what = "together";
     if (stage.kind == StageKind::friction) {
-      what += law_of(fit_.material, stage.groups.front()).friction_law == FrictionLaw::none
-                  ? " and cords"
-                  : " and friction";
+      const bool rubs = law_of(fit_.material, stage.groups.front()).remembers();
+      what += rubs ? " and friction" : " and cords";
     }
     fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what,
                            positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});

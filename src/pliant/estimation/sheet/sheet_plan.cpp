@@ -93,14 +93,15 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic, bool 
   return plan;
 }
 
-/// Friction of what is pulled by clips, from sequences that return, where the study does not say
-/// no.
+/// Friction and addends that remember of what is pulled by clips, from sequences that return, where
+/// the study does not say no.
 void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
   std::vector<SheetStage> stages;
   for (const ComponentGroup& group : groups_of(plan)) {
-    const FrictionChoice choice =
-        model_of(settings, group).friction.value_or(settings.model.friction);
-    if (is_bending(group.front()) || choice == FrictionChoice::none) continue;
+    const bool remembers_more = std::ranges::any_of(
+        model_of(settings, group).addends, [](const AddendKind* kind) { return remembers(*kind); });
+    if (is_bending(group.front())) continue;
+    if (!asks_for_friction(settings, group) && !remembers_more) continue;
     Tests data;
     for (const SheetStage& stage : plan) {
       if (stage.groups == std::vector<ComponentGroup>{group}) data = stage.tests;

@@ -50,12 +50,11 @@ std::vector<std::string> sample_questions(const Session& session) {
       sheet.column("rest` and its frames, `width` and `height", Dimension::length, "m");
   sheet.add(figures::kSide, sample.width, {{width}, {positions}});
   sheet.add(figures::kSide, sample.height, {{height}, {positions}});
-  const double density = area_density(session);
   if (sample.density) {
-    sheet.add(figures::kAreaDensity, density,
-              {{sheet.field("density", Dimension::area_density, density)}});
-  } else {
-    sheet.add(figures::kAreaDensity, density,
+    sheet.add(figures::kAreaDensity, *sample.density,
+              {{sheet.field("density", Dimension::area_density, *sample.density)}});
+  } else if (sample.mass) {
+    sheet.add(figures::kAreaDensity, area_density(session),
               {{sheet.field("mass", Dimension::mass, *sample.mass)}, {positions, -2}});
   }
   if (const auto carried = carried_share(session)) {

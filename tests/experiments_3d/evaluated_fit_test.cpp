@@ -47,8 +47,7 @@ const std::string kDigest(64, 'a');
 class EvaluatedFit : public ::testing::Test {
  protected:
   EvaluatedFit() : folder_(measured()) {
-    folder_.write("study.yaml", test::content_of(folder_.path() / "study.yaml") +
-                                    "\nmodel: {mesh: measured, friction: none}\n");
+    folder_.set_model("mesh: measured, friction: none");
     fit_ = fit_study(folder_.study(), {}, {});
     const RunFacts facts{"", "2020-01-02T03:04:05Z", "1", "study.yaml", kDigest, ""};
     for (const auto& [name, content] : fit_files(fit_, facts)) folder_.write(name, content);

@@ -33,9 +33,8 @@ experiments:
 TEST(StiffWeave, OfStripsWithAToeIsFittedAsASheet) {
   const test::TemporaryFolder lab;
   lab.write("weave.json", kWeave);
-  const test::LabFolder folder(test::measurements_of(read_lab(lab.write("lab.yaml", kLab)), 0));
-  folder.write("study.yaml", test::content_of(folder.path() / "study.yaml") +
-                                 "\nmodel: {strips: sheet, friction: none}\n");
+  test::LabFolder folder(test::measurements_of(read_lab(lab.write("lab.yaml", kLab)), 0));
+  folder.set_model("strips: sheet, friction: none");
   RunContext context;
   context.threads = 2;
   const StudyResult fit = fit_study(folder.study(), {}, context);

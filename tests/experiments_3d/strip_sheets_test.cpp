@@ -230,7 +230,8 @@ TEST(StripSheets, AnglesOfWeftBiasAndWarpAreTheseDirections) {
 TEST(StripSheets, NeedNoDensity) {
   const StudyFolder folder;
   const Study study = study_of(folder, "warp");
-  const StripSheets strips = sheets_of(study);
+  const ExperimentSpec& spec = study.experiments.front();
+  const StripSheets strips = sheets_of_strips(spec, DataRows(spec.data), study.model, 0);
   const Session& session = strips.tests.front().session();
   EXPECT_FALSE(states_density(session));
   write_session(folder.path() / "session", session);

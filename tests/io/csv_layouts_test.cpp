@@ -79,6 +79,11 @@ TEST(CsvLayouts, SpecimensBelowEachOtherKeepTheirRowsWhereLinesEndInASeparator) 
   EXPECT_THAT(csv.texts("specimen"), ElementsAre("1", "1", "1", "2", "2"));
 }
 
+TEST(CsvLayouts, TheFirstSpecimenIsNotLostWhereTheNextOneHasMoreRows) {
+  const CsvTable csv = table("F;x\nN;mm\n1;2\n3;4\n\nF;x\nN;mm\n5;6\n7;8\n9;10\n");
+  EXPECT_THAT(csv.texts("specimen"), ElementsAre("1", "1", "2", "2", "2"));
+}
+
 TEST(CsvLayouts, AWrongRowAmongSpecimensIsRefusedAtItsLine) {
   const InputError error =
       input_error_of([] { table("F;x\nN;mm\n1;2\n3\n5;6\n7;8\nF;x\nN;mm\n7;8\n9;10\n"); });

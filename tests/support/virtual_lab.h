@@ -90,6 +90,14 @@ class LabFolder : public TemporaryFolder {
     for (const auto& [name, content] : files) write(name, content);
   }
 
+  /// Puts another model into the study.
+  void set_model(const std::string& fields) {
+    std::string text = content_of(path() / "study.yaml");
+    const std::size_t at = text.find("model: {");
+    text.replace(at, text.find('\n', at) - at, "model: {" + fields + "}");
+    write("study.yaml", text);
+  }
+
   Study study() const { return read_study(path() / "study.yaml"); }
 };
 

@@ -133,6 +133,14 @@ char csv_separator(std::string_view text, std::size_t at) {
   return ',';
 }
 
+namespace {
+
+std::string_view line_at(std::string_view text, std::size_t at) {
+  return trimmed(text.substr(at, count_separators(text, at).end - at));
+}
+
+}  // namespace
+
 CsvStart find_csv_table(std::string_view text, std::size_t from, bool numbered) {
   CsvStart best{from, csv_separator(text, from)};
   int most = 0;
@@ -141,7 +149,9 @@ CsvStart find_csv_table(std::string_view text, std::size_t from, bool numbered) 
     const char separator = csv_separator(text, at);
     int rows = rows_of_table(text, at, separator, /*numbered=*/false);
     if (rows == 0 && numbered) rows = rows_of_table(text, at, separator, /*numbered=*/true);
-    if (rows > most) {
+    // A header that comes again begins the next specimen of the same table.
+    const bool again = most > 0 && line_at(text, at) == line_at(text, best.at);
+    if (rows > most && !again) {
       most = rows;
       best = {at, separator};
     }

@@ -289,35 +289,42 @@ class CsvParser {
     }
   }
 
-  /// Whether cells are as many as a row has, but for empty ones at its end, with a number.
-  bool look_like_row(const std::vector<std::string_view>& cells) const {
+  /// Whether cells are those of a row: one a column, and numbers where the first row has them.
+  template <class TextOf>
+  bool are_a_row(std::size_t cells, const TextOf& text_of) const {
     const std::size_t columns = table_.columns_.size();
-    const bool fit = cells.size() >= columns &&
-                     std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(columns), cells.end(),
-                                 [](std::string_view cell) { return cell.empty(); });
-    return fit && std::ranges::any_of(cells, [&](std::string_view cell) {
-             return is_csv_number(cell, separator_);
-           });
+    if (cells != columns) return false;
+    const auto is_number = [&](std::string_view cell) { return is_csv_number(cell, separator_); };
+    bool any = false;
+    for (std::size_t i = 0; i < columns; ++i) {
+      const bool number = is_number(text_of(i));
+      any = any || number;
+      if (!number && !table_.lines_.empty() && is_number(view(table_.cells_[i]))) return false;
+    }
+    return any;
   }
 
-  bool record_looks_like_row() {
+  bool record_is_row() {
     drop_empty_cells_beyond(table_.columns_.size());
-    return record_.size() == table_.columns_.size() &&
-           std::ranges::any_of(
-               record_, [&](const Cell& cell) { return is_csv_number(view(cell), separator_); });
+    return are_a_row(record_.size(), [&](std::size_t i) { return view(record_[i]); });
+  }
+
+  bool line_is_row(std::size_t at) const {
+    const std::vector<std::string_view> cells = csv_cells(text(), at, separator_);
+    return are_a_row(cells.size(), [&](std::size_t i) { return cells[i]; });
   }
 
   /// Whether the header comes again, perhaps below some lines on the next specimen. A row among
   /// these lines says that the present record is a wrong row.
   bool begins_next_specimen() {
     constexpr int kMostLinesBetween = 30;
-    if (record_looks_like_row()) return false;
+    if (record_is_row()) return false;
     if (table_.header_line_ == 0 || table_.columns_.size() < 2) return false;
     next_specimen_ = record_begin_;
     for (int i = 0; i < kMostLinesBetween && next_specimen_ < text().size(); ++i) {
       const std::size_t end = next_csv_line(text(), next_specimen_);
       if (trimmed(text_between(next_specimen_, end)) == header_line_text_) return true;
-      if (look_like_row(csv_cells(text(), next_specimen_, separator_))) return false;
+      if (line_is_row(next_specimen_)) return false;
       next_specimen_ = end;
     }
     return false;

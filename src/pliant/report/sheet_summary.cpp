@@ -143,6 +143,13 @@ void add_value(HtmlTable& table, const ResultParameter& p, double unit) {
   table.cell(p.std_error ? format(shown(p.std_error)) : std::string(kNoValue));
 }
 
+/// The largest strain that a component is known for.
+std::optional<double> end_of(const MaterialComponent& component) {
+  if (component.range) return component.range->second;
+  const std::vector<double>& knots = component.stiffness->knots();
+  return knots.empty() ? std::nullopt : std::optional(knots.back());
+}
+
 void add_stiffness(HtmlTable& table, const Material& material, const std::string& component,
                    const Results& results) {
   const Parameters parameters = stiffness_of(results, component);
@@ -151,14 +158,14 @@ void add_stiffness(HtmlTable& table, const Material& material, const std::string
       parameters, [](const ResultParameter* p) { return p->fixed || p->identified; });
   const double unit = is_bending(component) ? kMicro : 1;
   const StrainScale scale = strain_scale(component);
-  const auto& range = material.components.at(component).range;
+  const std::optional<double> end = end_of(material.components.at(component));
   table.begin_row(known ? "" : "undetermined");
   table.cell(component_title(component));
   add_value(table, *parameters.front(), unit);
   if (parameters.size() > 1) {
     add_value(table, *parameters.back(), unit);
-    table.cell(range ? format_significant(scale.factor * range->second, 2) + " " + scale.label.unit
-                     : std::string(kNoValue));
+    table.cell(end ? format_significant(scale.factor * *end, 2) + " " + scale.label.unit
+                   : std::string(kNoValue));
   } else {
     for (const char* cell : {"the same", kNoValue, kNoValue}) table.cell(cell);
   }

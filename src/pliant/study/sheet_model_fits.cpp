@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/estimation/number_errors.h"
+#include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
 
 namespace pliant {
@@ -84,8 +84,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
-      state_errors(fit.result.parameters, fit.study.model.isotropic, fit.result.material);
-      fit.result.judgement = judge(fit.result, fit.study.accept, /*evaluation=*/false);
+      conclude_fit(fit.study, fit.result);
       solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {
       fail(error);

@@ -17,6 +17,7 @@
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/use_warnings.h"
+#include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study_experiments.h"
 
@@ -156,7 +157,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
   refuse_if_nothing_is_left(study, material, result);
   result.assumptions = assumptions_of(study, experiments);
   result.seconds = watch.seconds();
-  result.judgement = judge(result, study.accept, /*evaluation=*/true);
+  conclude_evaluation(study, result);
   return result;
 }
 

@@ -9,27 +9,10 @@
 
 #include "pliant/base/plausibility.h"
 #include "pliant/estimation/stated_options.h"
-#include "pliant/io/digest.h"
 #include "pliant/study/example_data.h"
 #include "pliant/study/study.h"
 
 namespace pliant {
-
-namespace {
-
-std::vector<DataFile> data_of(const Study& study) {
-  const std::filesystem::path folder = std::filesystem::path(study.file).parent_path();
-  std::vector<DataFile> data;
-  for (const ExperimentSpec& spec : study.experiments) {
-    for (const std::filesystem::path& file : spec.data.files) {
-      data.push_back(
-          {spec.name, file.lexically_proximate(folder).generic_string(), sha256_of_path(file)});
-    }
-  }
-  return data;
-}
-
-}  // namespace
 
 StudyResult describe(const Study& study) {
   StudyResult result;
@@ -37,7 +20,6 @@ StudyResult describe(const Study& study) {
   result.density = study.density;
   result.info = study.info;
   result.conditions = study.conditions;
-  result.data = data_of(study);
   result.estimator = study.fit.estimator;
   if (study.density > 0) {
     Plausibility cloth;

@@ -9,10 +9,10 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"
-#include "pliant/estimation/number_errors.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/study/component_study.h"
+#include "pliant/study/conclusion.h"
 #include "pliant/study/joint_study.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study_experiments.h"
@@ -106,8 +106,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
-  state_errors(result.parameters, study.model.isotropic, result.material);
-  result.judgement = judge(result, study.accept, /*evaluation=*/false);
+  conclude_fit(study, result);
   return result;
 }
 

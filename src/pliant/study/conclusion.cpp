@@ -1,0 +1,35 @@
+#include "pliant/study/conclusion.h"
+
+#include "pliant/estimation/judgement.h"
+#include "pliant/estimation/number_errors.h"
+#include "pliant/io/digest.h"
+
+namespace pliant {
+namespace {
+
+std::vector<DataFile> data_of(const Study& study) {
+  const std::filesystem::path folder = std::filesystem::path(study.file).parent_path();
+  std::vector<DataFile> data;
+  for (const ExperimentSpec& spec : study.experiments) {
+    for (const std::filesystem::path& file : spec.data.files) {
+      data.push_back(
+          {spec.name, file.lexically_proximate(folder).generic_string(), sha256_of_path(file)});
+    }
+  }
+  return data;
+}
+
+}  // namespace
+
+void conclude_fit(const Study& study, StudyResult& result) {
+  state_errors(result.parameters, study.model.isotropic, result.material);
+  result.data = data_of(study);
+  result.judgement = judge(result, study.accept, /*evaluation=*/false);
+}
+
+void conclude_evaluation(const Study& study, StudyResult& result) {
+  result.data = data_of(study);
+  result.judgement = judge(result, study.accept, /*evaluation=*/true);
+}
+
+}  // namespace pliant

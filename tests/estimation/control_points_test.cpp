@@ -9,6 +9,7 @@
 #include "pliant/study/study.h"
 
 #include "estimation/virtual_study.h"
+#include "support/study_folder.h"
 
 namespace pliant {
 namespace {
@@ -118,6 +119,16 @@ TEST(ControlPoints, GrowthNeverLeavesALargerResidual) {
     accepted = grown.stages[i].rms;
   }
   EXPECT_DOUBLE_EQ(grown.fit.rms, accepted);
+}
+
+TEST(ControlPoints, OfThreeRowsDoNotCoincide) {
+  const test::StudyFolder folder;
+  folder.write("t.csv", "length_mm,force_N\n80,0\n90,12\n85,3\n");
+  const OneExperiment one(
+      folder.study("{name: strip, type: tensile-cycles, data: t.csv, length: 80 mm, width: 40 mm, "
+                   "direction: warp}"));
+  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::none}, {});
+  EXPECT_TRUE(std::isfinite(one.percent_of_peak(grown.fit)));
 }
 
 }  // namespace

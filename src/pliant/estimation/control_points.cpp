@@ -40,7 +40,12 @@ DataStrains data_strains(const ComponentProblem& problem, bool even) {
   const auto last = static_cast<double>(strains.sorted.size() - 1);
   strains.high = strains.sorted[static_cast<size_t>(std::floor(last * (1 - kOutlierShare)))];
   strains.low = strains.sorted[static_cast<size_t>(std::ceil(last * kOutlierShare))];
-  if (even || strains.low < kFromZero * strains.high) strains.low = 0;
+  if (strains.low >= strains.high) {  // of a few rows none is an outlier
+    strains.low = strains.sorted.front();
+    strains.high = strains.sorted.back();
+  }
+  const bool from_zero = even || strains.low < kFromZero * strains.high;
+  if (from_zero || strains.low >= strains.high) strains.low = 0;
   return strains;
 }
 

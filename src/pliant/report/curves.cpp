@@ -1,9 +1,10 @@
 #include "pliant/report/curves.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "pliant/io/csv.h"
+#include "pliant/report/numbers_or_none.h"
 
 namespace pliant::report {
 namespace {
@@ -18,12 +19,9 @@ ComponentCurve& curve_of(std::vector<ComponentCurve>& curves, const std::string&
   return curves.back();
 }
 
-/// An empty column stands for a quantity that is not known.
-std::optional<std::vector<double>> numbers_if_any(const CsvTable& table, const char* column) {
-  const std::vector<std::string> cells = table.texts(column);
-  const bool any = std::any_of(cells.begin(), cells.end(),
-                               [](const std::string& cell) { return !cell.empty(); });
-  return any ? std::optional(table.numbers(column)) : std::nullopt;
+/// Empty cells stand for what is not known; nothing is left of what is known nowhere.
+void drop_unknown(std::vector<double>& numbers) {
+  if (std::ranges::all_of(numbers, [](double x) { return std::isnan(x); })) numbers.clear();
 }
 
 }  // namespace
@@ -48,11 +46,12 @@ std::vector<ComponentCurve> read_curves(const std::filesystem::path& file) {
   std::vector<ComponentCurve> curves;
   for (const Column& column : kColumns) {
     if (!column.required && !table.has(column.name)) continue;
-    const std::optional<std::vector<double>> numbers = numbers_if_any(table, column.name);
-    if (!numbers) continue;
-    for (std::size_t row = 0; row < numbers->size(); ++row) {
-      (curve_of(curves, components[row]).*column.member).push_back((*numbers)[row]);
+    const std::vector<double> numbers =
+        column.required ? table.numbers(column.name) : numbers_or_none(table, column.name);
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+      (curve_of(curves, components[row]).*column.member).push_back(numbers[row]);
     }
+    for (ComponentCurve& curve : curves) drop_unknown(curve.*column.member);
   }
   return curves;
 }

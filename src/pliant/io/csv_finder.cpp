@@ -15,8 +15,6 @@ constexpr std::array<char, 3> kSeparators = {'\t', ';', ','};
 constexpr int kMostLinesAbove = 200;  // of a table
 constexpr int kRowsThatTell = 50;     // no table of results is longer
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
 bool is_bracketed(std::string_view text) {
   return text.size() >= 2 && ((text.front() == '(' && text.back() == ')') ||
                               (text.front() == '[' && text.back() == ']'));

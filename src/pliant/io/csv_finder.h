@@ -7,6 +7,8 @@
 
 namespace pliant {
 
+inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
 /// Where a table stands in the text of a file, and how its cells are separated.
 struct CsvStart {
   std::size_t at = 0;  ///< of the header; without one of the first row

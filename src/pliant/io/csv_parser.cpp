@@ -18,8 +18,6 @@ namespace {
 
 constexpr const char* kSkipRowsHint = R"("skip_rows: N" leaves out the lines before the header)";
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
 /// A header on one line: every run of blanks and line ends in it becomes one space.
 std::string simplified(std::string_view header) {
   std::string result;

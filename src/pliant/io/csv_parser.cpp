@@ -211,6 +211,7 @@ class CsvParser {
   bool read_header() {
     if (!next_record()) fail(0, "the file is empty", "a header row and rows of data");
     header_line_text_ = trimmed(text_between(record_begin_, at_));
+    header_comes_again_ = text().find(header_line_text_, at_) != std::string::npos;
     while (record_.back().size == 0) record_.pop_back();
     const bool numbers = std::all_of(record_.begin(), record_.end(), [&](const Cell& cell) {
       return is_csv_number(view(cell), separator_);
@@ -316,7 +317,7 @@ class CsvParser {
   /// these lines says that the present record is a wrong row.
   bool begins_next_specimen() {
     constexpr int kMostLinesBetween = 30;
-    if (record_is_row()) return false;
+    if (!header_comes_again_ || record_is_row()) return false;
     if (table_.header_line_ == 0 || table_.columns_.size() < 2) return false;
     next_specimen_ = record_begin_;
     for (int i = 0; i < kMostLinesBetween && next_specimen_ < text().size(); ++i) {
@@ -424,7 +425,8 @@ class CsvParser {
     std::string name;
   };
   std::string header_line_text_;
-  std::vector<std::string> above_;  ///< the cells of the last line above the header
+  bool header_comes_again_ = false;  // rows need not be told from headers else
+  std::vector<std::string> above_;   ///< the cells of the last line above the header
   RepeatedColumns groups_;
   std::size_t next_specimen_ = 0;    ///< where its header begins
   std::vector<Specimen> specimens_;  ///< of files that hold several

@@ -139,7 +139,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
     PLIANT_ASSERT(law.has_value(), "experiments without their component are skipped");
     const auto fitted = fitted_nuisance(*experiment, found);
     ExperimentResult row =
-        compare(*experiment, *law, fitted.value_or(experiment->unfitted_nuisance(*law)));
+        compare(*experiment, *law, fitted ? *fitted : experiment->unfitted_nuisance(*law));
     row.role = ExperimentRole::validate;
     if (fitted) row.handled.emplace_back("its own numbers are those of the fit of the material");
     result.experiments.push_back(std::move(row));

@@ -180,6 +180,9 @@ std::vector<MadeUpFile> plain_files() {
       {"TimeOfDay", "pull.csv",
        "Time (s),Load (N),Elongation (mm),Elongation "
        "(%)\n00:00:01,0,0,0\n00:00:02,4,2,2\n00:00:03,9,5,5\n00:00:04,2,1,1\n"},
+      {"Chinese", "pull.csv",
+       "\xCA\xB1\xBC\xE4,\xCE\xBB\xD2\xC6,\xC1\xA6\n(s),(mm),(N)\n\"0.00\",\"0.0\",\"0.0\"\n"
+       "\"0.02\",\"2.0\",\"4.0\"\n\"0.04\",\"5.0\",\"9.0\"\n\"0.06\",\"1.0\",\"2.0\"\n"},
       {"GripSeparation", "pull.csv", "FORCE_N,GRIP SEPARATION (mm)\n0,100\n4,102\n9,105\n2,101\n"}};
 }
 
@@ -205,7 +208,7 @@ std::vector<RefusedFile> refused_files() {
   std::string remarks;
   for (int i = 0; i < 300; ++i) remarks += "a remark\n";
   return {
-      {"AnotherScript", "pull.csv", "\xC1\xA6 (N),\xCE\xBB\xD2\xC6 (mm)\n0,0\n4,2\n9,5\n2,1\n",
+      {"AnotherScript", "pull.csv", "\xD1\xE8\xEB\xE0 (N),\xD5\xEE\xE4 (mm)\n0,0\n4,2\n9,5\n2,1\n",
        "columns.force"},
       {"UnitThatThereIsNot", "pull.csv", "Kraft (kp);Weg (mm)\n0;0\n4;2\n9;5\n2;1\n",
        "columns.force"},

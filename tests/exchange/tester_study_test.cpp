@@ -3,6 +3,7 @@
 
 #include "pliant/exchange/tester_study.h"
 
+#include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "pliant/experiment/registry.h"
 #include "pliant/io/workbook.h"
 #include "pliant/study/study.h"
+#include "pliant/study/study_fit.h"
 #include "pliant/study/test_template.h"
 
 #include "exchange/tester_files.h"
@@ -65,15 +67,23 @@ std::unique_ptr<ComponentExperiment> first_experiment(const std::filesystem::pat
   return read_experiment(study.experiments.front(), study);
 }
 
+/// What the made-up files of a type are exports of: so many specimens, each in a file of its own.
+std::filesystem::path write_reference(const TemporaryFolder& folder, const std::string& type,
+                                      int specimens = 1) {
+  const bool pulled = type == "tensile-cycles";
+  for (int i = 0; i < specimens; ++i) {
+    folder.write(fmt::format("data-{}.csv", i), test::reference_rows(type));
+  }
+  return folder.write(
+      "study.yaml", fmt::format("pliant: study/1\nname: a\nexperiments:\n  - {{name: a, type: {}, "
+                                "data: data-*.csv{}{}}}\n",
+                                type, type == "shear-cycles" ? "" : ", direction: warp",
+                                pulled ? ", length: 100 mm, width: 50 mm" : ""));
+}
+
 std::unique_ptr<ComponentExperiment> reference(const std::string& type) {
   const TemporaryFolder folder;
-  const bool pulled = type == "tensile-cycles";
-  folder.write("data.csv", test::reference_rows(type));
-  return first_experiment(folder.write(
-      "study.yaml", fmt::format("pliant: study/1\nname: a\nexperiments:\n  - {{name: a, type: {}, "
-                                "data: data.csv{}{}}}\n",
-                                type, type == "shear-cycles" ? "" : ", direction: warp",
-                                pulled ? ", length: 100 mm, width: 50 mm" : "")));
+  return first_experiment(write_reference(folder, type));
 }
 
 class TesterFiles : public ::testing::TestWithParam<MadeUpFile> {};
@@ -96,6 +106,25 @@ TEST_P(TesterFiles, BecomeTheExperimentThatTheyAre) {
     EXPECT_NEAR(read->measured()(row), expected->measured()(same), 1e-12);
     EXPECT_NEAR(read->path().strain[i], expected->path().strain[s], 1e-12);
     EXPECT_NEAR(read->path().factor[i], expected->path().factor[s], 1e-12);
+  }
+}
+
+TEST_P(TesterFiles, AreFittedAsThatExperiment) {
+  const TemporaryFolder folder;
+  const MadeUpFile& file = GetParam();
+  if (is_workbook(file.file) && !reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const auto study = write_study(folder, {{file.file, file.content}});
+  fill_in(study, file.columns);
+  const StudyResult fit = fit_study(read_study(study), {}, {});
+  const StudyResult expected =
+      fit_study(read_study(write_reference(folder, file.type, file.specimens)), {}, {});
+  ASSERT_EQ(fit.experiments.size(), 1u);
+  EXPECT_EQ(fit.converged, expected.converged);
+  EXPECT_NEAR(fit.experiments[0].rms, expected.experiments[0].rms, 1e-9);
+  ASSERT_EQ(fit.parameters.size(), expected.parameters.size());
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const double value = expected.parameters[i].value;
+    EXPECT_NEAR(fit.parameters[i].value, value, 1e-6 * std::abs(value)) << fit.parameters[i].name;
   }
 }
 

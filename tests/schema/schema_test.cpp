@@ -202,6 +202,13 @@ TEST_F(Schema, RefusesBrokenDocumentsAsTheReadersDo) {
   EXPECT_EQ(expect_agreement(broken_documents()), 0) << "documents that neither refuses";
 }
 
+// As an editor judges a study whose files have preambles, which tell the specimen's size.
+TEST_F(Schema, LeavesSizesToTheFiles) {
+  SchemaCase study = full_documents()[0].document;
+  for (const char* size : {"length", "width"}) study.document["experiments"][0].erase(size);
+  EXPECT_FALSE(judge_by_schema({study})[0].has_value());
+}
+
 TEST_F(SlowSchema, KnowsExactlyTheKeysThatTheReadersAskFor) {
   const std::set<std::string> words = words_of_readers();
   for (const NamedDocument& full : full_documents()) {
@@ -231,10 +238,15 @@ TEST_F(Schema, AgreesWithTheReadersOnMissingAndMisshapenValues) {
     const Json& whole = full.document.document;
     for (const Json::json_pointer& object : objects_of(whole)) {
       for (const auto& [key, value] : whole[object].items()) {
+        // Whether a file tells the size of its specimen, no schema can tell.
+        const bool size = key == "length" || key == "width" || key == "defaults";
+        const bool may_be_told = full.document.type == "study" && size;
         NamedDocument dropped = mutated(full.document, object, key, "dropped", nullptr);
         dropped.document.document[object].erase(key);
-        documents.push_back(std::move(dropped));
-        documents.push_back(mutated(full.document, object, key, "null", nullptr));
+        if (!may_be_told) {
+          documents.push_back(std::move(dropped));
+          documents.push_back(mutated(full.document, object, key, "null", nullptr));
+        }
         documents.push_back(mutated(full.document, object, key, "a mapping", {{"made_up", "1 N"}}));
         documents.push_back(
             mutated(full.document, object, key, "a list of lists", Json::array({Json::array()})));

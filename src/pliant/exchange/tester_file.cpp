@@ -18,19 +18,33 @@
 namespace pliant {
 namespace {
 
-/// The first of the encodings of testers' files that the bytes may be in.
+std::optional<std::string> decoded(const std::string& bytes, const std::string& encoding) {
+  try {
+    return decode_text(bytes, encoding, {});
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether a text names a quantity in Chinese, whose characters fill three bytes of UTF-8.
+bool names_in_chinese(const std::string& text) {
+  return std::ranges::any_of(column_synonyms(), [&](const auto& quantity) {
+    return std::ranges::any_of(quantity.second, [&](const std::string& name) {
+      return static_cast<unsigned char>(name.front()) >= 0xe0 && text.find(name) != text.npos;
+    });
+  });
+}
+
+/// The first of the encodings of testers' files that the bytes may be in. Nearly any bytes may be
+/// Chinese; only known words say that they are.
 std::string found_encoding(const std::filesystem::path& path) {
   const std::string bytes = read_text_file(path);
+  if (decoded(bytes, "")) return "";
   const bool has_nul = bytes.find('\0') != std::string::npos;
-  for (const char* encoding : {"", has_nul ? "utf-16le" : "windows-1252"}) {
-    try {
-      decode_text(bytes, encoding, path.string());
-      return encoding;
-    } catch (const InputError&) {
-      continue;
-    }
-  }
-  return {};  // the reader says what is wrong
+  if (has_nul) return decoded(bytes, "utf-16le") ? "utf-16le" : "";
+  const std::optional<std::string> chinese = decoded(bytes, "gbk");
+  if (chinese && names_in_chinese(*chinese)) return "gbk";
+  return decoded(bytes, "windows-1252") ? "windows-1252" : "";  // the reader says what is wrong
 }
 
 /// What drives a test along its path.

@@ -44,7 +44,7 @@ std::string blank_hint(std::string_view field) {
       {"width", "the width of the strip, e.g. 50 mm"},
       {"density", "the mass of a piece of the fabric divided by its area, e.g. 150 g/m^2"},
       {"side", "up or down: the way in which the strip buckles"},
-      {"columns", "the header or the number of its column and its unit, e.g. Load (N) or 2 (N)"}};
+      {"columns", "the header or number of its column, and its unit: Load (N), 2 (N)"}};
   const auto found = hints.find(field);
   return found == hints.end() ? "its value" : found->second;
 }

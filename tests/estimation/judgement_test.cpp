@@ -59,6 +59,18 @@ TEST(Judgement, AMissIsToldByTheScaleOfWhatWasMeasured) {
                     HasSubstr("the measured span of 5.18 N is predicted as 0.1 N")));
 }
 
+// A strip that hangs has the force of a catenary, whatever its stiffness: to predict that is
+// nothing.
+TEST(Judgement, OfAStripThatHangsCountsWhatIsBetterThanNoStiffness) {
+  ExperimentResult hanging = pulled("hanging", 5, 4.8);
+  hanging.limp_percent = 1.25 * hanging.rms_percent;
+  const Judgement judgement = judge(result_of({hanging}), {}, false);
+  EXPECT_NEAR(*judgement.experiments.front().explained, 0.36, 1e-12);
+  EXPECT_EQ(judgement.fitness, Fitness::unfit);
+  EXPECT_THAT(judgement.headline,
+              HasSubstr("36 % of what a strip without stiffness leaves is explained"));
+}
+
 TEST(Judgement, NamesTheComponentsThatAMaterialIsNotFitFor) {
   ExperimentResult bent = pulled("bent", 5, 1), stretched = pulled("stretched", 5, 5);
   bent.component = "bend.warp";

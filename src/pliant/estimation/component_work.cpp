@@ -40,7 +40,7 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
 }
 
 std::string unfitted_note(const ExperimentInfo& info) {
-  const std::string note = "predicted without any fitting";
+  const std::string note = "predicted, the material not fitted to it";
   return info.test.unfitted.empty() ? note : fmt::format("{}: {}", note, info.test.unfitted);
 }
 

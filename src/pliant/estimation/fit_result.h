@@ -58,6 +58,7 @@ struct ExperimentResult {
   bool unloads = false;    ///< by enough to show friction
   std::optional<double> elastic_rms;      ///< SI, of the best purely elastic curve
   std::optional<double> elastic_percent;  ///< the same in per cent
+  std::optional<double> limp_percent;     ///< the same of a material without any stiffness
   double peak_force = 0;                  ///< N, or N/m for forces per width
   int points = 0;
   int excluded = 0;

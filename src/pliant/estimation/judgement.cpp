@@ -44,6 +44,14 @@ struct Figure {
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
 
+// Of what the best model that knows nothing of the material leaves: where weight alone makes a
+// force, that is more than a constant.
+double explained_share(const ExperimentResult& e, const ComparedRows& rows) {
+  if (e.limp_percent) return 1 - std::pow(e.rms_percent / *e.limp_percent, 2);
+  const double variance = (rows.measured - rows.measured.mean()).square().sum();
+  return 1 - (rows.predicted - rows.measured).square().sum() / variance;
+}
+
 std::string_view reference_of(const ExperimentResult& e) {
   if (facts_of_test(e.type).bends_by_weight) return "the mean overhang";
   if (facts_of_test(e.type).has_unknown_zero) return "the span of the force";
@@ -76,12 +84,12 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
         {std::abs(*own.span_ratio - 1) / accept.span,
          fmt::format("the measured span of {} is predicted as {}", with_unit(measured, e.quantity),
                      with_unit(predicted, e.quantity))});
-    const double variance = (rows.measured - rows.measured.mean()).square().sum();
-    own.explained = 1 - (rows.predicted - rows.measured).square().sum() / variance;
+    own.explained = explained_share(e, rows);
     figures.push_back(
         {(1 - *own.explained) / accept.unexplained,
-         fmt::format("{} of the variance is explained (accepted: {})",
-                     percent(std::max(*own.explained, 0.0)), percent(1 - accept.unexplained))});
+         fmt::format("{} of {} is explained (accepted: {})", percent(std::max(*own.explained, 0.0)),
+                     e.limp_percent ? "what a strip without stiffness leaves" : "the variance",
+                     percent(1 - accept.unexplained))});
   }
   if (e.measured_loop && e.predicted_loop && e.measured_loop->loop_loss > 0) {
     own.loop_ratio = e.predicted_loop->loop_loss / e.measured_loop->loop_loss;

@@ -28,8 +28,9 @@ struct ExperimentJudgement {
   bool predicted = false;                        ///< nothing was fitted to it
   double excess = 0;                             ///< the worst of its figures over what is accepted
   std::optional<double> span_ratio, loop_ratio;  ///< predicted over measured
-  std::optional<double> explained;               ///< share of the variance
-  std::vector<std::string> reasons;              ///< figures that are not accepted, the worst first
+  /// Share of the variance, or of what a material without any stiffness leaves.
+  std::optional<double> explained;
+  std::vector<std::string> reasons;  ///< figures that are not accepted, the worst first
 
   /// Up to three times what is accepted is a reservation.
   Fitness fitness() const;

@@ -84,6 +84,10 @@ class ComponentExperiment : public Experiment {
     return std::nullopt;
   }
 
+  /// What a material without any stiffness would show, nuisance parameters at their best: what a
+  /// prediction has to beat. Nothing where such a specimen carries no load, or stays in no place.
+  virtual std::optional<Eigen::VectorXd> limp() const { return std::nullopt; }
+
   /// What the instrument shows of each row where the material carries nothing: no part of a loop.
   virtual Eigen::VectorXd instrument_zero(const Eigen::VectorXd& nuisance) const {
     static_cast<void>(nuisance);

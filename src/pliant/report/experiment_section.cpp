@@ -74,6 +74,9 @@ std::string description(const ResultExperiment& e, bool evaluation) {
   if (e.rms_elastic_percent_of_peak) {
     facts.push_back("best curve without friction " + format_percent(e.rms_elastic_percent_of_peak));
   }
+  if (e.rms_limp_percent_of_peak) {
+    facts.push_back("a strip without any stiffness " + format_percent(e.rms_limp_percent_of_peak));
+  }
   if (!e.rms_elastic_percent_of_peak && e.rms_elastic_position_mm) {
     facts.push_back("best curve without friction " +
                     format_significant(e.rms_elastic_position_mm, 2) + " mm");

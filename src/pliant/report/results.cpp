@@ -106,6 +106,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.peak_force = json.number("peak_force_N");
   e.rms_percent_of_peak = json.number("rms_percent_of_peak");
   e.rms_elastic_percent_of_peak = json.number("rms_elastic_percent_of_peak");
+  e.rms_limp_percent_of_peak = json.number("rms_limp_percent_of_peak");
   e.rms_position_mm = json.number("rms_position_mm");
   e.rms_elastic_position_mm = json.number("rms_elastic_position_mm");
   e.rms_percent_of_length = json.number("rms_percent_of_length");

@@ -50,8 +50,9 @@ struct ResultExperiment {
   /// overhang.
   std::optional<double> rms_percent_of_peak, rms_elastic_percent_of_peak;
   std::optional<double> rms_position_mm, rms_elastic_position_mm;
-  std::optional<double> rms_percent_of_length;  ///< of distances from a predicted profile
-  std::optional<double> fold_height_error_mm;   ///< of sessions; absent in older results
+  std::optional<double> rms_limp_percent_of_peak;  ///< of a material without any stiffness
+  std::optional<double> rms_percent_of_length;     ///< of distances from a predicted profile
+  std::optional<double> fold_height_error_mm;      ///< of sessions; absent in older results
   int points = 0, specimens = 0, excluded = 0;
   std::string noise;  ///< in words; empty where not stated
   std::optional<std::array<double, 2>> strain_range;

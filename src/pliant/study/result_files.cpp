@@ -85,6 +85,7 @@ Json experiment_json(const ExperimentResult& e) {
             {"rms_elastic_percent_of_peak", distance ? Json(nullptr) : number(e.elastic_percent)},
             {"rms_elastic_position_mm",
              length && e.elastic_rms ? number(*e.elastic_rms * 1e3) : Json(nullptr)},
+            {"rms_limp_percent_of_peak", number(e.limp_percent)},
             {"points", e.points},
             {"specimens", e.specimens.size()},
             {"excluded", e.excluded},

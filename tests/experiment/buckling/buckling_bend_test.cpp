@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/buckling/catenary.h"
 #include "pliant/experiment/loop_metrics.h"
 
 #include "io/input_error_of.h"
@@ -100,6 +101,46 @@ TEST(BucklingBend, IsEasierWithItsWeightThanAgainstIt) {
   const auto up = measured(Side::up).predict(law, apparatus(), false);
   ASSERT_TRUE(down && up);
   EXPECT_GT(down->value(5), up->value(5) + 1e-4);
+}
+
+/// A strip of hardly any stiffness, twenty centimetres long between clamps that come nearer.
+Eigen::VectorXd nearly_limp(Side side, const SampledPath& path, double stiffness) {
+  ComponentLaw law;
+  law.stiffness = ScalarCurve::constant(stiffness);
+  const BucklingBend bend({0.2, kWidth, kDensity, side, 40}, path);
+  return bend.predict(law, Eigen::Vector2d::Zero(), false)->value;
+}
+
+// The boundary layer at the clamps, sqrt(k / H) wide, shortens what hangs: it goes with the root of
+// the stiffness, so that the limit is that of twice the smaller difference.
+TEST(BucklingBend, OfAStripThatHangsComesToACatenary) {
+  SampledPath path;
+  for (int i = 0; i < 6; ++i) path.value.push_back(0.19 - 0.004 * i);
+  path.half_cycles = {{0, 5, -1, 0.17}};
+  Eigen::VectorXd catenary(6);
+  for (int i = 0; i < 6; ++i) {
+    catenary(i) =
+        kWidth * catenary_pull(kDensity * 9.80665, 0.2, path.value[static_cast<size_t>(i)]);
+  }
+  const Eigen::VectorXd stiff = nearly_limp(Side::down, path, 4e-6);
+  const Eigen::VectorXd limp = nearly_limp(Side::down, path, 1e-6);
+  EXPECT_LT((limp - catenary).norm(), 0.6 * (stiff - catenary).norm());
+  EXPECT_LT((2 * limp - stiff - catenary).norm(), 0.01 * catenary.norm());
+}
+
+TEST(BucklingBend, KnowsWhatAStripWithoutStiffnessWouldShow) {
+  const BucklingBend down = measured(Side::down), up = measured(Side::up);
+  const auto limp = down.limp();
+  ASSERT_TRUE(limp);
+  // Offset and drift are those that fit best: what is left goes with neither.
+  const Eigen::VectorXd left = down.measured() - *limp;
+  EXPECT_NEAR(left.sum(), 0, 1e-12);
+  EXPECT_NEAR(left.dot(Eigen::VectorXd::LinSpaced(down.rows(), 0, 1)), 0, 1e-12);
+  // Standing, it pushes as much as it pulls hanging.
+  const auto standing = up.limp();
+  ASSERT_TRUE(standing);
+  const double hangs = (*limp)(8) - (*limp)(4), stands = (*standing)(8) - (*standing)(4);
+  EXPECT_LT(hangs * stands, 0);
 }
 
 TEST(BucklingBend, KnowsItsDerivatives) {

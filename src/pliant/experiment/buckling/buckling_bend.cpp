@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/buckling/buckling_bend_type.h"
+#include "pliant/experiment/buckling/catenary.h"
 #include "pliant/experiment/buckling/clamped_strip.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/strip_figures.h"
@@ -39,9 +40,12 @@ void require_return(const MeasuredPath& path, const DataRows& data) {
                    "clamps that come nearer and go back");
 }
 
-}  // namespace
-
-namespace {
+// What offset and drift of the force add to each row.
+Eigen::MatrixX2d zero_by_row(int count) {
+  Eigen::MatrixX2d zero(count, 2);
+  zero << Eigen::VectorXd::Ones(count), Eigen::VectorXd::LinSpaced(count, 0, 1);
+  return zero;
+}
 
 std::vector<std::string> questions_of(const MeasuredPath& path, double farthest,
                                       const ExperimentSpec& spec, const DataRows& data,
@@ -207,8 +211,7 @@ bool BucklingBend::predict_specimen(const Specimen& specimen, const ComponentLaw
   const int column = law.parameter_count() + specimen.first_nuisance;
   auto rows = prediction.jacobian.middleRows(first, count);
   rows.leftCols(law.parameter_count()) = strip_.width * followed->by_law;
-  rows.col(column + kForceOffset).setOnes();
-  rows.col(column + kForceDrift) = Eigen::VectorXd::LinSpaced(count, 0, 1);
+  rows.middleCols<2>(column + kForceOffset) = zero_by_row(count);
   if (specimen.length_is_known) return true;
   const double step = 1e-6 * length;
   const auto longer = follow(specimen, law, length + step, false);
@@ -235,11 +238,32 @@ Eigen::VectorXd BucklingBend::unfitted_nuisance(const ComponentLaw& law) const {
   const auto prediction = predict(law, values, false);
   if (!prediction) return values;
   for (const Specimen& specimen : specimens_) {
+    const auto& rows = specimen.rows;
+    values.segment<2>(specimen.first_nuisance) =
+        best_zero(specimen, prediction->value.segment(rows.first, rows.count));
+  }
+  return values;
+}
+
+// Offset and drift of the force that bring a predicted force nearest to the measured one.
+Eigen::Vector2d BucklingBend::best_zero(const Specimen& specimen,
+                                        const Eigen::VectorXd& force) const {
+  const int first = specimen.rows.first, count = specimen.rows.count;
+  return zero_by_row(count).colPivHouseholderQr().solve(measured_.segment(first, count) - force);
+}
+
+std::optional<Eigen::VectorXd> BucklingBend::limp() const {
+  const double pull = strip_.side == BucklingSide::down ? strip_.width : -strip_.width;
+  Eigen::VectorXd values(rows());
+  for (const Specimen& specimen : specimens_) {
     const int first = specimen.rows.first, count = specimen.rows.count;
-    Eigen::MatrixX2d zero(count, 2);
-    zero << Eigen::VectorXd::Ones(count), Eigen::VectorXd::LinSpaced(count, 0, 1);
-    values.segment<2>(specimen.first_nuisance) = zero.colPivHouseholderQr().solve(
-        measured_.segment(first, count) - prediction->value.segment(first, count));
+    Eigen::VectorXd force(count);
+    for (int i = 0; i < count; ++i) {
+      const double distance = distance_[static_cast<size_t>(first + i)];
+      if (distance >= strip_.length) return std::nullopt;
+      force(i) = pull * catenary_pull(weight_, strip_.length, distance);
+    }
+    values.segment(first, count) = force + zero_by_row(count) * best_zero(specimen, force);
   }
   return values;
 }

@@ -36,6 +36,8 @@ class BucklingBend : public ComponentExperiment {
                                     bool with_jacobian) const override;
   /// The strip is as long as stated; offset and drift of the force are those that fit best.
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const override;
+  /// A strip that hangs or stands as a catenary, as long as stated.
+  std::optional<Eigen::VectorXd> limp() const override;
   /// The span of the force: its zero is not known.
   double reference() const override;
   double peak_force() const override { return reference(); }
@@ -52,6 +54,7 @@ class BucklingBend : public ComponentExperiment {
   void add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec, RestLength rest_length);
   void add_nuisance(size_t number, const SpecimenRows& rows, RestLength rest_length);
   void read_path(const Specimen& specimen, int number);
+  Eigen::Vector2d best_zero(const Specimen& specimen, const Eigen::VectorXd& force) const;
   std::optional<Followed> follow(const Specimen& specimen, const ComponentLaw& law, double length,
                                  bool with_derivatives) const;
   bool predict_specimen(const Specimen& specimen, const ComponentLaw& law,

@@ -73,8 +73,8 @@ const TestType& buckling_bend_type() {
                 .assumption = "the strip bends in a plane, is clamped level and flat and does not "
                               "stretch or touch itself; it starts straight and free of friction; "
                               "the zero of the force drifts evenly from row to row",
-                .unfitted = "the strip as long as stated, offset and drift of the force from the "
-                            "record"},
+                .unfitted = "the strip is as long as stated, but offset and drift of the force are "
+                            "those that fit its record best"},
       .channels = {force_channel(), length_channel()},
       .template_files = template_files("buckling"),
       .required = {"direction", "side", "length", "width"},

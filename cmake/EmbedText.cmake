@@ -1,21 +1,26 @@
 # pliant_embed_schemas(TARGET): adds the definitions of src/pliant/io/schema_text.h, with the JSON
-# schemas of docs/schema as string literals, so that the installed program stands alone.
+# schemas of docs/schema as string literals, so that the installed program stands alone. Those of
+# studies and labs are put together from src/pliant/study and from the folders of the tests;
+# `./dev schemas` brings what docs/schema holds of them up to date.
 function(pliant_embed_schemas target)
-  set(folder "${PROJECT_SOURCE_DIR}/docs/schema")
-  file(GLOB files CONFIGURE_DEPENDS "${folder}/*.schema.json")
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/schema/*.schema.json")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   set(names "")
   set(cases "")
   foreach(file IN LISTS files)
     cmake_path(GET file STEM name)
-    file(READ "${file}" text)
+    if(name MATCHES "^(study|lab)$")
+      _pliant_schema_of_tests(text ${name})
+    else()
+      file(READ "${file}" text)
+    endif()
     string(APPEND names "\"${name}\", ")
     string(APPEND cases "  if (type == \"${name}\") return R\"json(${text})json\";\n")
   endforeach()
 
   set(source "${PROJECT_BINARY_DIR}/generated/schema_text.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
-// Made by CMake from docs/schema.
+// Made by CMake from docs/schema, src/pliant/study and src/pliant/experiment.
 #include "pliant/io/schema_text.h"
 
 namespace pliant {
@@ -29,6 +34,33 @@ std::string_view schema_text(std::string_view type) {
 }  // namespace pliant
 ]])
   target_sources(${target} PRIVATE "${source}")
+endfunction()
+
+# The schema of a kind of document (study, lab) whose experiments each test describes in its folder,
+# as src/pliant/experiment/FOLDER/TEST.KIND.json.
+function(_pliant_schema_of_tests result kind)
+  set(base "${PROJECT_SOURCE_DIR}/src/pliant/study/${kind}.schema.json")
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/pliant/experiment/*/*.${kind}.json")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${base} ${files})
+  set(names "")
+  set(cases "")
+  set(fields "")
+  foreach(file IN LISTS files)
+    cmake_path(GET file STEM test)
+    list(APPEND names "\"${test}\"")
+    list(APPEND cases "        {\"if\": {\"properties\": {\"type\": {\"const\": \"${test}\"}}, \"required\": [\"type\"]}, \"then\": {\"$ref\": \"#/definitions/${test}\"}}")
+    file(READ "${file}" text)
+    string(STRIP "${text}" text)
+    string(REPLACE "\n" "\n    " text "${text}")
+    string(APPEND fields "    \"${test}\": ${text},\n")
+  endforeach()
+  list(JOIN names ", " names)
+  list(JOIN cases ",\n" cases)
+  file(READ "${base}" text)
+  string(REPLACE "@test_names@" "${names}" text "${text}")
+  string(REPLACE "@test_cases@" "${cases}" text "${text}")
+  string(REPLACE "@test_fields@,\n" "${fields}" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
 # pliant_embed_templates(TARGET): adds the definition of src/pliant/experiment/template_files.h, with

@@ -16,7 +16,7 @@ function(pliant_test_extending_pages)
     src/pliant/material/addend/addend_registry.cpp
     src/pliant/experiment/registry.cpp
     docs/schema/material.schema.json
-    docs/schema/study.schema.json
+    src/pliant/study/study.schema.json
     tests/material/strain_measures_test.cpp
     tests/material/density_derivatives_test.cpp
     tests/mechanics/element_potential_test.cpp)

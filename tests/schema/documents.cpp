@@ -273,7 +273,6 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
       changed("prior without spread", study, "/fit/priors/shear.k", {{"mean", 1}, {"sd", 0}}),
       without("no data", study, "/experiments/0/data"),
       without("no direction", study, "/experiments/0/direction"),
-      without("no width anywhere", study, "/defaults/width"),
       changed("no specimens", lab, "/specimens", 0),
       changed("variation without unit", lab, "/specimen_variation", 0.05),
       changed("peaks in the wrong unit", lab, "/experiments/0/peaks/0", "10 %"),

@@ -69,6 +69,13 @@ class Potential {
   /// Learns where its part of the Hessian goes; called before any evaluation.
   virtual void bind(const Coordinates& coordinates, const BlockPattern& pattern) = 0;
 
+  /// Whether points may be there at the end of a step: false where the energy is infinite. Asked
+  /// before each evaluation of a search.
+  virtual bool admits(const Evaluation& at) const {
+    static_cast<void>(at);
+    return true;
+  }
+
   /// Adds to the energy and to the derivatives that are asked for.
   virtual void evaluate(const Evaluation& at, Derivatives& derivatives) const = 0;
 };

@@ -85,6 +85,12 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
+bool System::admits(const Configuration& at, const Conditions& under) const {
+  return std::ranges::all_of(parts_, [&](const Part& part) {
+    return part.potential->admits(evaluation(part, at, under));
+  });
+}
+
 void System::evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                       Derivatives& derivatives) const {
   for (const Part& part : parts_) {

@@ -72,6 +72,7 @@ bool line_search(const Objective& objective, const Eigen::VectorXd& step, double
   Iterate trial;
   for (double length = 1; length > kShortest; length /= 2) {
     trial.at = coordinates.moved(now.at, length * step);
+    if (!objective.admits(trial.at)) continue;
     trial.energy = objective.evaluate(trial.at, trial.gradient);
     const double change = trial.energy.total() - now.energy.total();
     const bool falls = change <= kShare * length * slope;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <variant>
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+/// What lies below a plane.
+struct HalfSpace {
+  Eigen::Vector3d point;   ///< of its surface, m
+  Eigen::Vector3d normal;  ///< out of it, of unit length
+};
+
+struct Sphere {
+  Eigen::Vector3d centre;  ///< m
+  double radius = 0;       ///< m, > 0
+};
+
+/// All points nearer to a line than its radius.
+struct Capsule {
+  Eigen::Vector3d from, to;  ///< ends of the line, m; not one point
+  double radius = 0;         ///< m, > 0
+};
+
+/// A solid body with a smooth surface.
+using ObstacleShape = std::variant<HalfSpace, Sphere, Capsule>;
+
+/// Where a point is to the surface of a body.
+struct SurfaceDistance {
+  double distance = 0;        ///< m, negative inside
+  Eigen::Vector3d normal;     ///< its gradient: out of the body, of unit length
+  Eigen::Matrix3d curvature;  ///< its second derivatives, 1/m; positive semidefinite outside
+};
+
+SurfaceDistance surface_distance(const ObstacleShape& shape, const Eigen::Vector3d& point);
+
+/// The distance alone.
+double distance_to(const ObstacleShape& shape, const Eigen::Vector3d& point);
+
+/// The least distance on a straight way (m); the negative depth at its deepest point is not told,
+/// only that it is not positive.
+double least_distance(const ObstacleShape& shape, const Eigen::Vector3d& from,
+                      const Eigen::Vector3d& to);
+
+}  // namespace pliant

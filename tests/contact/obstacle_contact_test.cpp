@@ -1,0 +1,148 @@
+#include "pliant/contact/obstacle_contact.h"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "pliant/contact/barrier.h"
+#include "pliant/math/check_derivatives.h"
+#include "pliant/mechanics/system.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kThickness = 1e-3, kStiffness = 40;
+constexpr CoulombFriction kFriction{.sticking = 0.5, .sliding = 0.4};
+
+/// Points at some heights above the top of a ball, far enough apart.
+struct Ball {
+  static constexpr double kRadius = 0.1;
+
+  explicit Ball(const std::vector<double>& heights) {
+    Eigen::Matrix3Xd positions(3, std::ssize(heights));
+    std::vector<int> points;
+    for (int i = 0; i < positions.cols(); ++i) {
+      const double angle = 0.2 * i;
+      positions.col(i) = (kRadius + heights[static_cast<size_t>(i)]) *
+                         Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
+      points.push_back(i);
+    }
+    system = std::make_unique<System>(positions, Eigen::VectorXd::Ones(positions.cols()));
+    contact = std::make_shared<ObstacleContact>(
+        Sphere{Eigen::Vector3d::Zero(), kRadius}, points,
+        Eigen::VectorXd::Constant(positions.cols(), kStiffness), kThickness, kFriction);
+    system->add(contact);
+    system->finish();
+  }
+
+  std::unique_ptr<System> system;
+  std::shared_ptr<ObstacleContact> contact;
+};
+
+Configuration moved(const State& state, const Eigen::Vector3d& by) {
+  Configuration at = state.configuration;
+  at.positions.colwise() += by;
+  return at;
+}
+
+Eigen::MatrixXd dense(const BlockMatrix& matrix) {
+  const Eigen::MatrixXd lower = matrix.lower_triangle();
+  return lower.selfadjointView<Eigen::Lower>();
+}
+
+TEST(ObstacleContact, HasTheForcesAndTheStiffnessOfItsEnergy) {
+  const Ball ball({0.2e-3, 0.4e-3, 0.7e-3, 2e-3});
+  const State state = ball.system->initial_state();
+  const Conditions under{.from = state};
+  // Sticking points, and sliding ones.
+  for (const double slip : {0.3e-6, 30e-6}) {
+    const Configuration at = moved(state, {slip, 0.7 * slip, 0});
+    const auto evaluated = [&](const Eigen::VectorXd& x, Eigen::VectorXd* gradient,
+                               Eigen::MatrixXd* stiffness) {
+      Configuration there = at;
+      there.positions = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3);
+      Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, there.positions.cols());
+      Hessian hessian = ball.system->make_hessian();
+      Derivatives derivatives{{}, &forces, &hessian};
+      ball.system->evaluate(there, under, Curvature::exact, derivatives);
+      if (gradient) *gradient = forces.reshaped();
+      if (stiffness) *stiffness = dense(hessian.matrix);
+      return derivatives.energy.total();
+    };
+    const Eigen::VectorXd x = at.positions.reshaped();
+    const Eigen::VectorXd scale = Eigen::VectorXd::Constant(x.size(), 0.5 * slip);
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd stiffness;
+    evaluated(x, &gradient, &stiffness);
+    const DerivativeCheck first = check_derivatives(
+        [&](const Eigen::VectorXd& y) {
+          return Eigen::VectorXd::Constant(1, evaluated(y, nullptr, nullptr));
+        },
+        gradient.transpose(), x, scale);
+    const DerivativeCheck second = check_derivatives(
+        [&](const Eigen::VectorXd& y) {
+          Eigen::VectorXd forces;
+          evaluated(y, &forces, nullptr);
+          return forces;
+        },
+        stiffness, x, scale);
+    EXPECT_LT(first.error, 1e-5) << first.describe();
+    EXPECT_LT(second.error, 1e-4) << second.describe();
+  }
+}
+
+TEST(ObstacleContact, KeepsPointsOutAndDoesNotLetThemThrough) {
+  const Ball ball({0.5e-3});
+  const State state = ball.system->initial_state();
+  const Conditions under{.from = state};
+  EXPECT_TRUE(ball.system->admits(state.configuration, under));
+  EXPECT_TRUE(ball.system->admits(moved(state, {0, 0, -0.4e-3}), under));
+  EXPECT_FALSE(ball.system->admits(moved(state, {0, 0, -0.6e-3}), under));
+  // Out of the ball again, on the other side.
+  EXPECT_FALSE(ball.system->admits(moved(state, {0, 0, -0.3}), under));
+  EXPECT_TRUE(ball.system->admits(moved(state, {0.3, 0, 0}), under));
+  Derivatives derivatives;
+  ball.system->evaluate(moved(state, {0, 0, -0.3}), under, Curvature::exact, derivatives);
+  EXPECT_EQ(derivatives.energy.stored, INFINITY);
+}
+
+TEST(ObstacleContact, RemembersWhatIsElasticOfASlip) {
+  const Ball ball({0.5e-3});
+  State state = ball.system->initial_state();
+  const auto force_after = [&](double way) {
+    const Configuration at = moved(state, {way, 0, 0});
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, 1);
+    Derivatives derivatives{{}, &gradient, nullptr};
+    ball.system->evaluate(at, {.from = state}, Curvature::exact, derivatives);
+    State next = state;
+    ball.system->advance_history(at, {.from = state}, next.history);
+    next.configuration = at;
+    state = next;
+    return gradient(0, 0);
+  };
+  const double normal = -kStiffness * barrier(0.5e-3, kThickness).slope;
+  const double half = force_after(kSlipLength / 2);
+  EXPECT_NEAR(half, kFriction.sticking * normal / 2, 1e-4 * normal);
+  EXPECT_NEAR(force_after(kSlipLength / 4), 1.5 * half, 1e-4 * normal);
+  EXPECT_NEAR(force_after(3 * kSlipLength), kFriction.sticking * normal, 1e-3 * normal);
+  // It slides now, and sliding friction is less.
+  EXPECT_NEAR(force_after(kSlipLength), kFriction.sliding * normal, 1e-3 * normal);
+  // Back by the whole elastic slip: no force is left.
+  EXPECT_NEAR(force_after(-kSlipLength), 0, 2e-3 * normal);
+}
+
+TEST(ObstacleContact, ForgetsFrictionWhereAPointHasLeft) {
+  const Ball ball({0.5e-3});
+  const State state = ball.system->initial_state();
+  Eigen::VectorXd history;
+  const Configuration away = moved(state, {0, 0, 5e-3});
+  const double work = ball.system->advance_history(away, {.from = state}, history);
+  EXPECT_NEAR(work, 0, 1e-12);
+  EXPECT_TRUE(history.tail(5).isZero());
+  EXPECT_NEAR(ball.contact->least_distance(away.positions), 5.5e-3, 1e-12);
+}
+
+}  // namespace
+}  // namespace pliant

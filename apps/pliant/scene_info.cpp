@@ -208,6 +208,18 @@ void describe_surroundings(const Scene& scene, FileInfo& info) {
   }
 }
 
+const char* solution_text(StepSolve solution) {
+  switch (solution) {
+    case StepSolve::linearized:
+      return "solved once";
+    case StepSolve::iterated:
+      return "at most three iterations";
+    case StepSolve::converged:
+      break;
+  }
+  return "converged";
+}
+
 std::string stepping_text(const Stepping& time) {
   const char* friction = name_of(time.friction);
   if (time.kind == SimulationKind::quasi_static) {
@@ -215,8 +227,7 @@ std::string stepping_text(const Stepping& time) {
   }
   return fmt::format("{} steps of {}, {}, {}, friction {}{}", time.step_count(),
                      format_quantity(time.step, Dimension::time), name_of(time.integrator),
-                     time.solution == StepSolve::linearized ? "solved once" : "converged", friction,
-                     time.adaptive ? ", adaptive" : "");
+                     solution_text(time.solution), friction, time.adaptive ? ", adaptive" : "");
 }
 
 const char* format_name(FrameFormat format) {

@@ -72,20 +72,56 @@ TEST(DahlFriction, IsTheScalarFrictionStressInEveryLane) {
   }
 }
 
-TEST(DahlFriction, HasTheSlopeOfTheLastDirectionWhereItStandsStill) {
+/// A state that stands still at a strain and a friction stress.
+LaneState standing(double strain, double stress) {
+  LaneState state(1, 1);
+  state.strain.setConstant(strain);
+  state.last = state.before = state.strain;
+  state.history.setConstant(stress);
+  return state;
+}
+
+TEST(DahlFriction, HasTheStifferSlopeWhereItStandsStill) {
   const DahlParameters dahl{0.4, 4.84, 0.088};
   const DahlFriction law(0, dahl);
-  for (const double direction : {1.0, -1.0}) {
-    LaneState state(1, 1);
-    state.strain.setConstant(0.2);
-    state.last.setConstant(0.2);
-    state.before.setConstant(0.2 - 0.01 * direction);
-    state.history.setConstant(0.3);
+  for (const double strain : {0.2, -0.2, 0.0}) {
+    for (const double stress : {0.3, -0.3, 0.0}) {
+      const Response response = response_of(law, standing(strain, stress));
+      const double expected = (max_friction_stress(dahl, strain) + std::abs(stress)) / dahl.tau;
+      EXPECT_NEAR(response.tangent(0, 0), expected, kRounding * 100);
+      EXPECT_NEAR(response.stress(0, 0), stress, kRounding);
+      EXPECT_EQ(response.work(0), 0);
+    }
+  }
+}
+
+TEST(DahlFriction, HasTheStifferSlopeOfBothSidesAtZeroStrain) {
+  const DahlParameters stiff{3, 0.5, 0.03}, soft{1, 0.5, 0.03};
+  for (const double stress : {0.4, -0.4}) {
+    const LaneState state = standing(0, stress);
+    EXPECT_NEAR(response_of(DahlFriction(0, DahlBySide{stiff, soft}), state).tangent(0, 0),
+                (stiff.a - stress) / stiff.tau, kRounding * 100);
+    EXPECT_NEAR(response_of(DahlFriction(0, DahlBySide{soft, stiff}), state).tangent(0, 0),
+                (stiff.a + stress) / stiff.tau, kRounding * 100);
+  }
+}
+
+// One linear system a step relies on it: the parabola with that slope is never below the work.
+TEST(DahlFriction, IsMajorisedByTheParabolaOfItsStifferSlope) {
+  RandomStream random(5);
+  for (int draw = 0; draw < 100; ++draw) {
+    DahlParameters dahl = random_dahl(random);
+    dahl.b = 0;
+    const DahlFriction law(0, dahl);
+    const double strain = random.uniform(-0.2, 0.2), stress = random.uniform(-1, 1) * dahl.a;
+    LaneState state = standing(strain, stress);
+    const double slope = response_of(law, state).tangent(0, 0);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      state.strain(lane, 0) += random.uniform(-4, 4) * dahl.tau;
+    }
+    const Lane way = (state.strain - state.last).col(0);
     const Response response = response_of(law, state);
-    const double expected = (max_friction_stress(dahl, 0.2) - direction * 0.3) / dahl.tau;
-    EXPECT_NEAR(response.tangent(0, 0), expected, kRounding * 100);
-    EXPECT_NEAR(response.stress(0, 0), 0.3, kRounding);
-    EXPECT_EQ(response.work(0), 0);
+    EXPECT_LE((response.work - way * (stress + slope * way / 2)).maxCoeff(), 10 * kRounding);
   }
 }
 

@@ -169,16 +169,29 @@ TEST(SceneClip, IsABodyThatCordsPull) {
   EXPECT_FALSE(scene.clips[2].free) << "held still";
 }
 
-TEST(SceneTime, ConvergesBackwardEulerWithVariationalFrictionUnlessItSaysOtherwise) {
+TEST(SceneTime, IteratesBackwardEulerWithVariationalFrictionUnlessItSaysOtherwise) {
   const Stepping time = read_scene_text(with_more("")).time;
   EXPECT_EQ(time.kind, SimulationKind::dynamic);
   EXPECT_DOUBLE_EQ(time.step, 0.005);
   EXPECT_DOUBLE_EQ(time.duration, 1);
   EXPECT_EQ(time.integrator, Integrator::backward_euler);
-  EXPECT_EQ(time.solution, StepSolve::converged);
+  EXPECT_EQ(time.solution, StepSolve::iterated);
+  EXPECT_DOUBLE_EQ(time.motion_tolerance, 3e-5);
   EXPECT_EQ(time.friction, FrictionForm::variational);
   EXPECT_FALSE(time.adaptive);
   EXPECT_FALSE(time.tolerance.has_value());
+}
+
+TEST(SceneTime, ConvergesWhereItStatesTheForcesThatAStepMayLeave) {
+  const auto stepping = [](const std::string& more) {
+    return read_scene_text(with_time("{step: 1 ms, duration: 1 s" + more + "}")).time;
+  };
+  const Stepping old = stepping(", tolerance: 20 uN");
+  EXPECT_EQ(old.solution, StepSolve::converged);
+  EXPECT_DOUBLE_EQ(old.tolerance.value(), 2e-5);
+  const Stepping iterated = stepping(", solve: iterated, motion_tolerance: 20 um");
+  EXPECT_EQ(iterated.solution, StepSolve::iterated);
+  EXPECT_DOUBLE_EQ(iterated.motion_tolerance, 2e-5);
 }
 
 TEST(SceneTime, ReadsEveryField) {

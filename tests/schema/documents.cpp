@@ -144,6 +144,7 @@ std::vector<NamedDocument> full_documents() {
           named("material", read_json(kDocuments / "full_material.json")),
           named("scene", read_yaml(kDocuments / "full_scene.yaml")),
           named("scene of linearized steps", read_yaml(kDocuments / "linearized_scene.yaml")),
+          named("scene of iterated steps", read_yaml(kDocuments / "iterated_scene.yaml")),
           named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml")),
           named("session", read_yaml(kDocuments / "full_session.yaml")),
           named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml"))};
@@ -313,7 +314,7 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
 std::vector<NamedDocument> broken_scenes() {
   const std::vector<NamedDocument> full = full_documents();
   const SchemaCase &scene = full[3].document, &linearized = full[4].document;
-  const SchemaCase& path = full[5].document;
+  const SchemaCase &iterated = full[5].document, &path = full[6].document;
   return {
       changed("no cloth", scene, "/cloth", Json::array()),
       changed("a name that is no file name", scene, "/cloth/0/name", "a/b"),
@@ -365,6 +366,10 @@ std::vector<NamedDocument> broken_scenes() {
       changed("a format twice", scene, "/output/formats", {"ply", "ply"}),
       changed("unknown field", scene, "/output/fields/0", "stress"),
       changed("a linear tolerance of 1", linearized, "/time/linear_tolerance", 1),
+      changed("a motion tolerance in newtons", iterated, "/time/motion_tolerance", "1 uN"),
+      changed("a force tolerance of iterated steps", iterated, "/time/tolerance", "1 uN"),
+      changed("a motion tolerance of steps solved once", linearized, "/time/motion_tolerance",
+              "1 um"),
       changed("a tolerance of steps solved once", linearized, "/time/tolerance", "1 uN"),
       changed("no steps", path, "/time/steps", 0),
       changed("a step of a path", path, "/time/step", "1 ms"),
@@ -379,7 +384,7 @@ std::vector<NamedDocument> broken_scenes() {
 
 std::vector<NamedDocument> broken_sessions() {
   const std::vector<NamedDocument> full = full_documents();
-  const SchemaCase &session = full[6].document, &bend = full[7].document;
+  const SchemaCase &session = full[7].document, &bend = full[8].document;
   return {
       changed("solids", session, "/kind", "solid"),
       changed("a test without name", session, "/test", ""),

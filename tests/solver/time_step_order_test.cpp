@@ -28,6 +28,7 @@ struct SwingingSheet : ClothSheet {
     TimeStepOptions options;
     options.step = kDuration / steps;
     options.integrator = integrator;
+    options.solve = StepSolve::converged;
     options.tolerance = 1e-11;
     TimeStepper stepper(system, options);
     State state = system.initial_state();

@@ -20,6 +20,7 @@ const Eigen::Vector3d kGravity(0, 0, -9.81);
 TimeStepOptions converged_steps(double step, double tolerance) {
   TimeStepOptions options;
   options.step = step;
+  options.solve = StepSolve::converged;
   options.tolerance = tolerance;
   return options;
 }
@@ -106,7 +107,7 @@ TEST(TimeStepper, KeepsLinearMomentumWithoutForcesFromOutside) {
 
 TEST(TimeStepper, RepeatsItselfToTheLastBit) {
   const FreeSheet sheet(true);
-  for (const StepSolve solve : {StepSolve::linearized, StepSolve::converged}) {
+  for (const StepSolve solve : {StepSolve::linearized, StepSolve::iterated, StepSolve::converged}) {
     TimeStepOptions options = converged_steps(0.005, 1e-6);
     options.solve = solve;
     const State once = advanced(sheet.system, options, thrown(sheet.system, 8), 10);

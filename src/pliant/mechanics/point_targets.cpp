@@ -5,10 +5,16 @@ namespace pliant {
 PointTargets::PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets)
     : stiffness_(std::move(stiffness)), targets_(std::move(targets)) {}
 
+double PointTargets::energy(const Eigen::Matrix3Xd& positions) const {
+  return (positions - targets_).colwise().squaredNorm().dot(stiffness_) / 2;
+}
+
 void PointTargets::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  const Eigen::Matrix3Xd way = at.configuration.positions - targets_;
-  derivatives.energy.stored += way.colwise().squaredNorm().dot(stiffness_) / 2;
-  if (derivatives.gradient) *derivatives.gradient += way * stiffness_.asDiagonal();
+  const Eigen::Matrix3Xd& positions = at.configuration.positions;
+  derivatives.energy.stored += energy(positions);
+  if (derivatives.gradient) {
+    *derivatives.gradient += (positions - targets_) * stiffness_.asDiagonal();
+  }
   if (!derivatives.hessian) return;
   Hessian& hessian = *derivatives.hessian;
   for (int i = 0; i < stiffness_.size(); ++i) {

@@ -12,6 +12,9 @@ class PointTargets : public Potential {
   /// @param targets    m, one column a point
   PointTargets(Eigen::VectorXd stiffness, Eigen::Matrix3Xd targets);
 
+  /// J, of points at `positions`.
+  double energy(const Eigen::Matrix3Xd& positions) const;
+
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;

@@ -22,10 +22,10 @@ StepStatistics read_statistics(const JsonReader& json, std::string_view key) {
 SimulationMethod read_method(const JsonReader& json) {
   const std::optional<JsonReader> method = json.object("method");
   if (!method) return {};
-  return {method->text_or("kind", ""),       method->text_or("integrator", ""),
-          method->text_or("solve", ""),      method->text_or("friction", ""),
-          method->number("tolerance"),       method->number("linear_tolerance"),
-          method->flag_or("adaptive", false)};
+  return {method->text_or("kind", ""),        method->text_or("integrator", ""),
+          method->text_or("solve", ""),       method->text_or("friction", ""),
+          method->number("tolerance"),        method->number("motion_tolerance"),
+          method->number("linear_tolerance"), method->flag_or("adaptive", false)};
 }
 
 EnergyTable read_energy(const std::filesystem::path& file) {
@@ -51,6 +51,10 @@ std::string solution_text(const SimulationMethod& method) {
   if (method.solve == "linearized") {
     return "one linear system a step, solved to " +
            format_number(method.linear_tolerance.value_or(0), 2);
+  }
+  if (method.solve == "iterated") {
+    return "at most three iterations a step, until nothing moves by more than " +
+           format_quantity(method.motion_tolerance.value_or(0), Dimension::length, 2);
   }
   if (!method.tolerance) return "converged";
   return "converged to " + format_quantity(*method.tolerance, Dimension::force, 2);

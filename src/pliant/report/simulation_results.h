@@ -28,6 +28,7 @@ struct EnergyTable {
 struct SimulationMethod {
   std::string kind, integrator, solve, friction;
   std::optional<double> tolerance;         ///< N, of converged steps
+  std::optional<double> motion_tolerance;  ///< m, of iterated steps
   std::optional<double> linear_tolerance;  ///< relative, of linearized steps
   bool adaptive = false;
 };

@@ -45,7 +45,10 @@ TimeStepOptions time_step_options(const Scene& scene, const SceneSystem& built) 
   options.integrator = scene.time.integrator;
   options.solve = scene.time.solution;
   options.tolerance = scene.time.tolerance.value();
+  options.motion_tolerance = scene.time.motion_tolerance;
   options.linear_tolerance = scene.time.linear_tolerance;
+  // As published ([T] 5.4) a step is never solved again.
+  options.mend_growth = scene.time.friction != FrictionForm::linearized;
   options.air = scene.air;
   return options;
 }

@@ -38,12 +38,15 @@ Json frames(const Simulation& simulation) {
 // `time_step` stands beside it.
 Json method(const Stepping& time) {
   const bool dynamic = time.kind == SimulationKind::dynamic;
-  const bool converged = time.solution == StepSolve::converged;
+  const auto only = [&](StepSolve solution, double tolerance) {
+    return time.solution == solution ? Json(tolerance) : Json(nullptr);
+  };
   return {{"kind", name_of(time.kind)},
           {"integrator", dynamic ? Json(name_of(time.integrator)) : Json(nullptr)},
           {"solve", name_of(time.solution)},
-          {"tolerance", converged ? Json(time.tolerance.value()) : Json(nullptr)},
-          {"linear_tolerance", converged ? Json(nullptr) : Json(time.linear_tolerance)},
+          {"tolerance", only(StepSolve::converged, time.tolerance.value())},
+          {"motion_tolerance", only(StepSolve::iterated, time.motion_tolerance)},
+          {"linear_tolerance", only(StepSolve::linearized, time.linear_tolerance)},
           {"adaptive", time.adaptive || !dynamic},
           {"friction", name_of(time.friction)}};
 }

@@ -28,6 +28,16 @@ void read_step(Fields& fields, Stepping& stepping) {
   }
 }
 
+// A file that states the forces that a step may leave, and not how it is solved, is an old one: it
+// means steps that converge.
+StepSolve read_solution(Fields& fields) {
+  const auto v = fields.optional("solve");
+  if (!v) return fields.optional("tolerance") ? StepSolve::converged : StepSolve::iterated;
+  const std::string solution = v->choice({"linearized", "iterated", "converged"});
+  if (solution == "linearized") return StepSolve::linearized;
+  return solution == "iterated" ? StepSolve::iterated : StepSolve::converged;
+}
+
 void read_dynamic(Fields& fields, Stepping& stepping) {
   read_step(fields, stepping);
   if (auto v = fields.optional("integrator")) {
@@ -35,15 +45,12 @@ void read_dynamic(Fields& fields, Stepping& stepping) {
                               ? Integrator::bdf2
                               : Integrator::backward_euler;
   }
-  if (auto v = fields.optional("solve")) {
-    stepping.solution = v->choice({"linearized", "converged"}) == "linearized"
-                            ? StepSolve::linearized
-                            : StepSolve::converged;
-  }
+  stepping.solution = read_solution(fields);
   if (auto v = fields.optional("adaptive")) stepping.adaptive = v->flag();
 }
 
 void read_quasi_static(Fields& fields, Stepping& stepping) {
+  stepping.solution = StepSolve::converged;
   const int steps = fields.require("steps").integer(1, kMostSteps);
   stepping.duration = fields.require("duration").positive_quantity(Dimension::time);
   stepping.step = stepping.duration / steps;
@@ -58,6 +65,10 @@ void read_tolerance(Fields& fields, Stepping& stepping) {
   if (stepping.solution == StepSolve::converged) {
     if (auto v = fields.optional("tolerance")) {
       stepping.tolerance = v->positive_quantity(Dimension::force);
+    }
+  } else if (stepping.solution == StepSolve::iterated) {
+    if (auto v = fields.optional("motion_tolerance")) {
+      stepping.motion_tolerance = v->positive_quantity(Dimension::length);
     }
   } else if (auto v = fields.optional("linear_tolerance")) {
     stepping.linear_tolerance = v->number();
@@ -82,7 +93,15 @@ const char* name_of(Integrator integrator) {
 }
 
 const char* name_of(StepSolve solution) {
-  return solution == StepSolve::linearized ? "linearized" : "converged";
+  switch (solution) {
+    case StepSolve::linearized:
+      return "linearized";
+    case StepSolve::iterated:
+      return "iterated";
+    case StepSolve::converged:
+      break;
+  }
+  return "converged";
 }
 
 const char* name_of(const std::optional<FrictionForm>& friction) {

@@ -20,11 +20,12 @@ struct Stepping {
   double step = 0;      ///< s; of quasi-static paths: duration / steps
   double duration = 0;  ///< s
   Integrator integrator = Integrator::backward_euler;
-  StepSolve solution = StepSolve::converged;
+  StepSolve solution = StepSolve::iterated;
   std::optional<FrictionForm> friction = FrictionForm::variational;  ///< nothing: left out
   bool adaptive = false;  ///< steps may be shortened where they fail
   /// Largest force left at a node of a converged step, N; `default_tolerance` where absent.
   std::optional<double> tolerance;
+  double motion_tolerance = 3e-5;  ///< an iterated step ends where no node moves further, m
   double linear_tolerance = 1e-4;  ///< relative residual of a linearized step's equations
   Location where;
 

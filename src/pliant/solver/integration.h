@@ -10,7 +10,8 @@ enum class Integrator {
 
 /// How far the equations of a time step are solved.
 enum class StepSolve {
-  linearized,  ///< one linear system, as published ([T] 5.4, Baraff and Witkin 1998)
+  linearized,  ///< one linear system, as published ([T] 5.4, Baraff and Witkin 1998): a preview
+  iterated,    ///< three linear systems at most, each with a line search on the energy
   converged,   ///< Newton's method to the tolerance
 };
 

@@ -6,6 +6,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/math/ssor_cg.h"
 #include "pliant/mechanics/point_targets.h"
+#include "pliant/solver/descent.h"
 
 namespace pliant {
 
@@ -36,6 +37,10 @@ Eigen::VectorXd coasting(const Coordinates& coordinates, const Configuration& at
         step * velocities(Eigen::all, coordinates.clip_points(k)).rowwise().mean();
   }
   return change;
+}
+
+StepSummary summary_of(const DescentSummary& descent) {
+  return {descent.converged, descent.iterations, descent.linear_iterations, descent.residual};
 }
 
 }  // namespace
@@ -75,22 +80,56 @@ TimeStepper::TimeStepper(const System& system, const TimeStepOptions& options,
 
 TimeStepper::~TimeStepper() = default;
 
-StepSummary TimeStepper::linear_step(const Objective& objective, Eigen::VectorXd change,
-                                     Configuration& at) {
-  const Coordinates& coordinates = system_.coordinates();
-  Eigen::Matrix3Xd gradient;
-  objective.linearize(at, Curvature::convex, gradient, workspace_.hessian);
-  StepSummary summary;
-  if (!workspace_.solver->factorize(workspace_.hessian.matrix)) {
-    summary.converged = false;
-    return summary;
+// What a step minimises, and where the search for it begins.
+struct TimeStepper::Trial {
+  const State& from;
+  const Objective& objective;
+  const PointTargets& inertia;
+  const Eigen::Matrix3Xd& start;  // where there is no velocity
+  double time = 0;                // new velocity = (x - start) / time
+  Eigen::VectorXd guess;          // the change of the unknowns
+
+  Eigen::Matrix3Xd velocities(const Configuration& at) const {
+    return (at.positions - start) / time;
   }
-  const LinearSummary linear = workspace_.solver->solve(-coordinates.reduce(at, gradient), change);
-  summary.linear_iterations = linear.iterations;
-  summary.converged = linear.converged;
-  summary.residual = linear.residual;
-  at = coordinates.moved(at, change);
+
+  // Kinetic energy and potentials, given what the objective has of potentials and inertia.
+  double total(const Energy& energy, const Configuration& at,
+               const Eigen::Matrix3Xd& velocities) const {
+    const double kinetic = velocities.colwise().squaredNorm().dot(objective.system().masses()) / 2;
+    return energy.total() - inertia.energy(at.positions) + kinetic;
+  }
+};
+
+StepSummary TimeStepper::linearized(const Trial& trial, Configuration& at) {
+  const Objective& objective = trial.objective;
+  const Configuration before = at;
+  const DescentSummary once =
+      descend(objective, {.iterations = 1, .line_search = false}, trial.guess, workspace_, at);
+  StepSummary summary = summary_of(once);
+  if (!options_.mend_growth || !once.converged) return summary;
+  const double first = trial.total(once.start, before, trial.from.velocities);
+  const double now = trial.total(objective.energy(at), at, trial.velocities(at));
+  if (now <= first) return summary;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.guess.size());
+  const DescentSummary again = descend(objective, {.iterations = 1}, none, workspace_, at);
+  summary.newton_iterations += again.iterations;
+  summary.linear_iterations += again.linear_iterations;
   return summary;
+}
+
+StepSummary TimeStepper::solve(const Trial& trial, Configuration& at) {
+  if (options_.solve == StepSolve::linearized) return linearized(trial, at);
+  at = system_.coordinates().moved(at, trial.guess);
+  if (options_.solve == StepSolve::iterated) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.guess.size());
+    return summary_of(
+        descend(trial.objective, {.motion = options_.motion_tolerance}, none, workspace_, at));
+  }
+  NewtonOptions newton;
+  newton.tolerance = options_.tolerance;
+  const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
+  return {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
 }
 
 StepSummary TimeStepper::advance(State& state, double step) {
@@ -114,25 +153,18 @@ StepSummary TimeStepper::advance(State& state, double step) {
     objective.add(*drag);
   }
 
-  const Eigen::VectorXd guess = coasting(system_.coordinates(), at, state.velocities, step);
-  StepSummary summary;
-  if (options_.solve == StepSolve::linearized) {
-    summary = linear_step(objective, guess, at);
-  } else {
-    NewtonOptions newton;
-    newton.tolerance = options_.tolerance;
-    at = system_.coordinates().moved(at, guess);
-    const NewtonSummary solved = minimize(objective, newton, workspace_, at);
-    summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
-  }
-  if (!at.positions.allFinite()) {
+  const Trial trial{state,       objective,
+                    inertia,     start,
+                    scheme.time, coasting(system_.coordinates(), at, state.velocities, step)};
+  StepSummary summary = solve(trial, at);
+  if (!at.positions.allFinite() || !std::isfinite(summary.residual)) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
                       summary.newton_iterations, summary.residual);
   }
 
   State next;
   next.time = time;
-  next.velocities = (at.positions - start) / scheme.time;
+  next.velocities = trial.velocities(at);
   summary.work = system_.advance_history(at, under, next.history);
   if (drag) summary.drag = drag->work(state.configuration, at);
   next.last_step = step;

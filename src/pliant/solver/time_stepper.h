@@ -11,19 +11,21 @@ namespace pliant {
 struct TimeStepOptions {
   double step = 0.001;  ///< s, > 0
   Integrator integrator = Integrator::backward_euler;
-  StepSolve solve = StepSolve::converged;
+  StepSolve solve = StepSolve::iterated;
   double tolerance = 1e-5;         ///< largest force left by a converged step (N)
+  double motion_tolerance = 3e-5;  ///< an iterated step ends where no point moves further (m)
   double linear_tolerance = 1e-4;  ///< relative, of the equations of a linearised step
+  bool mend_growth = true;         ///< a linearised step that gains energy is solved once more
   std::optional<Air> air;          ///< vacuum when absent
   Schedule schedule = {};          ///< what comes from outside; nothing where empty
 };
 
 /// How a time step went.
 struct StepSummary {
-  bool converged = true;  ///< the linear solve, or Newton's method
+  bool converged = true;  ///< the linear solve, the search for less energy, or Newton's method
   int newton_iterations = 1;
   int linear_iterations = 0;
-  double residual = 0;  ///< largest force left (N); of a linearised step that of its equations
+  double residual = 0;  ///< largest force left (N); unless converged, that of the linear system
   double work = 0;      ///< done against friction and damping during the step (J)
   double drag = 0;      ///< done against the air (J)
 };
@@ -47,8 +49,10 @@ class TimeStepper {
  private:
   struct Scheme;  // the weights of the step's formula
 
-  /// @param change  of the unknowns, a guess
-  StepSummary linear_step(const Objective& objective, Eigen::VectorXd change, Configuration& at);
+  struct Trial;  // a step before it is accepted
+
+  StepSummary solve(const Trial& trial, Configuration& at);
+  StepSummary linearized(const Trial& trial, Configuration& at);
 
   const System& system_;
   TimeStepOptions options_;

@@ -11,6 +11,12 @@ DahlParameters dahl_of(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
 Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
+// The direction from zero strain in which friction is stiffer, and so the side.
+double stiffer_side_of_zero(const DahlBySide& dahl, double stress) {
+  const DahlParameters &p = dahl.positive, &n = dahl.negative;
+  return (n.a + stress) / n.tau > (p.a - stress) / p.tau ? -1 : 1;
+}
+
 // Work, stress and slope of a stretch that lies on one side of zero in every lane: the same
 // solution as `friction_stress`, eight points at once. Plain loops, which become vector
 // instructions.
@@ -18,13 +24,13 @@ struct Lanes {
   Lane work, stress, slope;
 
   Lanes(const DahlBySide& dahl, bool by_side, const Lane& strain, const Lane& last,
-        const Lane& earlier, const Lane& from) {
-    const Lane way = strain - last, last_way = last - earlier, side = strain + last;
+        const Lane& from) {
+    const Lane way = strain - last, side = strain + last;
     const DahlParameters &p = dahl.positive, &n = dahl.negative;
     Lane s, g;
     for (int i = 0; i < kLanes; ++i) {
-      const double now = way(i), before = last_way(i);
-      s(i) = std::copysign(1.0, now == 0 ? before : now);
+      const double to_zero = -from(i), now = way(i);  // the stiffer direction undoes the stress
+      s(i) = std::copysign(1.0, now == 0 ? to_zero : now);
       g(i) = std::copysign(1.0, side(i));
     }
     if (!by_side) {
@@ -33,6 +39,7 @@ struct Lanes {
     }
     Lane a, b, tau;
     for (int i = 0; i < kLanes; ++i) {
+      if (way(i) == 0 && side(i) == 0) s(i) = g(i) = stiffer_side_of_zero(dahl, from(i));
       a(i) = g(i) < 0 ? n.a : p.a;
       b(i) = g(i) < 0 ? n.b : p.b;
       tau(i) = g(i) < 0 ? n.tau : p.tau;
@@ -72,7 +79,7 @@ bool is_blind_to_zero(const DahlBySide& dahl) {
 Lanes friction_lanes(const DahlBySide& dahl, bool by_side, int component, const Samples& samples) {
   const Lane strain = samples.strain.col(component), last = samples.last.col(component);
   const Lane from = samples.history.col(0);
-  Lanes lanes(dahl, by_side, strain, last, samples.before.col(component), from);
+  Lanes lanes(dahl, by_side, strain, last, from);
   if (is_blind_to_zero(dahl) || (strain * last).minCoeff() >= 0) return lanes;
   for (int i = 0; i < kLanes; ++i) {
     if (strain(i) * last(i) >= 0) continue;  // does not cross zero

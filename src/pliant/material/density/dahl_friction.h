@@ -11,7 +11,9 @@ namespace pliant {
 /// [T] Eq. 5.2 from the last accepted strain: the loading branch above it, the unloading branch
 /// below. It is the derivative of a potential whose second derivative is never below -b, where both
 /// sides of zero are alike; no sign of the rate is guessed. The slope jumps at the last strain:
-/// there it is that of the direction of the last step.
+/// there it is the stiffer of the two, (sigma_max + |sigma|) / tau. For b = 0 no stretch from there
+/// is stiffer, so that one linear system a step takes a reversal into account and need not guess
+/// it.
 ///
 /// History: the friction stress.
 class DahlFriction : public ParametricDensity {

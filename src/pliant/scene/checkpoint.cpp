@@ -91,6 +91,7 @@ SimulationState read_state(const Json& json, const State& start) {
   state.records.substeps = list_of<int>(json.at("substeps"));
   state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
   state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
+  state.records.distances = list_of<double>(json.at("distances"));
   state.energies = list_of<EnergyRow>(json.at("energies"));
   state.clips = list_of<ClipRow>(json.at("clips"));
   return state;
@@ -168,6 +169,7 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
                   {"substeps", bytes_of(state.records.substeps)},
                   {"newton_iterations", bytes_of(state.records.newton_iterations)},
                   {"linear_iterations", bytes_of(state.records.linear_iterations)},
+                  {"distances", bytes_of(state.records.distances)},
                   {"energies", bytes_of(state.energies)},
                   {"clips", bytes_of(state.clips)}};
   std::string content;

@@ -53,10 +53,27 @@ void read_holds(Fields& fields, Scene& scene) {
   }
 }
 
-void refuse_obstacles(Fields& fields) {
-  const auto list = fields.optional("obstacles");
-  if (!list || list->items().empty()) return;
-  list->fail("this version knows no contact", "no obstacles");
+void read_obstacles(Fields& fields, Scene& scene) {
+  std::set<std::string> names;
+  if (auto list = fields.optional("obstacles")) {
+    for (const Value& node : list->items()) {
+      scene.obstacles.push_back(read_scene_obstacle(node, names));
+    }
+  }
+  if (auto v = fields.optional("contact")) scene.contact = read_scene_contact(*v);
+}
+
+/// Obstacles keep points out by a search for less energy, step by step.
+void require_search(const Scene& scene) {
+  if (scene.obstacles.empty()) return;
+  const Location where{scene.file, scene.obstacles.front().where.line, "obstacles"};
+  if (scene.time.kind == SimulationKind::quasi_static) {
+    throw InputError(where, "are not there yet in a quasi-static simulation", "`kind: dynamic`");
+  }
+  if (scene.time.solution == StepSolve::linearized) {
+    throw InputError(where, "one linear system a step would carry cloth through them",
+                     "`solve: iterated` or `converged`");
+  }
 }
 
 /// What belongs to movement means nothing along a path of equilibria.
@@ -85,12 +102,13 @@ Scene scene_of(const Document& document) {
   scene.info = fields.texts("info");
   scene.cloth = read_cloths(fields.require("cloth"));
   read_holds(fields, scene);
-  refuse_obstacles(fields);
+  read_obstacles(fields, scene);
   if (auto v = fields.optional("gravity")) scene.gravity = read_vector(*v);
   if (auto v = fields.optional("air")) scene.air = read_air(*v);
   if (auto v = fields.optional("damping")) scene.damping_fraction = read_damping(*v);
   scene.time = read_stepping(fields.require("time"));
   if (scene.time.kind == SimulationKind::quasi_static) refuse_movement(fields, scene);
+  require_search(scene);
   scene.output = read_frame_output(fields.optional("output"), scene.time);
   fields.finish();
   return scene;

@@ -14,6 +14,7 @@
 #include "pliant/scene/cloth.h"
 #include "pliant/scene/frame_output.h"
 #include "pliant/scene/holds.h"
+#include "pliant/scene/obstacles.h"
 #include "pliant/scene/stepping.h"
 
 namespace pliant {
@@ -26,6 +27,8 @@ struct Scene {
   std::vector<SceneCloth> cloth;  ///< at least one
   std::vector<ScenePin> pins;
   std::vector<SceneClip> clips;
+  std::vector<SceneObstacle> obstacles;
+  SceneContact contact;
   Eigen::Vector3d gravity{0, 0, -kStandardGravity};  ///< m/s^2
   std::optional<Air> air;                            ///< vacuum when absent
   std::optional<double> damping_fraction;            ///< in place of the materials' own

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "pliant/geometry/grid_pattern.h"
+#include "pliant/geometry/mesh_quality.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/material/use_warnings.h"
@@ -11,6 +12,7 @@
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/scene/cloth_mesh.h"
 #include "pliant/scene/held_vertices.h"
+#include "pliant/scene/obstacle_contacts.h"
 
 namespace pliant {
 namespace {
@@ -101,6 +103,7 @@ class SceneBuilder {
     for (size_t i = 0; i < scene_.clips.size(); ++i) add_clip(scene_.clips[i], held_.clips[i]);
     add_materials();
     add_forces();
+    add_obstacles();
     result_.system->finish();
     set_schedule();
     result_.start = result_.system->initial_state();
@@ -278,6 +281,19 @@ class SceneBuilder {
 
   void add_forces() {
     system().add(std::make_shared<PointForces>(scene_.gravity * masses_.transpose()));
+  }
+
+  // What is held or moved from outside goes where it is told to.
+  void add_obstacles() {
+    TouchingCloth cloth{{}, positions_, masses_};
+    for (int point = 0; point < result_.vertices; ++point) {
+      if (!system().coordinates().is_prescribed(point)) cloth.points.push_back(point);
+    }
+    for (const ClothPiece& piece : result_.cloths) {
+      cloth.longest_edge = std::max(cloth.longest_edge, mesh_quality(piece.mesh).longest_edge);
+    }
+    result_.contacts = obstacle_contacts(scene_, cloth, result_.warnings);
+    for (const auto& contact : result_.contacts) system().add(contact);
   }
 
   // Free clips start with their cloth; what is held, or moved from outside, starts at rest.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/contact/obstacle_contact.h"
 #include "pliant/geometry/triangle_mesh.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/system.h"
@@ -27,7 +28,8 @@ struct SceneSystem {
   std::vector<ClothPiece> cloths;
   Eigen::Matrix3Xi faces;  ///< of all cloths, as points of the system
   int vertices = 0;        ///< of all cloths
-  Schedule schedule;       ///< what comes from outside
+  std::vector<std::shared_ptr<ObstacleContact>> contacts;  ///< one for each obstacle
+  Schedule schedule;                                       ///< what comes from outside
   State start;
   std::vector<std::string> warnings;  ///< for the user
 };
@@ -40,7 +42,7 @@ struct SceneSystem {
 /// @param filler  takes the place of components that a material does not know
 /// @throws InputError for a mesh that cannot be used, a component that was not measured and is not
 ///         filled, a stiffness that is not positive, springs on a mesh that is no grid, cloth
-///         without mass
+///         without mass, cloth that begins inside an obstacle
 SceneSystem build_scene(const Scene& scene, const std::optional<Material>& filler);
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -214,6 +215,16 @@ void Simulation::advance() {
   now_.records.substeps.push_back(result.substeps);
   now_.records.newton_iterations.push_back(result.newton_iterations);
   now_.records.linear_iterations.push_back(result.linear_iterations);
+  record_distance();
+}
+
+void Simulation::record_distance() {
+  if (built_.contacts.empty()) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& contact : built_.contacts) {
+    least = std::min(least, contact->least_distance(now_.state.configuration.positions));
+  }
+  now_.records.distances.push_back(least);
 }
 
 }  // namespace pliant

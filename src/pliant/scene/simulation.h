@@ -37,6 +37,7 @@ struct StepRecords {
   std::vector<int> substeps;  ///< 1 but where a step was halved
   std::vector<int> newton_iterations;
   std::vector<int> linear_iterations;
+  std::vector<double> distances;  ///< least one from an obstacle at the end, m; none without them
 };
 
 /// Everything that a simulation is at the end of a step: what it takes to go on to the same bits.
@@ -86,6 +87,7 @@ class Simulation {
 
   void record_energy(double stored);
   void record_clips(const Eigen::Matrix3Xd& gradient);
+  void record_distance();
 
   Scene scene_;
   int threads_;

@@ -53,7 +53,7 @@ Json method(const Stepping& time) {
 
 // What real cloth does and this simulation does not.
 Json not_modelled(const Scene& scene) {
-  Json list{"contact"};
+  Json list{scene.obstacles.empty() ? "contact" : "contact of cloth with itself"};
   if (!scene.time.friction) list.push_back("internal friction");
   if (!scene.air && scene.time.kind == SimulationKind::dynamic) list.push_back("drag of the air");
   return list;
@@ -63,6 +63,11 @@ Json crossing_pairs(const Simulation& simulation) {
   const auto pairs =
       crossing_triangles(simulation.now().state.configuration.positions, simulation.built().faces);
   return pairs ? Json(pairs->size()) : Json(nullptr);
+}
+
+Json least_distance(const StepRecords& records) {
+  if (records.distances.empty()) return nullptr;
+  return *std::ranges::min_element(records.distances);
 }
 
 }  // namespace
@@ -96,7 +101,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"peak_memory_MB", facts.peak_memory},
             {"not_modelled", not_modelled(scene)},
             {"crossing_pairs", crossing_pairs(simulation)},
-            {"min_contact_distance", nullptr},
+            {"min_contact_distance", least_distance(now.records)},
             {"mesh", "cloth.obj"},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},

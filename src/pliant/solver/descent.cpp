@@ -17,6 +17,7 @@ bool search_along(const Objective& objective, const Eigen::VectorXd& change, dou
   const double rounding = 1e-13 * (std::abs(energy.stored) + std::abs(energy.work));
   for (double length = 1; length > kShortest; length /= 2) {
     Configuration trial = objective.system().coordinates().moved(at, length * change);
+    if (!objective.admits(trial)) continue;
     const double rise = objective.energy(trial).total() - energy.total();
     if (rise <= kShare * length * slope + rounding) {
       at = std::move(trial);

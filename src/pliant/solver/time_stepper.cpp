@@ -120,7 +120,9 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration& at) {
 
 StepSummary TimeStepper::solve(const Trial& trial, Configuration& at) {
   if (options_.solve == StepSolve::linearized) return linearized(trial, at);
-  at = system_.coordinates().moved(at, trial.guess);
+  // Where inertia alone leads into an obstacle the search begins where the step does.
+  Configuration coasted = system_.coordinates().moved(at, trial.guess);
+  if (trial.objective.admits(coasted)) at = std::move(coasted);
   if (options_.solve == StepSolve::iterated) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.guess.size());
     return summary_of(

@@ -1,0 +1,68 @@
+#include "pliant/scene/obstacle_contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "pliant/base/number_text.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kStiffness = 4;  // times mass / step^2
+
+double radius_of(const ObstacleShape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  return std::numeric_limits<double>::infinity();
+}
+
+std::string millimetres(double length) { return format_number(1e3 * length, 3) + " mm"; }
+
+void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
+  int inside = 0;
+  double deepest = 0;
+  for (const int point : cloth.points) {
+    const double distance = distance_to(obstacle.shape, cloth.positions.col(point));
+    inside += distance <= 0 ? 1 : 0;
+    deepest = std::min(deepest, distance);
+  }
+  if (inside == 0) return;
+  throw InputError(
+      obstacle.where,
+      fmt::format("{} of the cloth's vertices begin inside {}, the deepest {} below its "
+                  "surface",
+                  inside, quoted_value(obstacle.name), millimetres(-deepest)),
+      "cloth that begins outside");
+}
+
+// Between two vertices on a round surface an edge of length l comes nearer to its axis by
+// l^2 / (8 r).
+void warn_of_long_edges(const SceneObstacle& obstacle, const Scene& scene,
+                        const TouchingCloth& cloth, std::vector<std::string>& warnings) {
+  const double sag = cloth.longest_edge * cloth.longest_edge / (8 * radius_of(obstacle.shape));
+  if (sag <= scene.contact.thickness / 2) return;
+  warnings.push_back(fmt::format(
+      "vertices keep off {}, faces between them may come {} nearer, which is more than half the "
+      "thickness of {}: a finer mesh, or a larger thickness",
+      quoted_value(obstacle.name), millimetres(sag), millimetres(scene.contact.thickness)));
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
+    const Scene& scene, const TouchingCloth& cloth, std::vector<std::string>& warnings) {
+  std::vector<std::shared_ptr<ObstacleContact>> contacts;
+  const double per_mass = kStiffness / (scene.time.step * scene.time.step);
+  for (const SceneObstacle& obstacle : scene.obstacles) {
+    refuse_overlap(obstacle, cloth);
+    warn_of_long_edges(obstacle, scene, cloth, warnings);
+    contacts.push_back(std::make_shared<ObstacleContact>(
+        obstacle.shape, cloth.points, per_mass * cloth.masses(cloth.points),
+        scene.contact.thickness, obstacle.friction));
+  }
+  return contacts;
+}
+
+}  // namespace pliant

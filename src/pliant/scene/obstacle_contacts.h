@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pliant/contact/obstacle_contact.h"
+#include "pliant/scene/scene.h"
+
+namespace pliant {
+
+/// Cloth as obstacles see it.
+struct TouchingCloth {
+  std::vector<int> points;  ///< that are free to move
+  Eigen::Matrix3Xd positions;
+  Eigen::VectorXd masses;   ///< kg, one a point of the system
+  double longest_edge = 0;  ///< at rest, m
+};
+
+/// The contacts of a cloth's points with the obstacles of a scene, in their order. The barrier of a
+/// point is as stiff as would stop its mass within a few time steps: 4 m / step^2.
+/// @param warnings  gets what faces may do between their vertices
+/// @throws InputError where cloth begins inside an obstacle
+std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(const Scene& scene,
+                                                                const TouchingCloth& cloth,
+                                                                std::vector<std::string>& warnings);
+
+}  // namespace pliant

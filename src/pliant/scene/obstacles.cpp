@@ -1,0 +1,120 @@
+#include "pliant/scene/obstacles.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "pliant/io/result_name.h"
+#include "pliant/io/vector_fields.h"
+
+namespace pliant {
+namespace {
+
+HalfSpace read_plane(const Value& value) {
+  Fields fields = value.fields();
+  HalfSpace plane;
+  plane.point = read_vector(fields.require("point"));
+  const Value normal = fields.require("normal");
+  plane.normal = read_vector(normal);
+  if (plane.normal.isZero()) normal.fail("has no direction", "a vector out of the body");
+  plane.normal.normalize();
+  fields.finish();
+  return plane;
+}
+
+Sphere read_sphere(const Value& value) {
+  Fields fields = value.fields();
+  Sphere sphere;
+  sphere.centre = read_vector(fields.require("centre"));
+  sphere.radius = fields.require("radius").positive_quantity(Dimension::length);
+  fields.finish();
+  return sphere;
+}
+
+Capsule read_capsule(const Value& value) {
+  Fields fields = value.fields();
+  Capsule capsule;
+  capsule.from = read_vector(fields.require("from"));
+  capsule.to = read_vector(fields.require("to"));
+  if (capsule.from == capsule.to) value.fail("begins where it ends", "a sphere, or two points");
+  capsule.radius = fields.require("radius").positive_quantity(Dimension::length);
+  fields.finish();
+  return capsule;
+}
+
+ObstacleShape read_shape(Fields& fields, const Value& value) {
+  const auto plane = fields.optional("plane"), sphere = fields.optional("sphere");
+  const auto capsule = fields.optional("capsule");
+  const int given = (plane ? 1 : 0) + (sphere ? 1 : 0) + (capsule ? 1 : 0);
+  if (given != 1) {
+    value.fail(given == 0 ? "has no shape" : "has several shapes",
+               "one of `plane`, `sphere` and `capsule`");
+  }
+  if (plane) return read_plane(*plane);
+  return sphere ? ObstacleShape(read_sphere(*sphere)) : read_capsule(*capsule);
+}
+
+double read_coefficient(const Value& value) {
+  const double coefficient = value.number();
+  if (coefficient < 0) value.fail("is negative", "a coefficient of friction of at least 0");
+  return coefficient;
+}
+
+CoulombFriction read_friction(const Value& value) {
+  if (value.is_scalar()) {
+    const double both = read_coefficient(value);
+    return {both, both};
+  }
+  Fields fields = value.fields();
+  CoulombFriction friction;
+  friction.sticking = read_coefficient(fields.require("static"));
+  const Value kinetic = fields.require("kinetic");
+  friction.sliding = read_coefficient(kinetic);
+  if (friction.sliding > friction.sticking) {
+    kinetic.fail("exceeds the static coefficient", fmt::format("at most {}", friction.sticking));
+  }
+  fields.finish();
+  return friction;
+}
+
+/// What FORMATS promises and this version has not.
+void refuse_what_is_not_there(Fields& fields) {
+  for (const char* key : {"box", "mesh", "sequence"}) {
+    if (auto v = fields.optional(key)) {
+      v->fail("obstacles of this shape are not there yet", "`plane`, `sphere` or `capsule`");
+    }
+  }
+  if (auto v = fields.optional("motion")) {
+    v->fail("obstacles that move are not there yet", "an obstacle that stands still");
+  }
+}
+
+}  // namespace
+
+SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& taken) {
+  Fields fields = value.fields();
+  SceneObstacle obstacle;
+  obstacle.where = value.location();
+  obstacle.name = read_result_name(fields.require("name"), "an obstacle", taken);
+  refuse_what_is_not_there(fields);
+  obstacle.shape = read_shape(fields, value);
+  if (auto v = fields.optional("friction")) obstacle.friction = read_friction(*v);
+  fields.finish();
+  return obstacle;
+}
+
+SceneContact read_scene_contact(const Value& value) {
+  Fields fields = value.fields();
+  SceneContact contact;
+  if (auto v = fields.optional("thickness")) {
+    contact.thickness = v->positive_quantity(Dimension::length);
+  }
+  if (auto v = fields.optional("friction")) {
+    v->fail("this version knows no contact of cloth with itself",
+            "nothing: the friction of an obstacle stands in the obstacle");
+  }
+  fields.finish();
+  return contact;
+}
+
+}  // namespace pliant

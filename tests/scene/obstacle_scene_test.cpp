@@ -1,0 +1,166 @@
+// Cloth on solid bodies: it stays outside, rests and slides as Coulomb has it, and gains no energy.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/material/material_file.h"
+#include "pliant/scene/simulation.h"
+
+#include "io/input_error_of.h"
+#include "scene/scene_text.h"
+
+namespace pliant {
+namespace {
+
+using test::read_scene_text;
+using ::testing::HasSubstr;
+
+Simulation simulated(const std::string& scene) {
+  return Simulation(read_scene_text("pliant: scene/1\n" + scene),
+                    read_material(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json"));
+}
+
+/// A sheet of 40 mm that lies on a plane, level in its own axes, under a gravity that slopes. It
+/// begins where the barrier carries its weight, so that it is pressed on from the start.
+Simulation on_slope(double degrees, const std::string& friction) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return simulated(fmt::format(
+      "cloth:\n"
+      "  - {{name: sheet, mesh: {{grid: 40 mm x 40 mm, nodes: 3x3}}, material: jersey.json}}\n"
+      "obstacles:\n"
+      "  - {{name: floor, plane: {{point: [0, 0, -0.000944], normal: [0, 0, 1]}}, friction: {}}}\n"
+      "gravity: [{}, 0, {}]\n"
+      "time: {{step: 5 ms, duration: 100 s}}\n",
+      friction, 9.80665 * std::sin(angle), -9.80665 * std::cos(angle)));
+}
+
+/// How far the sheet moves down the slope in some time (m).
+double slides(Simulation& simulation, double seconds) {
+  const auto place = [&] { return simulation.now().state.configuration.positions.row(0).mean(); };
+  const double before = place();
+  const double end = simulation.now().state.time + seconds - 1e-9;
+  while (simulation.now().state.time < end) simulation.advance();
+  return place() - before;
+}
+
+TEST(Slope, HoldsWhatIsNotSteeperThanFriction) {
+  const double limit = std::atan(0.5) * 180 / std::numbers::pi;
+  Simulation held = on_slope(limit - 0.5, "0.5");
+  slides(held, 0.5);
+  EXPECT_LT(std::abs(slides(held, 10)), 10e-6);
+  EXPECT_LT(held.now().state.velocities.cwiseAbs().maxCoeff(), 1e-5);
+  Simulation sliding = on_slope(limit + 0.5, "0.5");
+  slides(sliding, 0.5);
+  EXPECT_GT(slides(sliding, 0.5), 5e-3);
+}
+
+TEST(Slope, LetsSlideAgainstKineticFriction) {
+  constexpr double kAngle = 40 * std::numbers::pi / 180, kKinetic = 0.4;
+  Simulation sheet = on_slope(40, "{static: 0.5, kinetic: 0.4}");
+  slides(sheet, 0.5);
+  const double first = slides(sheet, 0.25), second = slides(sheet, 0.25);
+  const double acceleration = (second - first) / (0.25 * 0.25);
+  const double expected = 9.80665 * (std::sin(kAngle) - kKinetic * std::cos(kAngle));
+  EXPECT_NEAR(acceleration, expected, 0.01 * expected);
+}
+
+// Between the two slopes what rests stays, and what slides goes on.
+TEST(Slope, TellsStickingFromSliding) {
+  Simulation sheet = on_slope(24, "{static: 0.5, kinetic: 0.4}");
+  EXPECT_LT(std::abs(slides(sheet, 2)), 10e-6);
+  Simulation started = on_slope(24, "{static: 0.44, kinetic: 0.4}");
+  slides(started, 0.5);
+  EXPECT_GT(slides(started, 0.5), 1e-2);
+}
+
+/// The largest rise of the total energy from frame to frame (J), and the energy at the start.
+struct Energies {
+  double rise = 0, start = 0;
+};
+Energies energies_of(Simulation& simulation, int steps) {
+  Energies energies;
+  simulation.record_frame();
+  energies.start = std::abs(simulation.now().energies.back().total());
+  for (int i = 0; i < steps; ++i) {
+    const double before = simulation.now().energies.back().total();
+    simulation.advance();
+    simulation.record_frame();
+    energies.rise = std::max(energies.rise, simulation.now().energies.back().total() - before);
+  }
+  return energies;
+}
+
+constexpr const char* kDrape =
+    "cloth:\n"
+    "  - name: sheet\n"
+    "    mesh: {{grid: 300 mm x 300 mm, nodes: 31x31, diagonals: alternate}}\n"
+    "    material: jersey.json\n"
+    "    place: {{translate: [-0.15, -0.15, 0]}}\n"
+    "{}"
+    "time: {{step: {}, duration: 10 s{}}}\n";
+
+TEST(Drape, StaysOutsideOfABallAndGainsNoEnergy) {
+  const std::string ball =
+      "obstacles:\n"
+      "  - {name: ball, sphere: {centre: [0, 0, -0.105], radius: 100 mm}, friction: 0.3}\n";
+  for (const char* solve : {"", ", solve: converged"}) {
+    Simulation sheet = simulated(fmt::format(fmt::runtime(kDrape), ball, "5 ms", solve));
+    const Energies energies = energies_of(sheet, 80);
+    EXPECT_LT(energies.rise, 1e-9) << solve;
+    const auto& distances = sheet.now().records.distances;
+    ASSERT_EQ(distances.size(), 80u);
+    EXPECT_GT(*std::ranges::min_element(distances), 0) << solve;
+    // It hangs over the ball: the middle is held, the corners are lower by more than the radius.
+    const auto heights = sheet.now().state.configuration.positions.row(2);
+    EXPECT_NEAR(heights.maxCoeff(), -0.005, 2e-3) << solve;
+    EXPECT_LT(heights.minCoeff(), -0.08) << solve;
+  }
+}
+
+// A step is a tenth of a metre, ten times what is in the way.
+TEST(Drape, IsNotCarriedThroughThinBodies) {
+  const std::string rods =
+      "obstacles:\n"
+      "  - {name: rod, capsule: {from: [-0.3, 0, -0.12], to: [0.3, 0, -0.12], radius: 10 mm}}\n"
+      "  - {name: floor, plane: {point: [0, 0, -0.3], normal: [0, 0, 2]}, friction: 0.2}\n"
+      "gravity: [0, 0, -9.81]\n";
+  const std::string thrown = fmt::format(fmt::runtime(kDrape), rods, "5 ms", "");
+  Simulation sheet = simulated(
+      std::string(thrown).replace(thrown.find("    place:"), 0, "    velocity: [0, 0, -20]\n"));
+  for (int i = 0; i < 60; ++i) sheet.advance();
+  const auto& positions = sheet.now().state.configuration.positions;
+  EXPECT_GT(*std::ranges::min_element(sheet.now().records.distances), 0);
+  EXPECT_GT(positions.row(2).minCoeff(), -0.3);
+  // Who began above the rod lies on it.
+  for (int i = 0; i < positions.cols(); ++i) {
+    const bool above = std::abs(sheet.built().start.configuration.positions(1, i)) < 2e-3;
+    EXPECT_TRUE(!above || positions(2, i) > -0.12) << i;
+  }
+}
+
+TEST(SceneObstacles, RefuseClothThatBeginsInside) {
+  const InputError error = test::input_error_of([] {
+    simulated(fmt::format(
+        fmt::runtime(kDrape),
+        "obstacles:\n  - {name: ball, sphere: {centre: [0, 0, 0], radius: 50 mm}}\n", "5 ms", ""));
+  });
+  EXPECT_THAT(error.what(), HasSubstr("obstacles[0]"));
+  EXPECT_THAT(error.what(), HasSubstr("vertices begin inside \"ball\", the deepest 50 mm below"));
+}
+
+TEST(SceneObstacles, WarnOfEdgesThatAreLongForARoundBody) {
+  const Simulation coarse = simulated(fmt::format(
+      fmt::runtime(kDrape),
+      "obstacles:\n  - {name: pin, sphere: {centre: [0, 0, -0.1], radius: 5 mm}}\n", "5 ms", ""));
+  EXPECT_THAT(coarse.built().warnings, ::testing::Contains(HasSubstr("a finer mesh")));
+}
+
+}  // namespace
+}  // namespace pliant

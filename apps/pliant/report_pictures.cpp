@@ -22,7 +22,9 @@ PictureOptions picture_options(ViewDirection view) {
 
 SimulationFrames with_frames(const SimulationFrames& simulation,
                              std::vector<SimulationFrame> frames) {
-  return {simulation.directory, std::move(frames), simulation.units, simulation.mesh};
+  SimulationFrames chosen = simulation;
+  chosen.frames = std::move(frames);
+  return chosen;
 }
 
 /// A few frames, evenly in time: the view and the colours are fitted to these alone, so that a long

@@ -27,6 +27,7 @@ const std::map<std::string, std::vector<TextEdit>> kReductions{
     {"hanging-sheet", {{"nodes: 25x25", "nodes: 9x9"}, {"steps: 20", "steps: 5"}}},
     {"curtain", {{"nodes: 51x41", "nodes: 17x13"}}},
     {"curtain-elastic", {{"nodes: 51x41", "nodes: 17x13"}}},
+    {"drape-sphere", {{"nodes: 121x121", "nodes: 31x31"}, {"thickness: 1 mm", "thickness: 3 mm"}}},
     {"drop-20k", {{"nodes: 101x101", "nodes: 13x13"}}},
     {"cylinder-strip", {}},
     {"hanging-weights", {{"nodes: 21x21", "nodes: 5x5"}}}};

@@ -77,6 +77,9 @@ SimulationFrames read_simulation_frames(const std::filesystem::path& directory) 
   simulation.frames = read_frames(fields.require("frames"));
   simulation.units = fields.texts("fields");
   if (const auto mesh = fields.optional("mesh")) simulation.mesh = directory / mesh->text();
+  if (const auto still = fields.optional("obstacles")) {
+    simulation.obstacles = directory / still->text();
+  }
   return simulation;
 }
 
@@ -98,6 +101,14 @@ TriangleMesh read_cloth(const std::filesystem::path& file) {
     mesh.rest_corners.col(c) << u, v;
   }
   return mesh;
+}
+
+StillMesh read_obstacles(const std::filesystem::path& file) {
+  const ObjMesh obj = read_obj(file);
+  if (obj.positions.empty() || obj.faces.size() == 0) {
+    throw InputError({file.string()}, "has no faces", "the surfaces of obstacles");
+  }
+  return {matrix_of(obj.positions), fan_triangles(obj.faces)};
 }
 
 FrameMesh read_frame(const std::filesystem::path& file) {

@@ -21,7 +21,8 @@ struct SimulationFrames {
   std::filesystem::path directory;
   std::vector<SimulationFrame> frames;       ///< one or more, index and time increasing
   std::map<std::string, std::string> units;  ///< of fields, by name, where they are known
-  std::filesystem::path mesh = {};  ///< the cloth with its rest plane; empty where not written
+  std::filesystem::path mesh = {};       ///< the cloth with its rest plane; empty where not written
+  std::filesystem::path obstacles = {};  ///< their surfaces; empty where there are none
 
   std::filesystem::path file_of(const SimulationFrame& frame) const;
 };
@@ -34,6 +35,16 @@ SimulationFrames read_simulation_frames(const std::filesystem::path& directory);
 /// @param file  OBJ, triangles with texture coordinates in metres
 /// @throws InputError
 TriangleMesh read_cloth(const std::filesystem::path& file);
+
+/// What stands still in all frames.
+struct StillMesh {
+  Eigen::Matrix3Xd positions;  ///< m
+  Eigen::Matrix3Xi triangles;
+};
+
+/// @param file  OBJ
+/// @throws InputError
+StillMesh read_obstacles(const std::filesystem::path& file);
 
 /// The cloth of one frame.
 struct FrameMesh {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
@@ -20,6 +21,8 @@ constexpr double kFieldAmbient = 0.55;
 
 /// Part of a picture's width that the colour bar may keep free of cloth; beyond it they overlap.
 constexpr double kWidestLegend = 0.4;
+
+constexpr std::uint32_t kObstacleGrey = 0xc9c6c0;
 
 /// A field has both signs where the smaller side reaches this part of the larger one: less is
 /// rounding, or not to be seen.
@@ -117,6 +120,11 @@ RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
     mesh.field = VertexField{std::move(frame.fields[options.field]), setting.legend->scale};
   }
   scene.meshes.push_back(std::move(mesh));
+  if (setting.obstacles) {
+    const Colour grey = colour_of_rgb(kObstacleGrey);
+    scene.meshes.push_back(
+        {setting.obstacles->positions, setting.obstacles->triangles, grey, grey});
+  }
   return scene;
 }
 
@@ -163,8 +171,13 @@ std::optional<ScaleBar> scale_bar_of(const PictureSetting& setting, double aspec
 
 PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptions& options,
                           LegendPlace legend, const RunContext& run) {
-  const Extent extent = extent_of(simulation, options.field, run);
+  Extent extent = extent_of(simulation, options.field, run);
   PictureSetting setting;
+  if (!simulation.obstacles.empty()) {
+    setting.obstacles = read_obstacles(simulation.obstacles);
+    const Eigen::Matrix3Xd& still = setting.obstacles->positions;
+    extent.box.extend(Eigen::AlignedBox3d(still.rowwise().minCoeff(), still.rowwise().maxCoeff()));
+  }
   Margins margins;
   if (!options.field.empty()) setting.legend = legend_of(simulation, extent, options);
   if (setting.legend && legend == LegendPlace::in_picture) {

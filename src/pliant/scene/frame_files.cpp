@@ -11,6 +11,7 @@
 #include "pliant/io/ply.h"
 #include "pliant/io/vtu.h"
 #include "pliant/mechanics/vertex_fields.h"
+#include "pliant/scene/obstacle_mesh.h"
 
 namespace pliant {
 namespace {
@@ -166,6 +167,15 @@ std::string cloth_obj(const Simulation& simulation) {
     add_rest_plane(cloth.mesh, obj);
   }
   return write_obj(obj);
+}
+
+std::string obstacles_obj(const Simulation& simulation) {
+  Eigen::AlignedBox3d box;
+  for (const ClothPiece& cloth : simulation.built().cloths) {
+    box.extend(Eigen::AlignedBox3d(cloth.mesh.positions.rowwise().minCoeff(),
+                                   cloth.mesh.positions.rowwise().maxCoeff()));
+  }
+  return write_obj(obstacle_mesh(simulation.scene().obstacles, box));
 }
 
 }  // namespace pliant

@@ -23,6 +23,8 @@ std::vector<NamedFile> series_files(const Simulation& simulation);
 /// The cloths as one OBJ mesh, with rest-plane coordinates (m) as texture coordinates; the PC2 file
 /// moves its vertices.
 std::string cloth_obj(const Simulation& simulation);
+/// The obstacles as one OBJ mesh (m).
+std::string obstacles_obj(const Simulation& simulation);
 /// The cloths' vertices, for a frame of the PC2 file.
 std::vector<Point3> cloth_points(const Simulation& simulation);
 

@@ -103,6 +103,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"crossing_pairs", crossing_pairs(simulation)},
             {"min_contact_distance", least_distance(now.records)},
             {"mesh", "cloth.obj"},
+            {"obstacles", scene.obstacles.empty() ? Json(nullptr) : Json("obstacles.obj")},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
             {"warnings", simulation.built().warnings}};

@@ -1,0 +1,63 @@
+// Cloth on obstacles, from the scene file to the folder of results.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/io/obj.h"
+
+#include "app/scene_folder.h"
+
+namespace pliant::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+/// The example with fewer vertices and steps.
+void write_drape(const SceneFolder& folder, const std::string& duration) {
+  folder.copy_example("drape-sphere", {{"nodes: 121x121", "nodes: 21x21"},
+                                       {"duration: 600 ms", "duration: " + duration},
+                                       {"{thickness: 1 mm}", "{thickness: 4 mm}"}});
+}
+
+json summary_in(const std::filesystem::path& results) {
+  return json::parse(content_of(results / "simulation.json"));
+}
+
+TEST(SimulatedObstacles, StandInTheResults) {
+  const SceneFolder folder;
+  write_drape(folder, "300 ms");
+  const ProgramRun run = folder.simulate({"--no-report"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("Not modelled: contact of cloth with itself"));
+  const json result = summary_in(folder.results());
+  EXPECT_THAT(result["not_modelled"], Contains("contact of cloth with itself"));
+  EXPECT_GT(result["min_contact_distance"], 0);
+  EXPECT_LT(result["min_contact_distance"], 4e-3);
+  const ObjMesh ball = read_obj(folder.results() / result["obstacles"].get<std::string>());
+  for (const auto& [x, y, z] : ball.positions) {
+    EXPECT_NEAR(std::hypot(x, y, z + 0.21), 0.2, 1e-9);
+  }
+}
+
+TEST(SimulatedObstacles, AreGoneOnWithToTheSameBits) {
+  const SceneFolder folder;
+  write_drape(folder, "300 ms");
+  ASSERT_EQ(folder.simulate({"--no-report"}, "whole").status, 0);
+  write_drape(folder, "150 ms");
+  ASSERT_EQ(folder.simulate({"--no-report"}).status, 0);
+  write_drape(folder, "300 ms");
+  const ProgramRun resumed = folder.simulate({"--no-report", "--resume"});
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(content_of(folder.results() / "frames" / "000006.ply"),
+            content_of(folder.results("whole") / "frames" / "000006.ply"));
+  EXPECT_EQ(summary_in(folder.results())["min_contact_distance"],
+            summary_in(folder.results("whole"))["min_contact_distance"]);
+}
+
+}  // namespace
+}  // namespace pliant::test

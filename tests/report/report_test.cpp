@@ -61,11 +61,12 @@ TEST(Report, EscapesTextOfTheUser) {
 }
 
 TEST(Report, ShowsNoUncertaintyForAParameterThatIsNotDetermined) {
-  EXPECT_THAT(report_of({}),
-              HasSubstr("<code>stretch.bias.friction.a</code><small>friction at zero strain</small>"
-                        "</td><td class=\"number\">(1.4)</td><td class=\"number\">–</td>"
-                        "<td class=\"number\">–</td><td>N/m</td><td class=\"number\">–</td>"
-                        "<td>not determined</td>"));
+  EXPECT_THAT(
+      report_of({}),
+      HasSubstr("<code>stretch.bias.friction.a</code><small>friction at zero strain</small>"
+                "</td><td class=\"number\">(1.4)</td><td class=\"number\">–</td>"
+                "<td class=\"number\">–</td><td class=\"unit\">N/m</td><td class=\"number\">–</td>"
+                "<td>not determined</td>"));
 }
 
 TEST(Report, DrawsNoFrictionThatIsNotDetermined) {

@@ -138,11 +138,13 @@ std::string about_loops(const Results& results, bool strips) {
 std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figures) {
   const ResultExperiment& e = data.results.experiments[i];
   const SheetData& sheet = *data.sheets[i];
-  std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
+  std::string html = "<article class=\"figure-block\">\n<div class=\"together\">\n<h3>" +
+                     escape_html(e.name) + "</h3>\n";
   html += fmt::format("<p class=\"description\">{}</p>\n",
                       escape_html(description(e, sheet, data.results.evaluation)));
   html += sheet.session.is_seen() ? seen_sheet(data, e, sheet.session, figures)
                                   : strip(e, sheet.session, figures);
+  html += "</div>\n";
   if (!e.handled.empty()) {
     html += "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
   }

@@ -21,7 +21,7 @@ function painter(fonts) {
 function charactersOf(element) {
   const text = element.innerText ?? element.textContent;
   // Blanks, controls and what joins to its neighbours have no picture of their own.
-  return [...new Set(text)].filter((c) => c > '~' && !/[\p{Z}\p{C}\p{M}]/u.test(c));
+  return [...new Set(text)].filter((c) => c > '~' && !/[\p{Z}\p{Cc}\p{Cf}\p{M}]/u.test(c));
 }
 
 /** Boxes of unassigned characters may show their number; those of two such characters then differ. */

@@ -103,7 +103,7 @@ void add_axes(const ComponentCurve& curve, const ShownStrain& shown, const Quant
               Figure& figure) {
   figure.layout = base_layout();
   figure.layout["xaxis"] = axis(shown.label());
-  set_readable_axis(figure, 'y', stress);
+  set_readable_axis(figure, 'y', stress, /*compact=*/true);
   if (shown.is_of_green_strain() && !curve.strain.empty()) add_green_strain(curve, figure);
   figure.description = stress.name + " against strain of " + curve.component;
   figure.data_file = "curves.csv";

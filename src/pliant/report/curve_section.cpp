@@ -15,7 +15,7 @@
 namespace pliant::report {
 namespace {
 
-constexpr PrintSize kCurveSize = {345, 240};
+constexpr PrintSize kCurveSize = {345, 228};
 
 /// Bending is drawn to one side: what bends to the other counts alike.
 double drawn_strain(const std::string& component, double strain) {

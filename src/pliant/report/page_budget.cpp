@@ -16,13 +16,13 @@ namespace {
 constexpr int kPage = 1032;  // A4 less its margins
 constexpr int kLine = 14, kRow = 18, kFactRow = 28;
 constexpr int kLettersOfVerdict = 95, kLettersOfColumn = 48;
-constexpr int kTitle = 55, kLoopHeadings = 40, kSignature = 80;
-constexpr int kTable = 36, kNotes = 34, kHeading = 20;
+constexpr int kTitle = 55, kLoopHeadings = 40, kSignature = 105;
+constexpr int kTable = 36, kNotes = 38, kHeading = 20;
 
 constexpr std::size_t kFactsOfRow = 5, kMostFacts = 10;
 constexpr std::size_t kMostExperiments = 10, kFewestExperiments = 4;
 constexpr std::size_t kLoopsOfRow = 2;
-constexpr int kLoopRow = 145, kMostLoops = 400;
+constexpr int kLoopRow = 150, kMostLoops = 400;
 
 int lines_of(std::size_t letters, int letters_of_line) {
   return static_cast<int>(letters) / letters_of_line + 1;

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxLoops = 4;
 constexpr std::size_t kLoopBudget = 200;
 constexpr int kPrintWidth = 703;  // A4 less its margins, at 96 px an inch
 constexpr int kGap = 12;
-constexpr int kCaption = 16;
+constexpr int kCaption = 20;
 
 std::vector<std::string> components_of(const Results& results) {
   std::vector<std::string> names;
@@ -92,7 +92,8 @@ int columns_of(std::size_t count) { return count < 4 ? static_cast<int>(count) :
 PrintSize print_size(std::size_t count, int height) {
   const int columns = columns_of(count);
   const int rows = static_cast<int>(count) / columns;
-  return {(kPrintWidth - (columns - 1) * kGap) / columns, height / rows - kCaption};
+  return {(kPrintWidth - (columns - 1) * kGap) / columns,
+          (height - (rows - 1) * kGap) / rows - kCaption};
 }
 
 std::string_view role_of(const Results& results, const ResultExperiment& e) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -94,8 +95,14 @@ std::string facts(Facts all, std::size_t shown) {
 }
 
 std::string pair(std::optional<double> measured, std::optional<double> predicted, int digits) {
+  constexpr double kNothing = 1e-6;  // of the larger: what rounding leaves of zero
   if (!measured && !predicted) return kNoValue;
-  return format_significant(measured, digits) + " / " + format_significant(predicted, digits);
+  const double nothing =
+      kNothing * std::max(std::abs(measured.value_or(0)), std::abs(predicted.value_or(0)));
+  const auto text = [&](std::optional<double> value) {
+    return format_significant(value && std::abs(*value) < nothing ? 0 : value, digits);
+  };
+  return text(measured) + " / " + text(predicted);
 }
 
 /// With its unit: of forces per width over extension, or of moments over curvature.

@@ -213,7 +213,7 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   info.lines.push_back(labelled(name, text));
   if (component.stiffness) add_measured(name, component, info, json);
   add_addends(component, units, info.lines, json);
-  if (component.stiffness && units.bending && material.bending_of == "sheet") {
+  if (component.stiffness && (!units.bending || material.bending_of == "sheet")) {
     json["textile"] = textile_info(material, name, info);
   }
   return json;

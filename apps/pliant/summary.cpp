@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/experiment/registry.h"
+#include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {
@@ -27,7 +28,7 @@ std::string distance_text(const ExperimentResult& e) {
   return text + ")";
 }
 
-std::string data_text(const ExperimentResult& e) {
+std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
   if (e.sheet && e.quantity.kind == "distance") {
     const SessionSample& sample = e.sheet->measured.sample;
     const double way = e.strain_range.second * std::max(sample.width, sample.height);
@@ -43,8 +44,12 @@ std::string data_text(const ExperimentResult& e) {
     return fmt::format("span {:.3g} mN, curvature to {:.3g} 1/m", e.peak_force * 1e3,
                        e.strain_range.second / kStrainPerCurvature);
   }
-  return fmt::format("peak {:.3g} {}, strain to {:.3g}", e.peak_force,
-                     e.quantity.kind == "force per width" ? "N/m" : "N", e.strain_range.second);
+  if (e.sheet) {
+    return fmt::format("peak {:.3g} N, strain to {:.3g}", e.peak_force, e.strain_range.second);
+  }
+  return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
+                     e.quantity.kind == "force per width" ? "N/m" : "N",
+                     strain_in_words(e.component, e.strain_range.second, measure));
 }
 
 std::string error_text(const ExperimentResult& e) {
@@ -67,7 +72,7 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
   for (const ExperimentResult& e : result.experiments) {
     context.say(fmt::format("{:<24} {:<9} {} rows, {}: error {}", e.name,
                             e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points,
-                            data_text(e), error_text(e)));
+                            data_text(e, result.material.membrane), error_text(e)));
   }
   for (const SkippedExperiment& e : result.skipped) {
     context.run.progress.message(Level::warning,

@@ -1,9 +1,12 @@
 #include "apps/pliant/textile_info.h"
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/estimation/lab_figures.h"
 #include "pliant/experiment/overhang/bending_length.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/kes_bending.h"
@@ -80,9 +83,30 @@ void add_bending_length(const Material& material, const std::string& name,
       format_quantity(length->flexural_rigidity, Dimension::bending_stiffness, kDigits), 1));
 }
 
+std::string place_in_words(const std::string& component, double at) {
+  if (component != "shear") return format_number(100 * at, 2) + " % extension";
+  return format_number(at * 180 / std::numbers::pi, 2) + " degrees";
+}
+
+/// What a chart of a tester shows of stretch and shear.
+Json chart_info(const Material& material, const std::string& name, FileInfo& info) {
+  Json json{{"figures", Json::array()}};
+  for (const LabFigure& figure : lab_figures(material, name, {})) {
+    if (!figure.at) continue;  // the stiffness at rest stands above
+    json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", *figure.at}});
+    info.lines.push_back(labelled(
+        figure.name == "loop_width" ? "width of the loop" : "secant modulus",
+        fmt::format("{} at {}", format_quantity(figure.value, Dimension::force_per_length, kDigits),
+                    place_in_words(name, *figure.at)),
+        1));
+  }
+  return json;
+}
+
 }  // namespace
 
 Json textile_info(const Material& material, const std::string& name, FileInfo& info) {
+  if (!is_bending(name)) return chart_info(material, name, info);
   Json json;
   add_kes(material.components.at(name), info.lines, json);
   add_bending_length(material, name, info.lines, json);

@@ -8,10 +8,10 @@
 
 namespace pliant {
 
-/// Adds what textile instruments would read of a bending component (docs/bending.md): B and 2HB of
+/// Adds what textile instruments would read of a component. Stretch and shear: secant moduli and
+/// the width of the loop (estimation/lab_figures.h). Bending (docs/bending.md): B and 2HB of
 /// KES-FB2, and the bending length where the density is known.
-/// @param component  its stiffness is given, and that of a sheet
-/// @param name       e.g. bend.warp
+/// @param name  of a component whose stiffness is given, that of bending being of a sheet
 /// @return the same for the summary, SI and the instruments' units
 nlohmann::ordered_json textile_info(const Material& material, const std::string& name,
                                     FileInfo& info);

@@ -229,6 +229,20 @@ TEST(Info, OfAMaterialTellsWhatTextileInstrumentsWouldRead) {
   EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("KES bending B"), HasSubstr("gf cm^2/cm"))));
 }
 
+TEST(Info, OfAMaterialTellsTheSecantModuliOfATester) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("knit.json", R"({"pliant": "material/1", "name": "knit",
+      "kind": "cloth", "components": {"stretch.warp": {"stiffness": {"curve": "constant", "value": 50},
+      "range": [0, 0.22]}}})");
+  const FileInfo info = describe_file(file);
+  // At 10 % of extension: the force factor 1.1 times the Green strain 0.105 over 0.1.
+  EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("secant modulus"),
+                                         HasSubstr("57.75 N/m at 10 % extension"))));
+  const auto& figures = info.json["components"]["stretch.warp"]["textile"]["figures"];
+  EXPECT_EQ(figures[0]["name"], "secant_modulus");
+  EXPECT_NEAR(figures[0]["value"].get<double>(), 57.75, 1e-9);
+}
+
 TEST(Info, OfAMaterialTellsWhereBendingSnaps) {
   const FileInfo info = describe_file(kSource / "materials" / "felt.json");
   EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("snaps on unloading"), HasSubstr("below strain"),

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/io/text_file.h"
 #include "pliant/report/embedded_bundle.h"
 #include "pliant/report/model_fits_report.h"
 #include "pliant/report/report.h"
@@ -64,7 +65,19 @@ class BrowserReport : public ::testing::Test {
   }
 
   /// The document as it stands after its scripts have run.
-  std::string document_of(const std::string& html) const {
+  std::string document_of(const std::string& html) const { return run(html, "--dump-dom"); }
+
+  /// How many pages of A4 the document takes on paper.
+  std::size_t printed_pages(const std::string& html) const {
+    const std::filesystem::path pdf = folder_.path() / "report.pdf";
+    run(html, "--no-pdf-header-footer --print-to-pdf='" + pdf.string() + "'");
+    const std::string text = read_text_file(pdf);
+    return count(text, "/Type /Page\n");
+  }
+
+ private:
+  /// What the browser prints on standard output for a document.
+  std::string run(const std::string& html, const std::string& action) const {
     const std::filesystem::path file = folder_.path() / "report.html";
     write_text(file, html);
     const std::string home = (folder_.path() / "home").string();
@@ -74,7 +87,7 @@ class BrowserReport : public ::testing::Test {
         "--no-first-run"
         " --disable-background-networking --disable-component-update --disable-sync"
         " --user-data-dir='" +
-        home + "/profile' --virtual-time-budget=20000 --dump-dom 'file://" + file.string() +
+        home + "/profile' --virtual-time-budget=20000 " + action + " 'file://" + file.string() +
         "' 2>/dev/null";
     std::string document;
     FILE* pipe = popen(command.c_str(), "r");
@@ -87,7 +100,6 @@ class BrowserReport : public ::testing::Test {
     return document;
   }
 
- private:
   TemporaryFolder folder_;
   std::string chromium_;
 };
@@ -200,6 +212,65 @@ TEST_F(BrowserReport, ShowsTheFrameOfASheetThatTheSliderChooses) {
   if (count(document, "data-drawn=\"picture\"") == 2) GTEST_SKIP() << "Chromium has no WebGL here";
   EXPECT_THAT(document,
               HasSubstr("data-shown=\"frame 2 of 5: RMS of free nodes 1 mm, largest 1 mm\""));
+}
+
+/// The report with a line in place of what follows its first page.
+std::string page_one_and_a_line(std::string html) {
+  const std::size_t begin = html.find("<section id=\"experiments\"");
+  const std::size_t end = html.find("</main>");
+  return html.replace(begin, end - begin, "<p>Page two</p>");
+}
+
+TEST_F(BrowserReport, HasAPageOneOfOnePage) {
+  for (const bool rich : {false, true}) {
+    for (const bool evaluation : {false, true}) {
+      const std::string html = report({.evaluation = evaluation, .rich = rich});
+      EXPECT_EQ(printed_pages(page_one_and_a_line(html)), 2U) << rich << evaluation;
+    }
+  }
+}
+
+TEST_F(BrowserReport, FillsTheWidthOfPageOneWithItsLoops) {
+  const std::string html = when_drawn(report(), R"(
+      const figures = [...document.querySelectorAll('.page-one .figure')];
+      const box = (element) => element.getBoundingClientRect();
+      const page = box(document.querySelector('.page-one'));
+      document.body.dataset.left = Math.min(...figures.map((f) => box(f).left)) - page.left;
+      document.body.dataset.right = page.right - Math.max(...figures.map((f) => box(f).right));
+      document.body.dataset.beside = box(figures[0]).top === box(figures[1]).top;)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("data-left=\"0\""));
+  EXPECT_THAT(document, HasSubstr("data-right=\"0\""));
+  EXPECT_THAT(document, HasSubstr("data-beside=\"true\"")) << "validation beside the fit";
+}
+
+TEST_F(BrowserReport, DrawsTheMarkersOfPageOneAboveItsLines) {
+  const std::string html = when_drawn(report(), R"(
+      const traces = document.querySelectorAll('#figure-1 .scatterlayer .trace');
+      const kinds = [...traces].map((t) => t.querySelector('.js-line') ? 'line' : 'marker');
+      document.body.dataset.order = kinds.join();)");
+  EXPECT_THAT(without_script(document_of(html)),
+              HasSubstr("data-order=\"line,line,marker,marker\""));
+}
+
+// U+0378 has no letter yet, so no font has it.
+TEST_F(BrowserReport, NamesCharactersThatNoFontHas) {
+  const std::string document = without_script(document_of(report({.name = "Jersey \u0378"})));
+  EXPECT_THAT(document, HasSubstr("shows boxes for them: U+0378."));
+}
+
+TEST_F(BrowserReport, SaysNothingOfCharactersThatItsFontsHave) {
+  const std::string document = without_script(document_of(report({.name = "Jersey é µ"})));
+  EXPECT_THAT(document, Not(HasSubstr("missing-characters\"")));
+}
+
+TEST_F(BrowserReport, HasGreenStrainAboveACurveAndExtensionBelowIt) {
+  const std::string html = when_drawn(report(), R"(
+      const titles = [...document.querySelectorAll('#curves .figure .infolayer text')];
+      document.body.dataset.titles = titles.slice(0, 4).map((t) => t.textContent).join('|');)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("Extension (%)|"));
+  EXPECT_THAT(document, HasSubstr("Green strain (%)"));
 }
 
 /// Shows that the check above would see a request: the policy stops it and marks the document.

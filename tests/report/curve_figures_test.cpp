@@ -31,7 +31,7 @@ std::vector<std::string> groups(const Figure& figure) {
 }
 
 TEST(SheetCurveFigure, DrawsACycleWhereTheComponentHasFriction) {
-  const Figure figure = sheet_curve_figure(cycle(), {});
+  const Figure figure = sheet_curve_figure(cycle(), {}, {});
   EXPECT_THAT(groups(figure), Contains("predicted-load"));
   EXPECT_THAT(groups(figure), Contains("predicted-unload"));
   EXPECT_EQ(figure.traces.back().at("y"), nlohmann::json({-2.0, 8.0, 18.0}));
@@ -40,19 +40,19 @@ TEST(SheetCurveFigure, DrawsACycleWhereTheComponentHasFriction) {
 TEST(SheetCurveFigure, DrawsOneLineWithoutFriction) {
   ComponentCurve curve = cycle();
   curve.max_friction = {0.0, 0.0, 0.0};
-  const Figure figure = sheet_curve_figure(curve, {});
+  const Figure figure = sheet_curve_figure(curve, {}, {});
   ASSERT_EQ(figure.traces.size(), 1U);
   EXPECT_EQ(figure.traces.front().at("y"), nlohmann::json({0.0, 10.0, 20.0}));
 }
 
 TEST(FrictionFigure, IsTheDistanceOfTheBranchesFromTheElasticPart) {
-  const Figure figure = friction_figure(cycle());
+  const Figure figure = friction_figure(cycle(), {});
   EXPECT_THAT(groups(figure), Contains("predicted-unload"));
   EXPECT_EQ(figure.traces.back().at("y"), nlohmann::json({-2.0, -2.0, -2.0}));
 }
 
 TEST(StressStrainFigure, LeavesFrictionOutThatTheDataDoNotDetermine) {
-  EXPECT_THAT(groups(stress_strain_figure(cycle(), {}, false)), Each(StartsWith("elastic")));
+  EXPECT_THAT(groups(stress_strain_figure(cycle(), {}, {}, false)), Each(StartsWith("elastic")));
 }
 
 }  // namespace

@@ -18,15 +18,31 @@ TEST(QuantityLabel, LeavesAnUnknownColumnAsItIs) {
   EXPECT_EQ(quantity_label("intensity").with_unit(), "intensity");
 }
 
-TEST(StrainScale, ShowsMembraneStrainsInPercentAndThoseOfBendingAsCurvatures) {
-  EXPECT_EQ(strain_scale("stretch.warp").factor, 100.0);
-  EXPECT_DOUBLE_EQ(strain_scale("bend.weft").factor, 1.0 / 3);
-  EXPECT_EQ(strain_scale("bend.weft").label.unit, "1/m");
+TEST(ShownStrain, IsEngineeringExtensionOfStretchAndCurvatureOfBending) {
+  const ShownStrain green("stretch.warp", MembraneMeasure::stvk);
+  EXPECT_EQ(green.label().with_unit(), "Extension (%)");
+  EXPECT_NEAR(green(0.22), 20, 1e-9) << "sqrt(1 + 2 0.22) = 1.2";
+  EXPECT_TRUE(green.is_of_green_strain());
+  const ShownStrain linear("stretch.warp", MembraneMeasure::soft_constraint);
+  EXPECT_EQ(linear.label().name, "Extension");
+  EXPECT_DOUBLE_EQ(linear(0.22), 22);
+  const ShownStrain bent("bend.weft", MembraneMeasure::stvk);
+  EXPECT_DOUBLE_EQ(bent(30), 10);
+  EXPECT_EQ(bent.label().with_unit(), "Curvature (1/m)");
+}
+
+TEST(ShownStrain, OfOlderResultsIsTheStrainItself) {
+  EXPECT_EQ(ShownStrain("stretch.warp", {}).label().name, "Strain");
+  EXPECT_DOUBLE_EQ(ShownStrain("stretch.warp", {})(0.22), 22);
 }
 
 TEST(StrainRangeText, HasTheUnitOfTheComponent) {
-  EXPECT_EQ(strain_range_text("stretch.warp", 0.0, 0.35), "strain 0 to 35 %");
-  EXPECT_EQ(strain_range_text("bend.weft", -36.0, 180.0), "curvature -12 to 60 1/m");
+  const auto green = MembraneMeasure::stvk;
+  EXPECT_EQ(strain_range_text("stretch.warp", green, 0.0, 0.22),
+            "extension 0 to 20 % (Green strain 0 to 22 %)");
+  EXPECT_EQ(strain_range_text("stretch.warp", MembraneMeasure::spring, 0.0, 0.22),
+            "extension 0 to 22 %");
+  EXPECT_EQ(strain_range_text("bend.weft", green, -36.0, 180.0), "curvature -12 to 60 1/m");
 }
 
 TEST(Parameters, OfAddendsAreToldByTheirKind) {

@@ -61,11 +61,12 @@ TEST(Report, EscapesTextOfTheUser) {
 }
 
 TEST(Report, ShowsNoUncertaintyForAParameterThatIsNotDetermined) {
-  EXPECT_THAT(report_of({}),
-              HasSubstr("<code>stretch.bias.friction.a</code><small>friction at zero strain</small>"
-                        "</td><td class=\"number\">(1.4)</td><td class=\"number\">–</td>"
-                        "<td class=\"number\">–</td><td>N/m</td><td class=\"number\">–</td>"
-                        "<td>not determined</td>"));
+  EXPECT_THAT(
+      report_of({}),
+      HasSubstr("<code>stretch.bias.friction.a</code><small>friction at zero strain</small>"
+                "</td><td class=\"number\">(1.4)</td><td class=\"number\">–</td>"
+                "<td class=\"number\">–</td><td class=\"unit\">N/m</td><td class=\"number\">–</td>"
+                "<td>not determined</td>"));
 }
 
 TEST(Report, DrawsNoFrictionThatIsNotDetermined) {
@@ -106,6 +107,28 @@ TEST(Report, AsksOnPageOneInFullWhatIsHardlyRight) {
 TEST(Report, OfAnEvaluationNamesOnPageOneWhatWasNotPredicted) {
   EXPECT_THAT(page_one_of({.evaluation = true, .skipped = "frame-shear"}),
               HasSubstr("frame-shear: the material has no shear"));
+}
+
+TEST(Report, SaysEachWarningOnce) {
+  for (const std::string warning : {"w1", "the clamps slipped by 0.4 mm in row 212"}) {
+    const std::string html = own_text(report_of({.warning = warning}));
+    const std::size_t first = html.find("<li>" + warning);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(html.find("<li>" + warning, first + 1), std::string::npos);
+  }
+}
+
+TEST(Report, HasExtensionAndNoStrainAloneOfStretch) {
+  const std::string html = own_text(report_of({}));
+  EXPECT_THAT(html, HasSubstr("extension 0 to 30 % (Green strain 0 to 35 %)"));
+  EXPECT_THAT(html, HasSubstr("Measured minus material, against extension"));
+  EXPECT_THAT(html, HasSubstr("\"text\":\"Extension (%)\""));
+  EXPECT_THAT(html, Not(HasSubstr("\"text\":\"Strain (%)\"")));
+}
+
+TEST(Report, ShowsTheStrainOverWhichFrictionBuildsUpInPercentWithItsExtension) {
+  EXPECT_THAT(report_of({}), HasSubstr("<td class=\"unit\">%</td><td class=\"number\">–</td>"
+                                       "<td>Green strain; 1.2 % extension</td>"));
 }
 
 TEST(Report, SaysHowManyPointsItDraws) {

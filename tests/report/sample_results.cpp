@@ -272,6 +272,31 @@ json models_json() {
           model("constant alpha", 7, 1.96, -2102.7, 207.7)};
 }
 
+/// Stiffness at rest and the width of the loop, of each component.
+json figures_json(const SampleOptions& options) {
+  json list = json::array();
+  std::string last;
+  for (const SampleExperiment& e : sample_experiments(options)) {
+    if (e.validation || e.quantity == "length_mm" || e.component == last) continue;
+    last = e.component;
+    const auto add = [&](const char* name, double value) {
+      const auto of_fit = [&](double number) { return options.evaluation ? json() : json(number); };
+      list.push_back({{"component", e.component},
+                      {"name", name},
+                      {"value", value},
+                      {"unit", "N/m"},
+                      {"at", nullptr},
+                      {"std_error", of_fit(0.02 * value)},
+                      {"lower", of_fit(0.96 * value)},
+                      {"upper", of_fit(1.04 * value)},
+                      {"beyond_range", false}});
+    };
+    add("stiffness_at_rest", e.law.k1);
+    add("loop_width", 2 * e.law.max_friction);
+  }
+  return list;
+}
+
 json results_json(const SampleOptions& options) {
   json j = {{"pliant", options.evaluation ? "evaluation/1" : "fit/1"},
             {"name", options.name},
@@ -288,6 +313,8 @@ json results_json(const SampleOptions& options) {
   for (const SampleExperiment& e : sample_experiments(options)) {
     j["experiments"].push_back(experiment_json(e, options.rows));
   }
+  j["membrane"] = "stvk";
+  j["figures"] = figures_json(options);
   j["assumptions"] = {"Friction at the first row of each strip is unknown and estimated.",
                       "Noise is in the force; lengths are taken as exact."};
   j["warnings"] = json::array();

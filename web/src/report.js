@@ -2,6 +2,7 @@
 // figure data (JSON: id -> {data, layout}) into plots, and lays them out anew for paper.
 import Plotly from 'plotly.js-basic-dist-min';
 
+import { nameMissingCharacters } from './missing_characters.js';
 import './report.css';
 
 const CONFIG = {
@@ -62,6 +63,7 @@ function connectLegends(figures) {
 }
 
 async function drawAll() {
+  nameMissingCharacters();
   const figures = readFigures();
   let failed = 0;
   for (const element of document.querySelectorAll('.figure')) {

@@ -13,7 +13,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 ComponentCurve component_curve(const std::string& component, const ComponentLaw& law,
-                               double largest_strain, const BandOfLaw& band) {
+                               double largest_strain, const ErrorOfLaw& error_of) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(law.parameter_count());
   LawPath loading(law, {0, 0, zero, zero});
   LawPath unloading = loading;
@@ -24,7 +24,8 @@ ComponentCurve component_curve(const std::string& component, const ComponentLaw&
   for (int i = 0; i <= kPoints; ++i) {
     const double strain = largest_strain * i / kPoints;
     const PathStress load = loading.at(strain);
-    const double half = band ? band(load.gradient).value_or(kNone) : kNone;
+    const auto error = error_of ? error_of(load.gradient) : std::nullopt;
+    const double half = error ? error->half_width : kNone;
     curve.strain.push_back(strain);
     curve.load.push_back(load.stress);
     curve.unload.push_back(unloading.at(strain).stress);
@@ -36,11 +37,11 @@ ComponentCurve component_curve(const std::string& component, const ComponentLaw&
   return curve;
 }
 
-BandOfLaw band_of(const Uncertainty& uncertainty, Eigen::Index first) {
+ErrorOfLaw errors_of_law(const Uncertainty& uncertainty, Eigen::Index first) {
   return [&uncertainty, first](const Eigen::VectorXd& by_law) {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(uncertainty.std_error.size());
     gradient.segment(first, by_law.size()) = by_law;
-    return uncertainty.band(gradient);
+    return uncertainty.error_of(gradient);
   };
 }
 

@@ -1,6 +1,8 @@
 #include "pliant/estimation/component_work.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/snapping_strains.h"
 
@@ -25,7 +28,9 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
       const auto& specimens = fit.specimens[static_cast<size_t>(i)];
       if (specimens) estimate.between_specimen_sd = specimens->between_sd;
       const std::optional<double> strain = fit.fit.unknowns[static_cast<size_t>(i)].strain;
-      if (strain) estimate.note = fmt::format("at strain {:.3g}", *strain);
+      if (strain) {
+        estimate.note = "at " + strain_in_words(work.component, *strain, result.material.membrane);
+      }
       if (estimate.limit) {
         const bool upper = *estimate.limit > estimate.value;
         estimate.note +=
@@ -81,20 +86,12 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
     const auto index = static_cast<size_t>(i);
     const std::string& name = fit.fit.unknowns[index].name;
     if (fit.uncertainty.at_bound[index]) {
-      result.warnings.push_back(name + " is at its bound");
       result.undetermined.push_back(name + " (the data pushes it to its bound)");
     } else if (fit.uncertainty.determination[index] == Determination::none &&
                !fit.fit.unknowns[index].fixed) {
       const bool interval = std::isfinite(fit.uncertainty.std_error(i));
       result.undetermined.push_back(
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
-    }
-  }
-  for (Eigen::Index i = fit.fit.law.parameter_count(); i < fit.fit.solution.parameters.size();
-       ++i) {
-    const auto index = static_cast<size_t>(i);
-    if (fit.uncertainty.at_bound[index] && !fit.fit.unknowns[index].fixed) {
-      result.warnings.push_back(fit.fit.unknowns[index].name + " is at its bound");
     }
   }
   const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
@@ -155,7 +152,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   warn_of_snapping(work, result);
   result.curves.push_back(component_curve(work.component, work.fit.fit.law,
                                           work.problem->largest_strain(),
-                                          band_of(work.fit.uncertainty, 0)));
+                                          errors_of_law(work.fit.uncertainty, 0)));
   result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
   const LawFit& fit = work.fit.fit;
   result.starts.push_back({work.component, fit.start_ends, fit.starts_reached});
@@ -167,6 +164,11 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
+}
+
+void add_figures(const ComponentWork& work, const Material& material, StudyResult& result) {
+  std::ranges::move(lab_figures(material, work.component, errors_of_law(work.fit.uncertainty, 0)),
+                    std::back_inserter(result.figures));
 }
 
 Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works) {

@@ -27,6 +27,9 @@ struct ComponentWork {
 /// curve, warnings.
 void add_component(const ComponentWork& work, StudyResult& result);
 
+/// Adds the figures of a component of the material that the study determined.
+void add_figures(const ComponentWork& work, const Material& material, StudyResult& result);
+
 /// Covariance of all unknowns of a study: parameters of all components first, then all nuisance
 /// parameters, as in fit.json.
 Eigen::MatrixXd joint_covariance(const std::vector<ComponentWork>& works);

@@ -9,6 +9,7 @@
 
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/judgement.h"
+#include "pliant/estimation/lab_figures.h"
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -148,6 +149,7 @@ struct StudyResult {
   std::vector<DataFile> data;
   std::vector<ExperimentResult> experiments;
   std::vector<ComponentCurve> curves;
+  std::vector<LabFigure> figures;  ///< of the material's components, in the order of their names
   std::optional<EquilibriumWork> work;  ///< of sheets: fits, their predictions and uncertainty
   std::vector<FitStage> stages;
   std::vector<StartCount> starts;

@@ -10,7 +10,7 @@
 
 #include "pliant/estimation/estimating_equations.h"
 #include "pliant/estimation/statistics/covariance.h"
-#include "pliant/estimation/statistics/curve_band.h"
+#include "pliant/estimation/statistics/curve_error.h"
 
 namespace pliant {
 namespace {
@@ -109,9 +109,9 @@ void take_errors(const Problem& problem, const Eigen::VectorXd& values, Uncertai
 
 }  // namespace
 
-std::optional<double> Uncertainty::band(const Eigen::VectorXd& gradient) const {
+std::optional<CurveError> Uncertainty::error_of(const Eigen::VectorXd& gradient) const {
   if (errors.covariance.size() == 0) return std::nullopt;
-  return band_half_width(gradient(free), errors, unit);
+  return curve_error(gradient(free), errors, unit);
 }
 
 Uncertainty part_of(const Uncertainty& all, const Indices& unknowns,

@@ -8,6 +8,7 @@
 
 #include "pliant/estimation/measured_noise.h"
 #include "pliant/estimation/statistics/covariance.h"
+#include "pliant/estimation/statistics/curve_error.h"
 #include "pliant/estimation/statistics/determination.h"
 #include "pliant/estimation/statistics/outliers.h"
 
@@ -30,11 +31,11 @@ struct Uncertainty {
   Eigen::MatrixXd unseen;  ///< all unknowns x directions that nothing is known of, in units of the
                            ///< scales
 
-  /// Half width of the 95 % band of something with these derivatives by all unknowns; nothing where
-  /// it depends on what the data does not see.
-  std::optional<double> band(const Eigen::VectorXd& gradient) const;
+  /// The error of something with these derivatives by all unknowns; nothing where it depends on
+  /// what the data does not see.
+  std::optional<CurveError> error_of(const Eigen::VectorXd& gradient) const;
 
-  /// @name For `band`
+  /// @name For `error_of`
   /// @{
   std::vector<Eigen::Index> free;
   Eigen::VectorXd unit;

@@ -57,7 +57,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
         fmt::format("rows {}-{} are left out: {}", range.first, range.last, range.reason));
   }
   for (const std::string& column : data.unused_columns()) {
-    info.warnings.push_back(fmt::format("column {} is not used", quoted_value(column)));
+    info.handled.push_back(fmt::format("column {} is not used", quoted_value(column)));
   }
   info.columns = data.own_columns();
   return info;

@@ -26,6 +26,10 @@ double length_at(const UniaxialGeometry& geometry, double strain) {
   return stretch * geometry.gauge_length;
 }
 
+double extension_at(MembraneMeasure measure, double strain) {
+  return length_at({.gauge_length = 1, .width = 1, .measure = measure}, strain) - 1;
+}
+
 double force_factor(const UniaxialGeometry& geometry, double strain) {
   return is_green_lagrange(geometry) ? geometry.width * std::sqrt(1 + 2 * strain) : geometry.width;
 }

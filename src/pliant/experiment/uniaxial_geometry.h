@@ -20,6 +20,9 @@ double strain_slope(const UniaxialGeometry& geometry, double length);
 
 double length_at(const UniaxialGeometry& geometry, double strain);
 
+/// Engineering extension, L / L0 - 1, of a strip at a strain.
+double extension_at(MembraneMeasure measure, double strain);
+
 /// Force per stress (m): area times d strain / d length ([T] Eq. 5.5), as a function of strain.
 double force_factor(const UniaxialGeometry& geometry, double strain);
 

@@ -1,10 +1,14 @@
 #include "pliant/report/curve_figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "pliant/base/number_text.h"
+#include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/report/histogram.h"
 #include "pliant/report/plot_style.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant::report {
 namespace {
@@ -54,15 +58,55 @@ void add_histogram(Figure& figure, const std::vector<double>& x, std::span<const
   figure.layout["xaxis"]["anchor"] = "y2";
 }
 
-/// Axes of stress against strain, nothing drawn.
-Figure empty_curve_figure(const std::string& component, const StrainScale& scale) {
-  Figure figure;
+/// 1, 2 or 5 times a power of ten: of at most five ticks up to a strain.
+double tick_step(double largest) {
+  constexpr double kMostTicks = 5;
+  const double least = largest / kMostTicks;
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * decade >= least) return digit * decade;
+  }
+  return 10 * decade;
+}
+
+/// Green strain along the top where extension is along the bottom: the stress works on that.
+void add_green_strain(const ComponentCurve& curve, Figure& figure) {
+  const double largest = std::ranges::max(curve.strain);
+  if (!(largest > 0)) return;
+  const double step = tick_step(largest);
+  json at = json::array(), text = json::array();
+  for (double strain = 0; strain <= largest; strain += step) {
+    at.push_back(100 * extension_at(MembraneMeasure::stvk, strain));
+    text.push_back(format_number(100 * strain, 3));
+  }
+  json top = axis({"Green strain", "%"});
+  top.update({{"overlaying", "x"},
+              {"matches", "x"},
+              {"anchor", "y"},
+              {"side", "top"},
+              {"showgrid", false},
+              {"zeroline", false},
+              {"tickvals", at},
+              {"ticktext", text}});
+  figure.layout["xaxis2"] = std::move(top);
+  // An axis that no trace is on is not drawn.
+  figure.traces.push_back({{"type", "scatter"},
+                           {"legendgroup", "axis"},
+                           {"xaxis", "x2"},
+                           {"x", {0}},
+                           {"y", {nullptr}},
+                           {"hoverinfo", "skip"}});
+}
+
+/// Axes, once everything but a histogram is drawn.
+void add_axes(const ComponentCurve& curve, const ShownStrain& shown, const QuantityLabel& stress,
+              Figure& figure) {
   figure.layout = base_layout();
-  figure.layout["xaxis"] = axis(scale.label);
-  figure.layout["yaxis"] = axis(stress_label(component));
-  figure.description = "Stress against strain of " + component;
+  figure.layout["xaxis"] = axis(shown.label());
+  set_readable_axis(figure, 'y', stress, /*compact=*/true);
+  if (shown.is_of_green_strain() && !curve.strain.empty()) add_green_strain(curve, figure);
+  figure.description = stress.name + " against strain of " + curve.component;
   figure.data_file = "curves.csv";
-  return figure;
 }
 
 }  // namespace
@@ -72,27 +116,27 @@ bool has_friction(const ComponentCurve& curve) {
          std::ranges::any_of(curve.max_friction, [](double stress) { return stress > 0.0; });
 }
 
-Figure stress_strain_figure(const ComponentCurve& curve, std::span<const double> data_strains,
-                            bool show_friction) {
-  const StrainScale scale = strain_scale(curve.component);
-  const std::vector<double> x = scaled(curve.strain, scale.factor);
-  Figure figure = empty_curve_figure(curve.component, scale);
+Figure stress_strain_figure(const ComponentCurve& curve, std::optional<MembraneMeasure> membrane,
+                            std::span<const double> data_strains, bool show_friction) {
+  const ShownStrain shown(curve.component, membrane);
+  const std::vector<double> x = shown(curve.strain);
+  Figure figure;
   if (!curve.low.empty() && !curve.high.empty() && show_friction) add_band(figure.traces, x, curve);
   if (!curve.elastic.empty()) figure.traces.push_back(trace(kElastic, x, curve.elastic));
   if (show_friction) {
     figure.traces.push_back(trace(kPredictedLoad, x, curve.load));
     figure.traces.push_back(trace(kPredictedUnload, x, curve.unload));
   }
-  if (!x.empty() && !data_strains.empty()) {
-    add_histogram(figure, x, scaled(data_strains, scale.factor));
-  }
+  add_axes(curve, shown, stress_label(curve.component), figure);
+  if (!x.empty() && !data_strains.empty()) add_histogram(figure, x, shown(data_strains));
   return figure;
 }
 
-Figure sheet_curve_figure(const ComponentCurve& curve, std::span<const double> sheet_strains) {
-  const StrainScale scale = strain_scale(curve.component);
-  const std::vector<double> x = scaled(curve.strain, scale.factor);
-  Figure figure = empty_curve_figure(curve.component, scale);
+Figure sheet_curve_figure(const ComponentCurve& curve, std::optional<MembraneMeasure> membrane,
+                          std::span<const double> sheet_strains) {
+  const ShownStrain shown(curve.component, membrane);
+  const std::vector<double> x = shown(curve.strain);
+  Figure figure;
   if (!curve.low.empty() && !curve.high.empty()) add_band(figure.traces, x, curve);
   if (has_friction(curve)) {
     figure.traces.push_back(trace(kElastic, x, curve.elastic));
@@ -101,8 +145,9 @@ Figure sheet_curve_figure(const ComponentCurve& curve, std::span<const double> s
   } else {
     figure.traces.push_back(trace(kElasticMaterial, x, curve.elastic));
   }
+  add_axes(curve, shown, stress_label(curve.component), figure);
   if (!x.empty() && !sheet_strains.empty()) {
-    add_histogram(figure, x, scaled(sheet_strains, scale.factor));
+    add_histogram(figure, x, shown(sheet_strains));
     figure.traces.back()["name"] = "elements of sheets";
     figure.traces.back()["hovertemplate"] = "%{y} elements<extra></extra>";
     figure.layout["yaxis2"]["title"]["text"] = "Elements";
@@ -110,9 +155,9 @@ Figure sheet_curve_figure(const ComponentCurve& curve, std::span<const double> s
   return figure;
 }
 
-Figure friction_figure(const ComponentCurve& curve) {
-  const StrainScale scale = strain_scale(curve.component);
-  const std::vector<double> x = scaled(curve.strain, scale.factor);
+Figure friction_figure(const ComponentCurve& curve, std::optional<MembraneMeasure> membrane) {
+  const ShownStrain shown(curve.component, membrane);
+  const std::vector<double> x = shown(curve.strain);
   std::vector<double> load = curve.load;
   std::vector<double> unload = curve.unload;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -120,15 +165,11 @@ Figure friction_figure(const ComponentCurve& curve) {
     unload[i] -= curve.elastic[i];
   }
   Figure figure;
-  figure.layout = base_layout();
-  figure.layout["xaxis"] = axis(scale.label);
-  figure.layout["yaxis"] = axis({"Friction stress", stress_label(curve.component).unit});
   figure.traces.push_back(trace(kEnvelope, x, curve.max_friction));
   figure.traces.push_back(trace(kEnvelope, x, scaled(curve.max_friction, -1.0)));
   figure.traces.push_back(trace(kPredictedLoad, x, load));
   figure.traces.push_back(trace(kPredictedUnload, x, unload));
-  figure.description = "Friction stress against strain of " + curve.component;
-  figure.data_file = "curves.csv";
+  add_axes(curve, shown, {"Friction stress", stress_label(curve.component).unit}, figure);
   return figure;
 }
 

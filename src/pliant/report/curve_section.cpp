@@ -15,7 +15,7 @@
 namespace pliant::report {
 namespace {
 
-constexpr PrintSize kCurveSize = {345, 300};
+constexpr PrintSize kCurveSize = {345, 228};
 
 /// Bending is drawn to one side: what bends to the other counts alike.
 double drawn_strain(const std::string& component, double strain) {
@@ -93,8 +93,10 @@ std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve
       any_undetermined(data.results, curve.component, false)
           ? ": part of its stiffness is not determined by the data"
           : "");
-  return captioned(caption, sheet_curve_figure(curve, strains_of_sheets(data, curve.component)),
-                   figures);
+  return captioned(
+      caption,
+      sheet_curve_figure(curve, data.results.membrane, strains_of_sheets(data, curve.component)),
+      figures);
 }
 
 std::string curve_part(const ReportData& data, const ComponentCurve& curve, FigureSheet& figures) {
@@ -105,7 +107,7 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
   if (!curve.elastic.empty()) legend.push_back(kElastic);
   if (friction_known) legend.insert(legend.end(), {kPredictedLoad, kPredictedUnload});
   if (draws_friction) legend.push_back(kEnvelope);
-  std::string html = "<article class=\"figure-block\">\n<h3>" +
+  std::string html = "<article class=\"figure-block together\">\n<h3>" +
                      escape_html(component_title(curve.component)) + "</h3>\n";
   if (any_undetermined(data.results, curve.component, false)) {
     html +=
@@ -122,10 +124,10 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
           ? "Stress against strain, 95 % band of the loading branch; below, the number of "
             "measured points at each strain"
           : "Stress against strain; below, the number of measured points at each strain",
-      stress_strain_figure(curve, strains, friction_known), figures);
+      stress_strain_figure(curve, data.results.membrane, strains, friction_known), figures);
   if (draws_friction) {
     html += captioned("Friction stress of the same cycle; it tends to its saturated value",
-                      friction_figure(curve), figures);
+                      friction_figure(curve, data.results.membrane), figures);
   }
   return html + "</div></article>\n";
 }
@@ -156,10 +158,13 @@ std::string curve_section(const ReportData& data, FigureSheet& figures) {
   if (data.curves.empty()) return {};
   if (data.is_of_sheets()) return sheet_curves(data, figures);
   std::string html =
-      "<section id=\"curves\"><h2>Stress-strain curves</h2>\n"
+      "<section id=\"curves\"><div class=\"together\"><h2>Stress-strain curves</h2>\n"
       "<p>The material without its test: one cycle from rest to the largest strain and back. Where "
       "there are no measured points the curve is extrapolated.</p>\n";
-  for (const ComponentCurve& curve : data.curves) html += curve_part(data, curve, figures);
+  for (std::size_t i = 0; i < data.curves.size(); ++i) {
+    html += curve_part(data, data.curves[i], figures);
+    if (i == 0) html += "</div>\n";
+  }
   return html + "</section>\n";
 }
 

@@ -6,6 +6,7 @@
 #include "pliant/report/html.h"
 #include "pliant/report/loop_figure.h"
 #include "pliant/report/number_format.h"
+#include "pliant/report/readable_unit.h"
 #include "pliant/report/residual_figure.h"
 #include "pliant/report/sections.h"
 #include "pliant/report/shape_part.h"
@@ -25,23 +26,18 @@ std::size_t row_budget(std::size_t experiments) {
   return std::clamp(kAllExperiments / std::max<std::size_t>(experiments, 1), kFewest, kMost);
 }
 
-std::string force_unit(const ResultExperiment& e) {
-  const std::string unit = quantity_label(e.quantity).unit;
-  return unit == "N/m" ? unit : "N";
-}
-
 std::string_view reference_of(const ResultExperiment& e) {
   if (e.measures_overhangs()) return "mean overhang";
   if (e.measures_lengths()) return "largest extension";
   return facts_of_test(e.type).has_unknown_zero ? "the span of the force" : "peak";
 }
 
-/// `0.024 of 1.97 N`; buckled strips push a thousandth of that.
+/// `0.024 of 1.97 N`, in the unit of the figures.
 std::string force_in_words(const ResultExperiment& e) {
-  const bool milli = e.quantity == "force_mN";
-  const double scale = milli ? 1e3 : 1;
-  return fmt::format("{} of {} {}", format_significant(scale * *e.rms_force, 2),
-                     format_significant(scale * *e.peak_force, 3), milli ? "mN" : force_unit(e));
+  const std::string own = quantity_label(e.quantity).unit;
+  const ReadableUnit unit = readable_unit(own == "N/m" ? own : "N", *e.peak_force);
+  return fmt::format("{} of {} {}", format_significant(unit.factor * *e.rms_force, 2),
+                     format_significant(unit.factor * *e.peak_force, 3), unit.name);
 }
 
 /// `RMS error 1.2 % of peak (0.024 of 1.97 N)`
@@ -59,7 +55,8 @@ std::string error_in_words(const ResultExperiment& e) {
 }
 
 /// What was tested and how well it came out, one phrase a fact.
-std::string description(const ResultExperiment& e, bool evaluation) {
+std::string description(const ResultExperiment& e, std::optional<MembraneMeasure> membrane,
+                        bool evaluation) {
   std::vector<std::string> facts;
   if (!e.type.empty()) facts.push_back(e.type);
   if (!e.direction.empty()) facts.push_back(e.direction);
@@ -67,7 +64,8 @@ std::string description(const ResultExperiment& e, bool evaluation) {
   facts.push_back(fmt::format("{} specimen{}", e.specimens, e.specimens == 1 ? "" : "s"));
   facts.push_back(fmt::format("{} points used, {} left out", e.points, e.excluded));
   if (e.strain_range) {
-    facts.push_back(strain_range_text(e.component, (*e.strain_range)[0], (*e.strain_range)[1]));
+    facts.push_back(
+        strain_range_text(e.component, membrane, (*e.strain_range)[0], (*e.strain_range)[1]));
   }
   const std::string error = error_in_words(e);
   if (!error.empty()) facts.push_back(error);
@@ -90,18 +88,19 @@ std::string captioned(std::string_view caption, const std::string& figure) {
 }
 
 std::string residuals(const ResultExperiment& e, const Prediction& prediction, std::size_t budget,
-                      FigureSheet& figures) {
+                      std::optional<MembraneMeasure> membrane, FigureSheet& figures) {
   std::string html;
   for (const ResidualAbscissa abscissa : {ResidualAbscissa::strain, ResidualAbscissa::time}) {
     // Overhangs at one angle all belong to the same strain.
     if (abscissa == ResidualAbscissa::strain && e.measures_overhangs()) continue;
-    Figure figure = residual_figure(e, prediction, abscissa, budget);
+    Figure figure = residual_figure(e, prediction, abscissa, membrane, budget);
     figure.print_size = kResidualSize;
-    const std::string_view caption =
-        abscissa == ResidualAbscissa::strain ? "Measured minus material, against strain"
-        : prediction.time.empty()            ? "Measured minus material, in the order measured"
-                                             : "Measured minus material, against time";
-    html += captioned(caption, figures.add(figure, "figure-short"));
+    const std::string order = prediction.time.empty() ? "in the order measured" : "against time";
+    const std::string abscissa_name = abscissa == ResidualAbscissa::strain
+                                          ? "against " + strain_name(e.component, membrane)
+                                          : order;
+    html +=
+        captioned("Measured minus material, " + abscissa_name, figures.add(figure, "figure-short"));
   }
   return html;
 }
@@ -113,8 +112,8 @@ std::string handled(const ResultExperiment& e) {
 
 /// Loops beside their residuals; of overhangs, the readings.
 std::string loop_part(const ResultExperiment& e, const Prediction& prediction, std::size_t budget,
-                      FigureSheet& figures) {
-  LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .compact = false});
+                      std::optional<MembraneMeasure> membrane, FigureSheet& figures) {
+  LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .membrane = membrane});
   loop.figure.print_size = kLoopSize;
   std::string drawn = e.measures_overhangs() ? "Readings" : "Loops";
   if (loop.drawn < loop.total) {
@@ -123,18 +122,22 @@ std::string loop_part(const ResultExperiment& e, const Prediction& prediction, s
   const std::string legend = figures.can_draw() ? legend_html(loop.legend) : std::string();
   return legend + "<div class=\"experiment\">\n" +
          captioned(drawn, figures.add(loop.figure, "figure-tall")) + "<div>\n" +
-         residuals(e, prediction, budget / 2, figures) + "</div></div>\n";
+         residuals(e, prediction, budget / 2, membrane, figures) + "</div></div>\n";
 }
 
 std::string experiment_part(const ReportData& data, std::size_t i, std::size_t budget,
                             FigureSheet& figures) {
   const ResultExperiment& e = data.results.experiments[i];
   if (data.sheets[i]) return sheet_part(data, i, figures);
-  std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
+  std::string html = "<article class=\"figure-block\">\n<div class=\"together\">\n<h3>" +
+                     escape_html(e.name) + "</h3>\n";
   html += fmt::format("<p class=\"description\">{}</p>\n",
-                      escape_html(description(e, data.results.evaluation)));
-  html += data.shapes[i] ? shape_part(e, *data.shapes[i], figures)
-                         : loop_part(e, data.predictions[i], budget, figures);
+                      escape_html(description(e, data.results.membrane, data.results.evaluation)));
+  if (data.shapes[i]) {
+    html += shape_part(e, *data.shapes[i], figures);
+  } else {
+    html += loop_part(e, data.predictions[i], budget, data.results.membrane, figures) + "</div>\n";
+  }
   return html + handled(e) + "</article>\n";
 }
 
@@ -146,7 +149,8 @@ std::string experiment_section(const ReportData& data, FigureSheet& figures) {
   if (data.is_of_sheets()) return sheet_section(data, figures);
   std::string html =
       "<section id=\"experiments\"><h2>Experiments</h2>\n"
-      "<p>Residuals without a pattern are noise of the measurement; a pattern against strain is "
+      "<p>Residuals without a pattern are noise of the measurement; a pattern against extension or "
+      "curvature is "
       "what "
       "the material model cannot follow, a drift in the order measured is a change of the specimen "
       "or "

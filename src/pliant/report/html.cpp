@@ -63,8 +63,11 @@ void HtmlTable::begin_row(std::string_view css_class) {
 void HtmlTable::cell(std::string_view text) { html_cell(escape_html(text)); }
 
 void HtmlTable::html_cell(std::string_view html) {
-  const bool number = columns_.at(next_column_++).align == Align::number;
-  rows_ += fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html);
+  const Align align = columns_.at(next_column_++).align;
+  const std::string_view css_class = align == Align::number ? " class=\"number\""
+                                     : align == Align::unit ? " class=\"unit\""
+                                                            : "";
+  rows_ += fmt::format("<td{}>{}</td>", css_class, html);
 }
 
 std::string HtmlTable::html() const {

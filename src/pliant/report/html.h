@@ -22,7 +22,7 @@ std::string fact_list(const std::vector<std::pair<std::string, std::string>>& fa
 /// Builds an HTML table whose cells are escaped unless given as HTML.
 class HtmlTable {
  public:
-  enum class Align { text, number };
+  enum class Align { text, unit, number };  ///< units and numbers are not broken
   struct Column {
     std::string heading;
     Align align = Align::text;

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/bending_strain.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -18,10 +20,6 @@ std::string capitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }
-
-constexpr double kBendingStrain = 3;  // times the curvature ([P] 4.3)
-
-bool is_bending(std::string_view component) { return component.starts_with("bend"); }
 
 /// A kind of addends and the number of it that a parameter is: "stretch.warp.dahl2.tau".
 struct AddendNumber {
@@ -68,21 +66,57 @@ QuantityLabel quantity_label(std::string_view column) {
   return {std::string(column), ""};
 }
 
-StrainScale strain_scale(std::string_view component) {
-  if (is_bending(component)) return {{"Curvature", "1/m"}, 1.0 / kBendingStrain};
-  return {{component.starts_with("shear") ? "Shear strain" : "Strain", "%"}, 100.0};
+ShownStrain::ShownStrain(std::string_view component, std::optional<MembraneMeasure> measure)
+    : label_{"Strain", "%"} {
+  if (is_bending(component)) {
+    label_ = {"Curvature", "1/m"};
+    factor_ = 1 / kStrainPerCurvature;
+  } else if (component.starts_with("shear")) {
+    label_ = {"Shear strain", "%"};
+  } else if (measure) {
+    label_ = {"Extension", "%"};
+    green_ = *measure == MembraneMeasure::stvk;
+  }
 }
 
-std::string strain_range_text(std::string_view component, double low, double high) {
-  const StrainScale scale = strain_scale(component);
+double ShownStrain::operator()(double strain) const {
+  return factor_ * (green_ ? extension_at(MembraneMeasure::stvk, strain) : strain);
+}
+
+std::vector<double> ShownStrain::operator()(std::span<const double> strains) const {
+  std::vector<double> shown;
+  for (const double strain : strains) shown.push_back((*this)(strain));
+  return shown;
+}
+
+std::string strain_name(std::string_view component, std::optional<MembraneMeasure> measure) {
+  std::string name = ShownStrain(component, measure).label().name;
+  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+StrainRangeTexts strain_range_texts(std::string_view component,
+                                    std::optional<MembraneMeasure> measure, double low,
+                                    double high) {
   constexpr double kNothing = 1e-5;  // of the larger end: what rounding left of zero
   const double nothing = kNothing * std::max(std::abs(low), std::abs(high));
-  if (std::abs(low) < nothing) low = 0;
-  if (std::abs(high) < nothing) high = 0;
-  std::string name = scale.label.name;
-  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-  return fmt::format("{} {} to {} {}", name, format_significant(scale.factor * low, 2),
-                     format_significant(scale.factor * high, 2), scale.label.unit);
+  const auto text = [&](const auto& shown, const std::string& unit) {
+    const auto number = [&](double strain) {
+      return format_significant(std::abs(strain) < nothing ? 0 : shown(strain), 2);
+    };
+    return fmt::format("{} to {} {}", number(low), number(high), unit);
+  };
+  const ShownStrain shown(component, measure);
+  const auto percent = [](double strain) { return 100 * strain; };
+  return {text(shown, shown.label().unit),
+          shown.is_of_green_strain() ? text(percent, "%") : std::string()};
+}
+
+std::string strain_range_text(std::string_view component, std::optional<MembraneMeasure> measure,
+                              double low, double high) {
+  const auto [shown, green] = strain_range_texts(component, measure, low, high);
+  const std::string text = strain_name(component, measure) + " " + shown;
+  return green.empty() ? text : fmt::format("{} (Green strain {})", text, green);
 }
 
 QuantityLabel stress_label(std::string_view component) {

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "pliant/material/material.h"
 
 namespace pliant::report {
 
@@ -16,16 +21,40 @@ struct QuantityLabel {
 /// The label of a column such as `force_N`, `length_mm` or `force_N_per_m`.
 QuantityLabel quantity_label(std::string_view column);
 
-/// How the strain of a component is shown: membrane strains in per cent, those of
-/// bending as curvatures.
-struct StrainScale {
-  QuantityLabel label;
-  double factor = 1.0;  ///< from the numbers in the files to the ones shown
-};
-StrainScale strain_scale(std::string_view component);
+/// How a reader sees the strain of a component: stretch as engineering extension and shear strain
+/// in per cent, bending as curvature.
+class ShownStrain {
+ public:
+  /// @param measure  of the membrane strains; not known: stretch is shown as it stands
+  ShownStrain(std::string_view component, std::optional<MembraneMeasure> measure);
 
-/// `strain 0 to 35 %`
-std::string strain_range_text(std::string_view component, double low, double high);
+  const QuantityLabel& label() const { return label_; }
+  double operator()(double strain) const;
+  std::vector<double> operator()(std::span<const double> strains) const;
+
+  /// Whether the strains of the files are others than those shown, so that a curve's axis has both.
+  bool is_of_green_strain() const { return green_; }
+
+ private:
+  QuantityLabel label_;
+  double factor_ = 100;
+  bool green_ = false;
+};
+
+/// The name of such strains within a sentence: `extension`, `curvature`.
+std::string strain_name(std::string_view component, std::optional<MembraneMeasure> measure);
+
+/// `0 to 30 %` of what is shown, and `0 to 35 %` of Green strain where that is another.
+struct StrainRangeTexts {
+  std::string shown, green;
+};
+StrainRangeTexts strain_range_texts(std::string_view component,
+                                    std::optional<MembraneMeasure> measure, double low,
+                                    double high);
+
+/// `extension 0 to 30 % (Green strain 0 to 35 %)`
+std::string strain_range_text(std::string_view component, std::optional<MembraneMeasure> measure,
+                              double low, double high);
 
 /// The label of the stress that works on that strain.
 QuantityLabel stress_label(std::string_view component);

@@ -6,9 +6,12 @@
 #include <tuple>
 
 #include "pliant/report/drawn_rows.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant::report {
 namespace {
+
+constexpr std::size_t kMostSmallMarkers = 40;  // of a branch; more run into each other
 
 /// The coordinates of each row as measured, as predicted and without friction.
 struct LoopCoordinates {
@@ -31,13 +34,11 @@ LoopCoordinates length_against_load(const ResultExperiment& e, const Prediction&
           true};
 }
 
-LoopCoordinates quantity_against_strain(const ResultExperiment& e, const Prediction& p) {
-  const StrainScale scale = strain_scale(e.component);
-  std::vector<double> x = p.driver;
-  if (x.empty()) {
-    for (const double strain : p.strain) x.push_back(scale.factor * strain);
-  }
-  return {p.driver.empty() ? scale.label : quantity_label(p.driver_column),
+LoopCoordinates quantity_against_strain(const ResultExperiment& e, const Prediction& p,
+                                        std::optional<MembraneMeasure> membrane) {
+  const ShownStrain shown(e.component, membrane);
+  const std::vector<double> x = p.driver.empty() ? shown(p.strain) : p.driver;
+  return {p.driver.empty() ? shown.label() : quantity_label(p.driver_column),
           quantity_label(e.quantity),
           x,
           x,
@@ -63,10 +64,11 @@ LoopCoordinates overhang_against_reading(const ResultExperiment& e, const Predic
           false};
 }
 
-LoopCoordinates coordinates(const ResultExperiment& e, const Prediction& p) {
+LoopCoordinates coordinates(const ResultExperiment& e, const Prediction& p,
+                            std::optional<MembraneMeasure> membrane) {
   if (e.measures_overhangs()) return overhang_against_reading(e, p);
   const bool lengths = e.quantity.starts_with("length") && !p.driver.empty();
-  return lengths ? length_against_load(e, p) : quantity_against_strain(e, p);
+  return lengths ? length_against_load(e, p) : quantity_against_strain(e, p, membrane);
 }
 
 class LoopPlot {
@@ -122,9 +124,9 @@ class LoopPlot {
 
   LoopFigure finish() {
     result_.figure.layout = base_layout(compact_);
-    result_.figure.layout["xaxis"] = axis(at_.x_label, compact_);
-    result_.figure.layout["yaxis"] = axis(at_.y_label, compact_);
-    result_.drawn = rows_.size();
+    set_readable_axis(result_.figure, 'x', at_.x_label, compact_);
+    set_readable_axis(result_.figure, 'y', at_.y_label, compact_);
+    result_.drawn = compact_ ? markers_ : rows_.size();
     result_.total = prediction_.rows();
     return std::move(result_);
   }
@@ -142,12 +144,17 @@ class LoopPlot {
 
   template <typename Belongs>
   void add_markers(const SeriesStyle& style, Belongs belongs) {
-    std::vector<double> x, y;
+    std::vector<std::size_t> chosen;
     for (const std::size_t row : rows_) {
-      if (!belongs(row)) continue;
-      x.push_back(at_.x_measured[row]);
-      y.push_back(at_.y_measured[row]);
+      if (belongs(row)) chosen.push_back(row);
     }
+    const std::size_t step = compact_ ? chosen.size() / kMostSmallMarkers + 1 : 1;
+    std::vector<double> x, y;
+    for (std::size_t i = 0; i < chosen.size(); i += step) {
+      x.push_back(at_.x_measured[chosen[i]]);
+      y.push_back(at_.y_measured[chosen[i]]);
+    }
+    markers_ += x.size();
     add(style, x, y);
   }
 
@@ -161,6 +168,7 @@ class LoopPlot {
   LoopCoordinates at_;
   std::vector<std::size_t> rows_;
   bool compact_;
+  std::size_t markers_ = 0;
   LoopFigure result_;
 };
 
@@ -168,8 +176,13 @@ class LoopPlot {
 
 LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& prediction,
                        const LoopFigureOptions& options) {
-  LoopPlot plot(prediction, coordinates(experiment, prediction),
+  LoopPlot plot(prediction, coordinates(experiment, prediction, options.membrane),
                 rows_to_draw(prediction, prediction.measured, options.budget), options.compact);
+  const auto add_predicted = [&] {
+    plot.add_predicted(kPredictedLoad, Branch::load);
+    plot.add_predicted(kPredictedUnload, Branch::unload);
+  };
+  if (options.compact) add_predicted();  // below the markers, which hide little of it
   plot.add_measured(kMeasuredLoad, Branch::load);
   plot.add_measured(kMeasuredUnload, Branch::unload);
   if (!options.compact) {
@@ -177,9 +190,8 @@ LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& pre
     plot.add_excluded(kExcluded);
     plot.add_outliers(kOutlier, experiment.outliers);
     plot.add_elastic(kElastic);
+    add_predicted();
   }
-  plot.add_predicted(kPredictedLoad, Branch::load);
-  plot.add_predicted(kPredictedUnload, Branch::unload);
   LoopFigure result = plot.finish();
   result.figure.description = "Measured and predicted loops of " + experiment.name;
   result.figure.data_file = experiment.prediction_file;

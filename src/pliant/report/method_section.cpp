@@ -4,6 +4,7 @@
 #include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sections.h"
+#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -15,9 +16,9 @@ std::string assumptions(const Results& results) {
   return "<h3>What was assumed</h3>\n" + bullet_list(results.assumptions);
 }
 
-std::string all_warnings(const Results& results) {
-  if (results.warnings.empty()) return {};
-  return "<h3>All warnings</h3>\n" + bullet_list(results.warnings);
+std::string more_warnings(const Results& results) {
+  const std::vector<std::string> others = warnings_of(results, /*on_page_one=*/false);
+  return others.empty() ? std::string() : "<h3>More warnings</h3>\n" + bullet_list(others);
 }
 
 std::string starts(const Results& results) {
@@ -118,7 +119,7 @@ std::string provenance(const Results& results) {
 
 std::string method_section(const Results& results) {
   return "<section id=\"method\"><h2>Assumptions and method</h2>\n" + assumptions(results) +
-         all_warnings(results) + stages(results) + starts(results) + work(results) +
+         more_warnings(results) + stages(results) + starts(results) + work(results) +
          data_files(results) + provenance(results) + "</section>\n";
 }
 

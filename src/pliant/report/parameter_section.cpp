@@ -6,6 +6,7 @@
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
+#include "pliant/report/readable_unit.h"
 #include "pliant/report/sections.h"
 
 namespace pliant::report {
@@ -13,8 +14,26 @@ namespace {
 
 using Align = HtmlTable::Align;
 
-std::string flags(const ResultParameter& p) {
+/// The strain over which friction builds up, of a stretch or shear.
+bool is_membrane_strain(const ResultParameter& p) {
+  return p.unit == "1" && p.name.ends_with(".tau") && !is_bending(p.component);
+}
+
+/// The strain over which friction builds up, as a tester knows it: extension or curvature.
+std::string as_shown(const ResultParameter& p, std::optional<MembraneMeasure> membrane) {
+  if (is_bending(p.component) && p.value && p.name.ends_with(".tau")) {
+    return fmt::format("of three times the curvature; curvature {} 1/m",
+                       format_significant(ShownStrain(p.component, membrane)(*p.value), 2));
+  }
+  const bool green = membrane == MembraneMeasure::stvk && p.component.starts_with("stretch");
+  if (!green || !p.value || !is_membrane_strain(p)) return {};
+  return fmt::format("Green strain; {} % extension",
+                     format_significant(ShownStrain(p.component, membrane)(*p.value), 2));
+}
+
+std::string flags(const ResultParameter& p, std::optional<MembraneMeasure> membrane = {}) {
   std::vector<std::string> words;
+  if (std::string shown = as_shown(p, membrane); !shown.empty()) words.push_back(shown);
   if (p.fixed) words.push_back("fixed, not estimated");
   if (!p.fixed && !p.identified) words.push_back("not determined");
   if (p.at_bound) words.push_back("at its bound");
@@ -22,9 +41,23 @@ std::string flags(const ResultParameter& p) {
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
+/// The same number in a unit in which it reads well; strains in per cent.
+ResultParameter in_readable_unit(ResultParameter p) {
+  ReadableUnit unit{"%", 100};
+  if (!is_membrane_strain(p)) {
+    unit = readable_unit(p.unit, std::max(std::abs(p.value.value_or(0)), p.std_error.value_or(0)));
+  }
+  for (auto* number : {&p.value, &p.std_error, &p.lower, &p.upper, &p.between_specimen_sd}) {
+    if (*number) **number *= unit.factor;
+  }
+  p.unit = unit.name;
+  return p;
+}
+
 /// Name, value, standard error and interval; a value that the data does not determine is greyed and
 /// stands without an uncertainty that would make it look known.
-void add_estimate(HtmlTable& table, const ResultParameter& p) {
+void add_estimate(HtmlTable& table, const ResultParameter& stated) {
+  const ResultParameter p = in_readable_unit(stated);
   const bool known = p.fixed || p.identified;
   const bool uncertain = known && !p.fixed;
   const UncertainFormat format(p.value, uncertain ? p.std_error : std::nullopt);
@@ -45,13 +78,14 @@ bool any_spread(const std::vector<ResultParameter>& parameters) {
                      [](const ResultParameter& p) { return p.between_specimen_sd.has_value(); });
 }
 
-std::string parameter_table(const std::vector<ResultParameter>& parameters) {
+std::string parameter_table(const std::vector<ResultParameter>& parameters,
+                            std::optional<MembraneMeasure> membrane) {
   const bool spread = any_spread(parameters);
   std::vector<HtmlTable::Column> columns = {{"Parameter"},
                                             {"Value", Align::number},
                                             {"Standard error", Align::number},
                                             {"95 % interval", Align::number},
-                                            {"Unit"}};
+                                            {"Unit", Align::unit}};
   if (spread) columns.push_back({"Between specimens", Align::number, "standard deviation"});
   columns.push_back({"Remarks"});
   HtmlTable table(std::move(columns));
@@ -61,8 +95,8 @@ std::string parameter_table(const std::vector<ResultParameter>& parameters) {
     table.html_cell(fmt::format("<code>{}</code>{}", escape_html(p.name),
                                 meaning.empty() ? "" : "<small>" + meaning + "</small>"));
     add_estimate(table, p);
-    if (spread) table.cell(format_significant(p.between_specimen_sd, 2));
-    table.cell(flags(p));
+    if (spread) table.cell(format_significant(in_readable_unit(p).between_specimen_sd, 2));
+    table.cell(flags(p, membrane));
   }
   return table.html();
 }
@@ -74,7 +108,7 @@ std::string nuisance_table(const std::vector<ResultParameter>& nuisance) {
                    {"Value", Align::number},
                    {"Standard error", Align::number},
                    {"95 % interval", Align::number},
-                   {"Unit"},
+                   {"Unit", Align::unit},
                    {"Remarks"}});
   for (const ResultParameter& p : nuisance) {
     table.begin_row(row_class(p));
@@ -137,12 +171,12 @@ std::string parameter_section(const Results& results) {
             "are where the search stopped: the data do not determine them.</p>\n";
   if (results.work) {
     html +=
-        "<p>Remarks: at which strain a control point of a stiffness curve lies (of bending three "
-        "times the curvature, in 1/m), and which sessions tell the number, each with its share of "
-        "what is known.</p>\n";
+        "<p>Remarks: where a control point of a stiffness curve lies, and which sessions tell the "
+        "number, each with its share of what is known.</p>\n";
   }
-  return html + parameter_table(results.parameters) + nuisance_table(results.nuisance) +
-         singular_value_table(results.singular_values) + "</section>\n";
+  return html + parameter_table(results.parameters, results.membrane) +
+         nuisance_table(results.nuisance) + singular_value_table(results.singular_values) +
+         "</section>\n";
 }
 
 }  // namespace pliant::report

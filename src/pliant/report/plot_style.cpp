@@ -77,7 +77,7 @@ json trace(const SeriesStyle& style, std::span<const double> x, std::span<const 
     t["line"] = line_style(style, compact);
   } else {
     t["mode"] = "markers";
-    t["marker"] = marker_style(style, compact || x.size() > kCrowded);
+    t["marker"] = marker_style(style, x.size() > kCrowded);
   }
   return t;
 }

@@ -8,6 +8,7 @@
 #include "pliant/report/html.h"
 #include "pliant/report/page.h"
 #include "pliant/report/plot_style.h"
+#include "pliant/report/readable_unit.h"
 #include "pliant/report/thinning.h"
 
 namespace pliant {
@@ -51,10 +52,10 @@ Figure loops(const Preview& preview) {
   }
   Figure figure;
   figure.layout = base_layout();
-  figure.layout["xaxis"] = axis(preview.driver);
-  figure.layout["yaxis"] = axis(preview.measured);
   figure.traces.push_back(trace(outward(), x[0], y[0]));
   if (!x[1].empty()) figure.traces.push_back(trace(backward(), x[1], y[1]));
+  set_readable_axis(figure, 'x', preview.driver);
+  set_readable_axis(figure, 'y', preview.measured);
   figure.description = fmt::format("{} over {}", preview.measured.name, preview.driver.name);
   figure.print_size = kPrintSize;
   return figure;
@@ -73,8 +74,8 @@ Figure rows(const Preview& preview, const QuantityLabel& label,
   Figure figure;
   figure.layout = base_layout();
   figure.layout["xaxis"] = axis({"Row", ""});
-  figure.layout["yaxis"] = axis(label);
   figure.traces.push_back(trace(kElastic, at(number, drawn), at(all, drawn)));
+  set_readable_axis(figure, 'y', label);
   figure.description = label.name + " row by row";
   figure.print_size = kPrintSize;
   return figure;

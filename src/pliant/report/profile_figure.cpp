@@ -6,6 +6,7 @@
 
 #include "pliant/math/quantiles.h"
 #include "pliant/report/plot_style.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant::report {
 namespace {
@@ -46,6 +47,18 @@ std::vector<double> parabola(const ProfileLikelihood& profile, double std_error)
 }
 
 }  // namespace
+
+ProfileLikelihood in_readable_unit(ProfileLikelihood profile) {
+  double largest = 0;
+  for (const double value : profile.value) largest = std::max(largest, std::abs(value));
+  const ReadableUnit unit = readable_unit(profile.unit, largest);
+  for (double& value : profile.value) value *= unit.factor;
+  for (auto* number : {&profile.lower, &profile.upper, &profile.std_error}) {
+    if (*number) **number *= unit.factor;
+  }
+  profile.unit = unit.name;
+  return profile;
+}
 
 Figure profile_figure(const ProfileLikelihood& profile) {
   const double threshold = chi_square_quantile(0.95, 1);

@@ -5,6 +5,9 @@
 
 namespace pliant::report {
 
+/// The same with numbers of a readable size.
+ProfileLikelihood in_readable_unit(ProfileLikelihood profile);
+
 /// Profile likelihood of one parameter: how much worse the fit becomes when it is held at another
 /// value and all others follow; beside it the parabola that its standard error stands for.
 Figure profile_figure(const ProfileLikelihood& profile);

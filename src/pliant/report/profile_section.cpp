@@ -30,7 +30,8 @@ std::string profile_section(const Results& results, FigureSheet& figures) {
       "marked "
       "by dotted lines. Where the dashed parabola of the standard error differs, trust the "
       "curve.</p>\n<div class=\"pair\">\n";
-  for (const ProfileLikelihood& profile : results.profiles) {
+  for (const ProfileLikelihood& stated : results.profiles) {
+    const ProfileLikelihood profile = in_readable_unit(stated);
     Figure figure = profile_figure(profile);
     figure.print_size = kProfileSize;
     html += fmt::format("<figure><figcaption><code>{}</code>, {}</figcaption>\n{}</figure>\n",

@@ -2,26 +2,10 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
-#include "pliant/base/errors.h"
-#include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
-#include "pliant/report/json_reader.h"
 
 namespace pliant::report {
 namespace {
-
-/// An evaluation's material file may stand elsewhere; the report then leaves the measure unnamed.
-std::string membrane_measure(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return {};
-  const nlohmann::json document =
-      nlohmann::json::parse(read_text_file(file), nullptr, /*allow_exceptions=*/false);
-  if (document.is_discarded()) {
-    throw InputError({file.string(), 0, {}}, "not valid JSON", "a material file");
-  }
-  return JsonReader(document, file.string(), "").text_or("membrane", "");
-}
 
 std::optional<SheetData> read_sheet(const std::filesystem::path& directory,
                                     const ResultExperiment& e) {
@@ -65,7 +49,6 @@ ReportData read_report_data(const std::filesystem::path& directory) {
   const bool any_sheet =
       std::ranges::any_of(data.sheets, [](const auto& sheet) { return sheet.has_value(); });
   if (any_sheet && std::filesystem::exists(material)) data.material = read_material(material);
-  data.membrane = membrane_measure(material);
   return data;
 }
 

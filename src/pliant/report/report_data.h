@@ -29,8 +29,6 @@ struct ReportData {
   std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
   std::vector<std::optional<SheetData>> sheets;    ///< alike; none where there are no sessions
   std::optional<Material> material;                ///< of sessions, where its file is there
-  /// `stvk`, ... where the directory's material file names it: decides how strains are explained.
-  std::string membrane;
 
   /// Whether there is nothing but full-field sessions.
   bool is_of_sheets() const;

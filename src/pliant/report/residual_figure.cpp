@@ -4,6 +4,7 @@
 
 #include "pliant/report/drawn_rows.h"
 #include "pliant/report/plot_style.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant::report {
 namespace {
@@ -13,11 +14,10 @@ struct Abscissa {
   std::vector<double> values;
 };
 
-Abscissa against_strain(const ResultExperiment& experiment, const Prediction& prediction) {
-  const StrainScale scale = strain_scale(experiment.component);
-  Abscissa abscissa{scale.label, prediction.strain};
-  for (double& value : abscissa.values) value *= scale.factor;
-  return abscissa;
+Abscissa against_strain(const ResultExperiment& experiment, const Prediction& prediction,
+                        std::optional<MembraneMeasure> membrane) {
+  const ShownStrain shown(experiment.component, membrane);
+  return {shown.label(), shown(prediction.strain)};
 }
 
 Abscissa against_time(const Prediction& prediction) {
@@ -32,9 +32,11 @@ Abscissa against_time(const Prediction& prediction) {
 }  // namespace
 
 Figure residual_figure(const ResultExperiment& experiment, const Prediction& prediction,
-                       ResidualAbscissa abscissa, std::size_t budget) {
+                       ResidualAbscissa abscissa, std::optional<MembraneMeasure> membrane,
+                       std::size_t budget) {
   const bool by_strain = abscissa == ResidualAbscissa::strain;
-  const Abscissa x = by_strain ? against_strain(experiment, prediction) : against_time(prediction);
+  const Abscissa x =
+      by_strain ? against_strain(experiment, prediction, membrane) : against_time(prediction);
   std::vector<double> residuals;
   for (std::size_t row = 0; row < prediction.rows(); ++row) {
     // A row that was not used must not use up the budget as an extreme.
@@ -64,8 +66,8 @@ Figure residual_figure(const ResultExperiment& experiment, const Prediction& pre
   if (!outlier_xs.empty()) figure.traces.push_back(trace(kOutlier, outlier_xs, outlier_ys));
   figure.layout = base_layout();
   figure.layout["xaxis"] = axis(x.label, /*compact=*/true);
-  figure.layout["yaxis"] =
-      axis({"Residual", quantity_label(experiment.quantity).unit}, /*compact=*/true);
+  set_readable_axis(figure, 'y', {"Residual", quantity_label(experiment.quantity).unit},
+                    /*compact=*/true);
   figure.layout["yaxis"]["nticks"] = 6;
   figure.description = std::string("Measured minus predicted against ") +
                        (by_strain ? "strain" : "time") + ", " + experiment.name;

@@ -9,6 +9,8 @@
 #include "pliant/base/errors.h"
 #include "pliant/material/material.h"
 #include "pliant/report/json_reader.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant::report {
 namespace {
@@ -51,6 +53,22 @@ DataDigest read_data(const JsonReader& json) {
   return {json.text("experiment"), json.text("file"), json.text("sha256")};
 }
 
+std::optional<MembraneMeasure> read_membrane(const JsonReader& json) {
+  if (!json.has("membrane")) return std::nullopt;
+  const std::string name = json.text("membrane");
+  const MembraneMeasure measure = membrane_measure(name);
+  if (name != name_of(measure)) {
+    json.fail("membrane", "unknown measure `" + name + "`", "stvk, soft-constraint or spring");
+  }
+  return measure;
+}
+
+ResultFigure read_figure(const JsonReader& json) {
+  return {json.text("component"), json.text("name"),    json.text("unit"),
+          json.number("value"),   json.number("at"),    json.number("std_error"),
+          json.number("lower"),   json.number("upper"), json.flag_or("beyond_range", false)};
+}
+
 std::string read_skipped(const JsonReader& json) {
   return fmt::format("{}: the material has no {}", json.text("name"),
                      fmt::join(json.texts("missing"), ", "));
@@ -65,11 +83,15 @@ std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
 std::string noise_in_words(const std::optional<JsonReader>& json) {
   if (!json || !json->has("value")) return {};
   const std::string source = json->text_or("source", "");
-  const std::string unit = json->text_or("unit", "");
-  std::string text = fmt::format("{}: {:.2g} {}{}", json->text_or("quantity", "noise"),
-                                 *json->number("value"), unit, source.empty() ? "" : ", " + source);
+  const auto in_words = [unit = json->text_or("unit", "")](double value) {
+    const ReadableUnit readable = readable_unit(unit, value);
+    return format_significant(readable.factor * value, 2) + " " + readable.name;
+  };
+  std::string text =
+      fmt::format("{}: {}{}", json->text_or("quantity", "noise"), in_words(*json->number("value")),
+                  source.empty() ? "" : ", " + source);
   if (const auto floor = json->number("floor")) {
-    text += fmt::format("; neighbouring rows scatter by {:.2g} {}", *floor, unit);
+    text += fmt::format("; neighbouring rows scatter by {}", in_words(*floor));
   }
   return text;
 }
@@ -238,6 +260,8 @@ Results read_results(const std::filesystem::path& directory) {
   r.data = read_all(json, "data", read_data);
   r.density = json.number("density");
   r.seconds = json.number("seconds");
+  r.membrane = read_membrane(json);
+  r.figures = read_all(json, "figures", read_figure);
   r.converged = json.flag_or("converged", true);
   r.info = json.entries("info");
   r.conditions = json.entries("conditions");

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/material/material.h"
+
 namespace pliant::report {
 
 /// One estimated number as fit.json states it; values in `unit`.
@@ -104,6 +106,16 @@ struct ResultJudgement {
   std::vector<std::string> misses;  ///< experiments that are not accepted, the worst first
 };
 
+/// What a laboratory reads off the material; values in `unit` (SI).
+struct ResultFigure {
+  std::string component, name, unit;
+  std::optional<double> value, at, std_error, lower, upper;
+  bool beyond_range = false;
+
+  /// Whether its 95 % interval leaves out zero.
+  bool is_determined() const { return lower && upper && (*lower > 0 || *upper < 0); }
+};
+
 /// A file that was read, by its digest.
 struct DataDigest {
   std::string experiment, file, sha256;
@@ -114,7 +126,9 @@ struct Results {
   bool evaluation = false;
   std::string name, material, command, created, version, estimator;
   std::vector<DataDigest> data;
-  std::optional<double> density;  ///< kg/m^2
+  std::optional<double> density;            ///< kg/m^2
+  std::optional<MembraneMeasure> membrane;  ///< absent in results of earlier versions
+  std::vector<ResultFigure> figures;        ///< alike; in the order of the components' names
   std::optional<double> seconds;
   bool converged = true;
   std::vector<std::pair<std::string, std::string>> info, conditions;

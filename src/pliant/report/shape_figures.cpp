@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/report/readable_unit.h"
+
 namespace pliant::report {
 namespace {
 
@@ -135,7 +137,6 @@ Figure moment_figure(const StripShapes& shapes) {
   const bool rolled = !shapes.bent.empty();
   Figure figure = chosen_figure(shapes, &ShapeLine::curvature, &ShapeLine::moment, !rolled);
   figure.layout["xaxis"] = axis({"Curvature", "1/m"});
-  figure.layout["yaxis"] = axis({"Moment per width", "N"});
   if (!rolled) figure.layout["xaxis"]["range"] = range_of(shapes, &ShapeLine::curvature);
   const std::vector<double> settings = chosen_settings(shapes);
   for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -145,6 +146,7 @@ Figure moment_figure(const StripShapes& shapes) {
       figure.traces.push_back(trace(setting_style(i, text), path.curvature, path.moment));
     }
   }
+  set_readable_axis(figure, 'y', {"Moment per width", "N"});
   figure.description = "Moment over curvature of the strips";
   return figure;
 }

@@ -17,6 +17,7 @@ constexpr PrintSize kViewSize = {226, 190};
 constexpr PrintSize kPairSize = {345, 260};
 constexpr PrintSize kDistanceSize = {703, 150};
 constexpr std::size_t kMostViews = 24;
+constexpr std::size_t kViewsOfAPage = 9;
 
 std::string captioned(std::string_view caption, Figure figure, PrintSize size,
                       std::string_view css_class, const ResultExperiment& e, FigureSheet& figures) {
@@ -45,13 +46,15 @@ std::string views(const ResultExperiment& e, const StripShapes& shapes, FigureSh
   std::string html = figures.can_draw() ? legend_html(std::vector{kMeasuredShape, kPredictedShape})
                                         : std::string();
   html += "<div class=\"loops\">\n";
-  for (const double setting : settings) {
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const double setting = settings[i];
+    if (i == kViewsOfAPage) html += "</div>\n</div>\n<div>\n<div class=\"loops\">\n";
     Figure view = side_view(shapes, {setting}, /*compact=*/true);
     view.description += ", " + setting_text(shapes, setting) + ", " + e.name;
     html += captioned(escape_html(setting_text(shapes, setting)), std::move(view), kViewSize,
                       "figure-small", e, figures);
   }
-  html += "</div>\n";
+  html += "</div>\n</div>\n";
   if (all > settings.size()) {
     html += element("p", fmt::format("{} more are in {}.", all - settings.size(), e.shape_file));
   }

@@ -91,20 +91,26 @@ std::string graph(const ResultExperiment& e, const SheetSession& session, Figure
   return captioned(caption, figures.add(figure, "figure-tall"));
 }
 
+/// What stands with the heading on paper, and what may follow on the next page.
+struct SheetFigures {
+  std::string first, rest;
+};
+
 /// The figures of a sheet whose vertices were seen.
-std::string seen_sheet(const ReportData& data, const ResultExperiment& e,
-                       const SheetSession& session, FigureSheet& figures) {
+SheetFigures seen_sheet(const ReportData& data, const ResultExperiment& e,
+                        const SheetSession& session, FigureSheet& figures) {
   const int frame = most_distorted_frame(session.measured);
-  std::string html = view(data, e, session, frame, figures);
-  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
-  return html + "<div class=\"pair\">\n" + graph(e, session, figures) + residuals(session, frame) +
-         "</div>\n";
+  SheetFigures html{view(data, e, session, frame, figures), "<div class=\"together\">\n"};
+  if (figures.can_draw()) html.rest += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
+  html.rest += "<div class=\"pair\">\n" + graph(e, session, figures) + residuals(session, frame) +
+               "</div></div>\n";
+  return html;
 }
 
 /// Those of a strip, of which a tester saw force and extension alone.
-std::string strip(const ResultExperiment& e, const SheetSession& session, FigureSheet& figures) {
-  std::string html = graph(e, session, figures);
-  if (figures.can_draw()) html += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
+SheetFigures strip(const ResultExperiment& e, const SheetSession& session, FigureSheet& figures) {
+  SheetFigures html{graph(e, session, figures), ""};
+  if (figures.can_draw()) html.first += legend_html(std::vector{kMeasuredSheet, kPredictedSheet});
   return html;
 }
 
@@ -138,11 +144,13 @@ std::string about_loops(const Results& results, bool strips) {
 std::string sheet_part(const ReportData& data, std::size_t i, FigureSheet& figures) {
   const ResultExperiment& e = data.results.experiments[i];
   const SheetData& sheet = *data.sheets[i];
-  std::string html = "<article class=\"figure-block\">\n<h3>" + escape_html(e.name) + "</h3>\n";
+  std::string html = "<article class=\"figure-block\">\n<div class=\"together\">\n<h3>" +
+                     escape_html(e.name) + "</h3>\n";
   html += fmt::format("<p class=\"description\">{}</p>\n",
                       escape_html(description(e, sheet, data.results.evaluation)));
-  html += sheet.session.is_seen() ? seen_sheet(data, e, sheet.session, figures)
-                                  : strip(e, sheet.session, figures);
+  const auto [first, rest] = sheet.session.is_seen() ? seen_sheet(data, e, sheet.session, figures)
+                                                     : strip(e, sheet.session, figures);
+  html += first + "</div>\n" + rest;
   if (!e.handled.empty()) {
     html += "<h4>What was done with its data</h4>\n" + bullet_list(e.handled);
   }

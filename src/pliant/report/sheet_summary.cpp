@@ -157,14 +157,14 @@ void add_stiffness(HtmlTable& table, const Material& material, const std::string
   const bool known = std::ranges::any_of(
       parameters, [](const ResultParameter* p) { return p->fixed || p->identified; });
   const double unit = is_bending(component) ? kMicro : 1;
-  const StrainScale scale = strain_scale(component);
+  const ShownStrain shown(component, results.membrane);
   const std::optional<double> end = end_of(material.components.at(component));
   table.begin_row(known ? "" : "undetermined");
   table.cell(component_title(component));
   add_value(table, *parameters.front(), unit);
   if (parameters.size() > 1) {
     add_value(table, *parameters.back(), unit);
-    table.cell(end ? format_significant(scale.factor * *end, 2) + " " + scale.label.unit
+    table.cell(end ? format_significant(shown(*end), 2) + " " + shown.label().unit
                    : std::string(kNoValue));
   } else {
     for (const char* cell : {"the same", kNoValue, kNoValue}) table.cell(cell);

@@ -6,11 +6,12 @@
 
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
-#include "pliant/report/loop_figure.h"
+#include "pliant/report/material_table.h"
 #include "pliant/report/number_format.h"
+#include "pliant/report/page_budget.h"
+#include "pliant/report/page_one_loops.h"
+#include "pliant/report/readable_unit.h"
 #include "pliant/report/sections.h"
-#include "pliant/report/shape_figures.h"
-#include "pliant/report/sheet_figures.h"
 #include "pliant/report/sheet_summary.h"
 #include "pliant/report/verdict.h"
 
@@ -18,14 +19,9 @@ namespace pliant::report {
 namespace {
 
 // What fits one A4 page; the rest is counted and stands below it.
-constexpr std::size_t kMaxLoops = 4;
-constexpr std::size_t kMaxExperiments = 8;
-constexpr std::size_t kMaxFacts = 10;
 constexpr std::size_t kMaxListed = 4;
 constexpr std::size_t kMaxTextLength = 110;
 constexpr std::size_t kMaxNameLength = 22;
-constexpr std::size_t kLoopBudget = 200;
-constexpr int kPrintWidth = 703;  // A4 less its margins, at 96 px an inch
 
 /// Cut at a character's end: UTF-8 continuation bytes start with the bits 10.
 std::string shortened(const std::string& text, std::size_t length = kMaxTextLength) {
@@ -36,12 +32,11 @@ std::string shortened(const std::string& text, std::size_t length = kMaxTextLeng
 }
 
 std::vector<std::string> first_of(const std::vector<std::string>& texts, std::size_t count) {
+  const std::size_t named = texts.size() > count ? count - 1 : texts.size();
   std::vector<std::string> list;
-  for (std::size_t i = 0; i < std::min(count, texts.size()); ++i) {
-    list.push_back(shortened(texts[i], kMaxTextLength));
-  }
-  if (texts.size() > count) {
-    list.push_back(fmt::format("and {} more, listed below", texts.size() - count));
+  for (std::size_t i = 0; i < named; ++i) list.push_back(shortened(texts[i], kMaxTextLength));
+  if (texts.size() > named) {
+    list.push_back(fmt::format("and {} more, marked below", texts.size() - named));
   }
   return list;
 }
@@ -71,9 +66,11 @@ std::string sessions(const ReportData& data) {
                      data.is_of_strips() ? "rows" : "frames");
 }
 
-std::string facts(const ReportData& data) {
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+Facts all_facts(const ReportData& data) {
   const Results& results = data.results;
-  std::vector<std::pair<std::string, std::string>> all;
+  Facts all;
   if (results.density) {
     all.emplace_back("Area density", format_significant(1000.0 * *results.density, 3) + " g/m²");
   }
@@ -85,7 +82,11 @@ std::string facts(const ReportData& data) {
   }
   all.insert(all.end(), results.conditions.begin(), results.conditions.end());
   all.insert(all.end(), results.info.begin(), results.info.end());
-  all.resize(std::min(all.size(), kMaxFacts));
+  return all;
+}
+
+std::string facts(Facts all, std::size_t shown) {
+  all.resize(std::min(all.size(), shown));
   for (auto& [name, value] : all) {
     name = shortened(in_words(name), 24);
     value = shortened(value, 80);
@@ -93,110 +94,28 @@ std::string facts(const ReportData& data) {
   return fact_list(all);
 }
 
-/// Of each component the fitted experiment with the most points, in the order of first appearance.
-std::vector<std::size_t> representative_experiments(const Results& results) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < results.experiments.size(); ++i) {
-    const ResultExperiment& e = results.experiments[i];
-    const auto same = std::find_if(chosen.begin(), chosen.end(), [&](std::size_t c) {
-      return results.experiments[c].component == e.component;
-    });
-    if (same == chosen.end()) {
-      chosen.push_back(i);
-      continue;
-    }
-    const ResultExperiment& rival = results.experiments[*same];
-    const bool better =
-        e.validation != rival.validation ? rival.validation : e.points > rival.points;
-    if (better) *same = i;
-  }
-  if (results.judgement.misses.empty()) return chosen;
-  // What is missed most is shown first.
-  const auto worst = std::ranges::find(results.experiments, results.judgement.misses.front(),
-                                       &ResultExperiment::name);
-  if (worst == results.experiments.end()) return chosen;
-  const auto index = static_cast<std::size_t>(worst - results.experiments.begin());
-  std::erase(chosen, index);
-  chosen.insert(chosen.begin(), index);
-  return chosen;
-}
-
-PrintSize loop_print_size(std::size_t count) {
-  constexpr int kGap = 12;
-  constexpr int kWidest = 340;
-  constexpr int kHeight = 172;
-  const int columns = static_cast<int>(std::max<std::size_t>(count, 1));
-  return {std::min((kPrintWidth - (columns - 1) * kGap) / columns, kWidest), kHeight};
-}
-
-/// The small picture of an experiment: its loop, or its strips from the side.
-LoopFigure small_figure(const ReportData& data, std::size_t i) {
-  const ResultExperiment& e = data.results.experiments[i];
-  if (data.sheets[i]) {
-    LoopFigure sheet;
-    sheet.figure = sheet_figure(data.sheets[i]->session, /*compact=*/true);
-    sheet.figure.data_file = e.sheet_folder;
-    sheet.legend = {kMeasuredSheet, kPredictedSheet};
-    return sheet;
-  }
-  if (!data.shapes[i]) {
-    return loop_figure(e, data.predictions[i], {.budget = kLoopBudget, .compact = true});
-  }
-  const StripShapes& shapes = *data.shapes[i];
-  LoopFigure strips;
-  strips.figure = side_view(shapes, chosen_settings(shapes), /*compact=*/true);
-  strips.figure.data_file = e.shape_file;
-  strips.legend = {kMeasuredShape, kPredictedShape};
-  return strips;
-}
-
-/// Adds the styles of a figure that the legend does not have yet.
-void add_to_legend(const std::vector<SeriesStyle>& styles, std::vector<SeriesStyle>& legend) {
-  for (const SeriesStyle& style : styles) {
-    const bool known = std::any_of(legend.begin(), legend.end(), [&](const SeriesStyle& other) {
-      return std::string_view(other.group) == style.group;
-    });
-    if (!known) legend.push_back(style);
-  }
-}
-
-std::string loops(const ReportData& data, FigureSheet& figures) {
-  std::vector<std::size_t> chosen = representative_experiments(data.results);
-  const std::size_t components = chosen.size();
-  chosen.resize(std::min(components, kMaxLoops));
-  std::string cells;
-  std::vector<SeriesStyle> legend;
-  for (const std::size_t i : chosen) {
-    const ResultExperiment& e = data.results.experiments[i];
-    LoopFigure loop = small_figure(data, i);
-    loop.figure.print_size = loop_print_size(chosen.size());
-    add_to_legend(loop.legend, legend);
-    cells += fmt::format("<figure><figcaption><strong>{}</strong> {}</figcaption>\n{}</figure>\n",
-                         escape_html(component_title(e.component)), escape_html(e.name),
-                         figures.add(loop.figure, "figure-small"));
-  }
-  if (cells.empty()) return {};
-  return fmt::format(
-      "<section class=\"figure-block\"><h2>Measured and predicted</h2>\n{}"
-      "<div class=\"loops loops-{}\">\n{}</div>{}</section>\n",
-      figures.can_draw() ? legend_html(legend) : std::string(), chosen.size(), cells,
-      components > chosen.size()
-          ? element("p", fmt::format("{} more components below.", components - chosen.size()))
-          : std::string());
-}
-
 std::string pair(std::optional<double> measured, std::optional<double> predicted, int digits) {
+  constexpr double kNothing = 1e-6;  // of the larger: what rounding leaves of zero
   if (!measured && !predicted) return kNoValue;
-  return format_significant(measured, digits) + " / " + format_significant(predicted, digits);
+  const double nothing =
+      kNothing * std::max(std::abs(measured.value_or(0)), std::abs(predicted.value_or(0)));
+  const auto text = [&](std::optional<double> value) {
+    return format_significant(value && std::abs(*value) < nothing ? 0 : value, digits);
+  };
+  return text(measured) + " / " + text(predicted);
 }
 
-/// In N/m, or in uN m with its unit where a moment was measured.
+/// With its unit: of forces per width over extension, or of moments over curvature.
 std::string secant_pair(const LoopMeasures& measured, const LoopMeasures& predicted) {
-  if (!measured.secant_rigidity) return pair(measured.secant_modulus, predicted.secant_modulus, 3);
-  const auto micro = [](std::optional<double> rigidity) {
-    return rigidity ? std::optional<double>(1e6 * *rigidity) : std::nullopt;
+  const bool bent = measured.secant_rigidity.has_value();
+  const auto& from = bent ? measured.secant_rigidity : measured.secant_modulus;
+  const auto& to = bent ? predicted.secant_rigidity : predicted.secant_modulus;
+  if (!from && !to) return kNoValue;
+  const ReadableUnit unit = readable_unit(bent ? "N m" : "N/m", from ? *from : *to);
+  const auto shown = [&](std::optional<double> value) {
+    return value ? std::optional(unit.factor * *value) : std::nullopt;
   };
-  return pair(micro(measured.secant_rigidity), micro(predicted.secant_rigidity), 3) + " µN m";
+  return pair(shown(from), shown(to), 3) + " " + unit.name;
 }
 
 std::string percent_pair(std::optional<double> measured, std::optional<double> predicted) {
@@ -221,25 +140,25 @@ std::string elastic_error(const ResultExperiment& e) {
 
 /// What does not fit the table must not hide a large error.
 std::string hidden_experiments(const Results& results, std::size_t shown) {
+  if (shown == results.experiments.size()) return {};
   double largest = 0.0;
   for (std::size_t i = shown; i < results.experiments.size(); ++i) {
     largest = std::max(largest, results.experiments[i].rms_percent_of_peak.value_or(0.0));
   }
-  return element("p", fmt::format("{} more below, with RMS errors up to {} of peak.",
-                                  results.experiments.size() - shown, format_percent(largest)));
+  return fmt::format(" <small>{} more below, with RMS errors up to {} of peak</small>",
+                     results.experiments.size() - shown, escape_html(format_percent(largest)));
 }
 
-std::string experiment_table(const Results& results) {
+std::string experiment_table(const Results& results, std::size_t shown) {
   using Align = HtmlTable::Align;
   HtmlTable table({{"Experiment"},
                    {"Use"},
                    {"RMS error", Align::number, "of peak"},
                    {"without friction", Align::number, "best elastic curve"},
-                   {"Secant modulus (N/m)", Align::number, "measured / material"},
+                   {"Secant modulus", Align::number, "measured / material"},
                    {"Hysteresis ratio", Align::number, "measured / material"},
                    {"Loop loss", Align::number, "measured / material"}},
                   "compact");
-  const std::size_t shown = std::min(kMaxExperiments, results.experiments.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const ResultExperiment& e = results.experiments[i];
     const LoopMeasures measured = e.measured_loop.value_or(LoopMeasures{});
@@ -253,77 +172,11 @@ std::string experiment_table(const Results& results) {
     table.cell(pair(measured.hysteresis_ratio, predicted.hysteresis_ratio, 2));
     table.cell(percent_pair(measured.loop_loss, predicted.loop_loss));
   }
-  std::string html = "<section><h2>Agreement</h2>\n" + table.html();
-  if (shown < results.experiments.size()) html += hidden_experiments(results, shown);
-  return html +
-         "<p class=\"small\">RMS error: of the peak force, of the largest extension where "
-         "lengths are "
-         "measured, or of the mean overhang; where profiles are, the distance from the predicted "
-         "one. The rest: of the "
-         "largest load-unload cycle. Secant modulus: force per width at "
-         "the peak "
-         "over engineering strain; of bending, moment per width over curvature (µN m). Hysteresis "
-         "ratio: loading minus unloading force over their "
-         "mean, at "
-         "half the extension. Loop loss: work lost in the cycle over the work of loading it. "
-         "&ldquo;Fitted&rdquo; experiments shaped the material, &ldquo;predicted&rdquo; ones did "
-         "not.</p></section>\n";
-}
-
-struct StrainRange {
-  std::string component;
-  double low, high;
-};
-
-/// The strains that the data of each component cover; in an evaluation nothing is fitted, so all
-/// experiments count.
-std::vector<StrainRange> strain_ranges(const Results& results) {
-  std::vector<StrainRange> ranges;
-  for (const ResultExperiment& e : results.experiments) {
-    if (!e.strain_range || e.measures_sheets() || (e.validation && !results.evaluation)) continue;
-    const auto [low, high] = *e.strain_range;
-    const auto known = std::find_if(ranges.begin(), ranges.end(), [&](const StrainRange& range) {
-      return range.component == e.component;
-    });
-    if (known == ranges.end()) {
-      ranges.push_back({e.component, low, high});
-    } else {
-      known->low = std::min(known->low, low);
-      known->high = std::max(known->high, high);
-    }
-  }
-  return ranges;
-}
-
-/// Extension of a strip whose Green-Lagrange strain is E: sqrt(1 + 2E) - 1.
-std::string as_extension(const StrainRange& range) {
-  if (range.low < -0.5) return {};
-  const auto extension = [](double strain) {
-    return format_significant(100.0 * (std::sqrt(1.0 + 2.0 * strain) - 1.0), 2);
-  };
-  return fmt::format(", extension {} to {} %", extension(range.low), extension(range.high));
-}
-
-std::string validity(const ReportData& data) {
-  const bool green_lagrange = data.membrane == "stvk";
-  std::vector<std::string> lines;
-  bool membrane = false;
-  for (const StrainRange& range : strain_ranges(data.results)) {
-    membrane = membrane || !range.component.starts_with("bend");
-    const bool convertible = green_lagrange && range.component.starts_with("stretch");
-    lines.push_back(fmt::format("{}: {}{}", component_title(range.component),
-                                strain_range_text(range.component, range.low, range.high),
-                                convertible ? as_extension(range) : std::string()));
-  }
-  if (lines.empty()) return {};
-  std::string html =
-      "<section><h2>Range of validity</h2>\n" + bullet_list(first_of(lines, kMaxListed));
-  if (green_lagrange && membrane) {
-    html +=
-        "<p class=\"small\">Strain is Green-Lagrange strain: half of (stretch&sup2; &minus; 1)."
-        "</p>\n";
-  }
-  return html + "</section>\n";
+  return "<section><h2>Agreement" + hidden_experiments(results, shown) + "</h2>\n" + table.html() +
+         "<p class=\"small\">RMS error: of the peak force, largest extension or mean overhang; of "
+         "profiles their distance. Of the largest cycle: secant at the peak; loading minus "
+         "unloading force over their mean, at half the extension; work lost over work of "
+         "loading.</p></section>\n";
 }
 
 std::string not_determined(const ReportData& data) {
@@ -351,19 +204,21 @@ std::string doubts(const Results& results) {
 }
 
 std::string warnings(const Results& results) {
-  const std::vector<std::string> others(
-      results.warnings.begin() +
-          static_cast<std::ptrdiff_t>(std::min(results.questions.size(), results.warnings.size())),
-      results.warnings.end());
-  if (others.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
-  return "<section class=\"warnings\"><h2>Warnings</h2>\n" +
-         bullet_list(first_of(others, kMaxListed)) + "</section>\n";
+  const std::vector<std::string> first = warnings_of(results, /*on_page_one=*/true);
+  const std::size_t more = warnings_of(results, /*on_page_one=*/false).size();
+  if (first.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
+  return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(first) +
+         (more > 0 ? element("p", fmt::format("{} more below.", more)) : std::string()) +
+         "</section>\n";
+}
+
+std::string details(const ReportData& data) {
+  return shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(data.results), 560);
 }
 
 std::string headline(const ReportData& data) {
   const ResultJudgement& judgement = data.results.judgement;
-  const std::string details = data.is_of_sheets() ? sheet_verdict(data) : verdict(data.results);
-  const std::string text = escape_html(shortened(details, 560));
+  const std::string text = escape_html(details(data));
   if (judgement.headline.empty()) return fmt::format("<p class=\"verdict\">{}</p>\n", text);
   return fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n", judgement.fitness,
                      escape_html(judgement.headline), text);
@@ -400,14 +255,15 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html += "</h1></header>\n";
   html += headline(data);
   html += doubts(results);
-  html += facts(data);
-  html += data.is_of_sheets() ? sheet_findings(data, figures)
-                              : loops(data, figures) + experiment_table(results);
-  // Sessions have no range of one strain; the warnings take its place.
-  const std::string last = warnings(results);
-  html += "<div class=\"columns\">\n" + (data.is_of_sheets() ? last : validity(data)) +
-          not_determined(data) + "</div>\n";
-  if (!data.is_of_sheets()) html += last;
+  const Facts fabric = all_facts(data);
+  const PageBudget budget =
+      page_budget(results, results.judgement.headline.size() + details(data).size(), fabric.size());
+  html += facts(fabric, budget.facts);
+  html += data.is_of_sheets()
+              ? sheet_findings(data, figures)
+              : page_one_loops(data, budget.loops, budget.height_of_loops, figures) +
+                    material_table(results) + experiment_table(results, budget.experiments);
+  html += "<div class=\"columns\">\n" + warnings(results) + not_determined(data) + "</div>\n";
   html += kSignature;
   html += fmt::format("<p class=\"small\">{}</p>\n", escape_html(identity(results)));
   return html + "</section>\n";

@@ -244,6 +244,17 @@ std::vector<std::string> undetermined_with_reasons(const Results& results) {
   return items;
 }
 
+std::vector<std::string> warnings_of(const Results& results, bool on_page_one) {
+  constexpr std::size_t kOnPageOne = 4;
+  const std::size_t all = results.warnings.size();
+  const std::size_t first = std::min(results.questions.size(), all);
+  const std::size_t last = std::min(first + kOnPageOne, all);
+  const auto at = [&](std::size_t i) {
+    return results.warnings.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  return on_page_one ? std::vector(at(first), at(last)) : std::vector(at(last), at(all));
+}
+
 std::string verdict(const Results& results) {
   std::string text;
   if (!results.converged) {

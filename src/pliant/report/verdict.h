@@ -21,6 +21,10 @@ std::vector<std::string> undetermined_with_reasons(const Results& results);
 /// about friction, whether it was fitted or not.
 std::vector<std::string> loading_only_components(const Results& results);
 
+/// The warnings beside the questions: the first of them, which stand on page one, or the others, so
+/// that each comes once.
+std::vector<std::string> warnings_of(const Results& results, bool on_page_one);
+
 /// The judgement that the numbers allow, in one to four plain sentences.
 std::string verdict(const Results& results);
 

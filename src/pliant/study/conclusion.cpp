@@ -1,5 +1,8 @@
 #include "pliant/study/conclusion.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "pliant/estimation/judgement.h"
 #include "pliant/estimation/number_errors.h"
 #include "pliant/io/digest.h"
@@ -19,17 +22,31 @@ std::vector<DataFile> data_of(const Study& study) {
   return data;
 }
 
+/// Components in the order of their names' list, as tables show them.
+void order_figures(std::vector<LabFigure>& figures) {
+  const std::vector<std::string>& names = cloth_component_names();
+  std::ranges::stable_sort(figures, {}, [&](const LabFigure& figure) {
+    return std::ranges::find(names, figure.component) - names.begin();
+  });
+}
+
 }  // namespace
 
 void conclude_fit(const Study& study, StudyResult& result) {
   state_errors(result.parameters, study.model.isotropic, result.material);
   result.data = data_of(study);
   result.judgement = judge(result, study.accept, /*evaluation=*/false);
+  order_figures(result.figures);
 }
 
 void conclude_evaluation(const Study& study, StudyResult& result) {
   result.data = data_of(study);
   result.judgement = judge(result, study.accept, /*evaluation=*/true);
+  for (const auto& [name, component] : result.material.components) {
+    if (component.status != ComponentStatus::measured || !component.stiffness) continue;
+    std::ranges::move(lab_figures(result.material, name, {}), std::back_inserter(result.figures));
+  }
+  order_figures(result.figures);
 }
 
 }  // namespace pliant

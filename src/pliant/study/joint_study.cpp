@@ -295,6 +295,9 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
     if (component.problem) add_component(component, result);
   }
   add_sheets(sheets, uncertainty, data, std::move(predictions), result);
+  for (const ComponentWork& component : works) {
+    if (component.problem) add_figures(component, result.material, result);
+  }
   warn_of_unmatched_options(study.fit, result);
   result.stages.push_back({"all", "together", "times the noise", joint.rms, true});
   result.assumptions.push_back(about_everything(study, layout.problem.experiments.size()));

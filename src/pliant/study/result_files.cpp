@@ -121,6 +121,24 @@ Json experiment_json(const ExperimentResult& e) {
   return json;
 }
 
+/// Grades and intervals are null where no error is known.
+Json figure_json(const LabFigure& figure) {
+  Json json{{"component", figure.component},
+            {"name", figure.name},
+            {"value", number(figure.value)},
+            {"unit", figure.unit},
+            {"at", number(figure.at)},
+            {"std_error", nullptr},
+            {"lower", nullptr},
+            {"upper", nullptr},
+            {"beyond_range", figure.beyond_range}};
+  if (!figure.error) return json;
+  json["std_error"] = number(figure.error->std_error);
+  json["lower"] = number(figure.value - figure.error->half_width);
+  json["upper"] = number(figure.value + figure.error->half_width);
+  return json;
+}
+
 Json judgement_json(const Judgement& judgement) {
   Json json{{"fitness", name_of(judgement.fitness)},
             {"headline", judgement.headline},
@@ -347,6 +365,9 @@ std::string summary_text(const StudyResult& result, const RunFacts& facts, bool 
   for (const ExperimentResult& e : result.experiments) {
     json["experiments"].push_back(experiment_json(e));
   }
+  json["membrane"] = name_of(result.material.membrane);
+  json["figures"] = Json::array();
+  for (const LabFigure& figure : result.figures) json["figures"].push_back(figure_json(figure));
   if (fitted) add_searches(result, json);
   json["judgement"] = judgement_json(result.judgement);
   json["undetermined"] = result.undetermined;

@@ -21,6 +21,7 @@
 #include "pliant/estimation/sheet/sheet_plan.h"
 #include "pliant/estimation/sheet/sheet_uncertainty.h"
 #include "pliant/estimation/stated_options.h"
+#include "pliant/experiment/strain_words.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/io/digest.h"
 #include "pliant/material/bending_conversion.h"
@@ -49,11 +50,15 @@ std::string loops_together(const SheetUncertainty& fit, std::size_t cord) {
                      fit.values(all).sum(), std::sqrt(fit.uncertainty.covariance(all, all).sum()));
 }
 
-ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
+ParameterEstimate estimate_of(const SheetUncertainty& fit, MembraneMeasure measure,
+                              Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   const Unknown& unknown = fit.unknowns[index];
   ParameterEstimate estimate = estimate_of(fit.unknowns, fit.values, fit.uncertainty, i);
-  if (unknown.strain) estimate.note = fmt::format("at strain {:.3g}; ", *unknown.strain);
+  if (unknown.strain) {
+    estimate.note =
+        fmt::format("at {}; ", strain_in_words(estimate.owner, *unknown.strain, measure));
+  }
   if (fit.mesh_error.size() > 0 && !unknown.fixed) {
     estimate.note += fmt::format("{:.2g} of the error by the mesh; ", std::abs(fit.mesh_error(i)));
   }
@@ -62,15 +67,18 @@ ParameterEstimate estimate_of(const SheetUncertainty& fit, Eigen::Index i) {
   return estimate;
 }
 
-void add_curves(const SheetFit& fit, const SheetUncertainty& uncertainty, StudyResult& result) {
+void add_curves_and_figures(const SheetFit& fit, const SheetUncertainty& uncertainty,
+                            StudyResult& result) {
   Eigen::Index first = 0;
   for (const ComponentGroup& group : fit.groups) {
     const ComponentLaw law = law_of(fit.material, group);
     const Eigen::Index count = law.parameter_count();
     const double largest = largest_strain(fit, group);
     for (const std::string& component : group) {
-      result.curves.push_back(
-          component_curve(component, law, largest, band_of(uncertainty.uncertainty, first)));
+      const ErrorOfLaw error_of = errors_of_law(uncertainty.uncertainty, first);
+      result.curves.push_back(component_curve(component, law, largest, error_of));
+      std::ranges::move(lab_figures(fit.material, component, error_of),
+                        std::back_inserter(result.figures));
     }
     first += count;
   }
@@ -283,7 +291,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   result.stages.insert(result.stages.end(), fit.stages.begin(), fit.stages.end());
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
-    ParameterEstimate estimate = estimate_of(uncertainty, i);
+    ParameterEstimate estimate = estimate_of(uncertainty, fit.material.membrane, i);
     const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;
     (cord ? result.nuisance : result.parameters).push_back(std::move(estimate));
   }
@@ -291,7 +299,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   result.material = fit.material;
   warn_of_missing_frames(predictions, result);
   std::ranges::move(predictions, std::back_inserter(result.experiments));
-  add_curves(fit, uncertainty, result);
+  add_curves_and_figures(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {
     if (component.status == ComponentStatus::assumed) {
       result.undetermined.push_back(name + ": no experiment tells it; a guess stands in its place");

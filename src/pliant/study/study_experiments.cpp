@@ -20,6 +20,7 @@ StudyResult describe(const Study& study) {
   result.density = study.density;
   result.info = study.info;
   result.conditions = study.conditions;
+  result.material.membrane = study.model.membrane;
   result.estimator = study.fit.estimator;
   if (study.density > 0) {
     Plausibility cloth;

@@ -91,6 +91,9 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
+  for (const ComponentWork& work : works) {
+    if (work.problem) add_figures(work, result.material, result);
+  }
   result.seconds = watch.seconds();
   return result;
 }

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "pliant/estimation/statistics/curve_band.h"
+#include "pliant/estimation/statistics/curve_error.h"
 #include "pliant/math/quantiles.h"
 
 #include "estimation/statistics/synthetic_fit.h"
@@ -81,8 +81,8 @@ TEST(Covariance, SaysWhichDirectionTheDataDoesNotSee) {
   EXPECT_TRUE(std::isnan(errors.sd(0)));
   EXPECT_TRUE(std::isnan(errors.half_width(1)));
   EXPECT_TRUE(std::isfinite(errors.sd(2)));
-  EXPECT_TRUE(band_half_width(Eigen::Vector3d(1, 1, 0.5), errors, unit));
-  EXPECT_FALSE(band_half_width(Eigen::Vector3d(1, 0, 0.5), errors, unit));
+  EXPECT_TRUE(curve_error(Eigen::Vector3d(1, 1, 0.5), errors, unit));
+  EXPECT_FALSE(curve_error(Eigen::Vector3d(1, 0, 0.5), errors, unit));
 }
 
 // Units of the unknowns are as different as N/m and rad.
@@ -198,11 +198,11 @@ TEST(CurveBand, IsStudentsIntervalOfTheCurve) {
   const Eigen::Vector2d unit(1, 1), at(1, 2);
   const ParameterErrors errors = parameter_errors(line.sums, unit, {28});
   const double sd = std::sqrt(at.dot(errors.covariance * at));
-  const double half_width = *band_half_width(at, errors, unit);
+  const double half_width = curve_error(at, errors, unit)->half_width;
   const auto [fewest, most] = std::minmax(errors.degrees(0), errors.degrees(1));
   EXPECT_LE(half_width, student_quantile_95(fewest) * sd * (1 + kRounding));
   EXPECT_GE(half_width, student_quantile_95(most) * sd * (1 - kRounding));
-  EXPECT_EQ(*band_half_width(Eigen::Vector2d(0, 0), errors, unit), 0);
+  EXPECT_EQ(curve_error(Eigen::Vector2d(0, 0), errors, unit)->half_width, 0);
 }
 
 }  // namespace

@@ -1,0 +1,236 @@
+#include "pliant/report/material_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pliant/report/html.h"
+#include "pliant/report/labels.h"
+#include "pliant/report/number_format.h"
+#include "pliant/report/readable_unit.h"
+#include "pliant/report/verdict.h"
+
+namespace pliant::report {
+namespace {
+
+using Align = HtmlTable::Align;
+
+struct StrainRange {
+  std::string component;
+  double low, high;
+};
+
+/// The strains that the data of each component cover; in an evaluation nothing is fitted, so all
+/// experiments count.
+std::vector<StrainRange> strain_ranges(const Results& results) {
+  std::vector<StrainRange> ranges;
+  for (const ResultExperiment& e : results.experiments) {
+    if (!e.strain_range || e.measures_sheets() || (e.validation && !results.evaluation)) continue;
+    const auto [low, high] = *e.strain_range;
+    const auto known = std::ranges::find(ranges, e.component, &StrainRange::component);
+    if (known == ranges.end()) {
+      ranges.push_back({e.component, low, high});
+    } else {
+      known->low = std::min(known->low, low);
+      known->high = std::max(known->high, high);
+    }
+  }
+  return ranges;
+}
+
+/// The components of one kind that have figures or data, in the order of a cloth's components.
+std::vector<std::string> components_of(const Results& results, bool bending) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (is_bending(name) == bending && std::ranges::find(names, name) == names.end()) {
+      names.push_back(name);
+    }
+  };
+  for (const ResultFigure& figure : results.figures) add(figure.component);
+  for (const StrainRange& range : strain_ranges(results)) add(range.component);
+  return names;
+}
+
+/// Laboratories count rigidities in µN m, moments per width in mN and lengths in mm.
+ReadableUnit lab_unit(std::string_view unit, double largest) {
+  const auto starting_with = [&](std::string_view lab, double factor) {
+    const ReadableUnit readable = readable_unit(lab, factor * largest);
+    return ReadableUnit{readable.name, factor * readable.factor};
+  };
+  if (unit == "N m") return starting_with("µN m", 1e6);
+  if (unit == "N") return starting_with("mN", 1e3);
+  if (unit == "m") return {"mm", 1e3};
+  return readable_unit(unit, largest);
+}
+
+/// A column of figures that have one name and one unit.
+class FigureColumn {
+ public:
+  FigureColumn(const Results& results, std::string_view name, bool last_of_name = false)
+      : results_(results), name_(name), last_(last_of_name) {
+    double largest = 0;
+    std::string_view si;
+    for (const ResultFigure& figure : results.figures) {
+      if (figure.name != name_) continue;
+      largest = std::max(largest, std::abs(figure.value.value_or(0)));
+      si = figure.unit;
+    }
+    unit_ = lab_unit(si, largest);
+  }
+
+  const std::string& unit() const { return unit_.name; }
+
+  /// `93.4 ± 2.0`; in brackets what is not determined; nothing of a component without the figure.
+  std::string cell(const std::string& component) const {
+    const ResultFigure* figure = find(component);
+    if (!figure || !figure->value) return {};
+    return number(*figure) + (figure->beyond_range ? "*" : "") + place(*figure);
+  }
+
+ private:
+  const ResultFigure* find(const std::string& component) const {
+    const ResultFigure* found = nullptr;
+    for (const ResultFigure& figure : results_.figures) {
+      if (figure.component != component || figure.name != name_) continue;
+      if (!found || last_) found = &figure;
+    }
+    return found;
+  }
+
+  std::string number(const ResultFigure& figure) const {
+    const double value = unit_.factor * *figure.value;
+    const double error = unit_.factor * figure.std_error.value_or(0);
+    if (results_.evaluation || (figure.std_error && error == 0)) {
+      return format_significant(value, 3);
+    }
+    if (!figure.is_determined()) return fmt::format("({})", format_significant(value, 2));
+    const UncertainFormat format(value, error);
+    return fmt::format("{} ± {}", format(value), format(error));
+  }
+
+  static std::string place(const ResultFigure& figure) {
+    if (!figure.at || figure.name == "secant_rigidity") return {};
+    if (figure.component == "shear") {
+      return fmt::format(" at {}°", format_significant(*figure.at * 180 / std::numbers::pi, 2));
+    }
+    return fmt::format(" at {} %", format_significant(100 * *figure.at, 2));
+  }
+
+  const Results& results_;
+  std::string name_;
+  bool last_;
+  ReadableUnit unit_;
+};
+
+/// What stands where a component has no friction.
+std::string without_friction(const Results& results, const std::string& component) {
+  const std::vector<std::string> loading_only = loading_only_components(results);
+  return std::ranges::find(loading_only, component) != loading_only.end() ? "not determined"
+                                                                          : kNoValue;
+}
+
+std::string or_none(std::string cell) { return cell.empty() ? std::string(kNoValue) : cell; }
+
+/// The range of the data as its column says it, and that of the Green strain in a column of its
+/// own.
+void add_range(const Results& results, const std::string& component, HtmlTable& table) {
+  const std::vector<StrainRange> ranges = strain_ranges(results);
+  const auto range = std::ranges::find(ranges, component, &StrainRange::component);
+  if (range == ranges.end()) {
+    for (int i = 0; i < (is_bending(component) ? 1 : 2); ++i) table.cell(kNoValue);
+    return;
+  }
+  const auto [text, green] =
+      strain_range_texts(component, results.membrane, range->low, range->high);
+  table.cell(component == "shear" ? "shear strain " + text : text);
+  if (!is_bending(component)) table.cell(green.empty() ? kNoValue : green);
+}
+
+std::string membranes(const Results& results) {
+  const std::vector<std::string> components = components_of(results, /*bending=*/false);
+  if (components.empty()) return {};
+  const FigureColumn rest(results, "stiffness_at_rest"), secant(results, "secant_modulus"),
+      end(results, "secant_modulus", /*last_of_name=*/true), loop(results, "loop_width");
+  HtmlTable table({{"Stretch, shear"},
+                   {"At rest", Align::number, rest.unit()},
+                   {"Secant modulus", Align::number, secant.unit()},
+                   {"At the end", Align::number, end.unit()},
+                   {"Loop width", Align::number, loop.unit()},
+                   {"Range", Align::unit, strain_name("stretch", results.membrane)},
+                   {"Green strain", Align::unit}},
+                  "compact");
+  for (const std::string& component : components) {
+    table.begin_row();
+    table.cell(component_title(component));
+    for (const FigureColumn* column : {&rest, &secant, &end}) {
+      table.cell(or_none(column->cell(component)));
+    }
+    const std::string friction = loop.cell(component);
+    table.cell(friction.empty() ? without_friction(results, component) : friction);
+    add_range(results, component, table);
+  }
+  return table.html();
+}
+
+std::string bends(const Results& results) {
+  const std::vector<std::string> components = components_of(results, /*bending=*/true);
+  if (components.empty()) return {};
+  const FigureColumn rest(results, "rigidity_at_rest"), end(results, "secant_rigidity"),
+      b(results, "kes_B"), loop(results, "kes_2HB"), length(results, "bending_length");
+  HtmlTable table({{"Bending"},
+                   {"At rest", Align::number, rest.unit()},
+                   {"At the end", Align::number, end.unit()},
+                   {"B", Align::number, b.unit()},
+                   {"2HB", Align::number, loop.unit()},
+                   {"Bending length", Align::number, length.unit()},
+                   {"Range", Align::unit, "curvature"}},
+                  "compact");
+  for (const std::string& component : components) {
+    table.begin_row();
+    table.cell(component_title(component));
+    for (const FigureColumn* column : {&rest, &end, &b}) {
+      table.cell(or_none(column->cell(component)));
+    }
+    const std::string friction = loop.cell(component);
+    table.cell(friction.empty() ? without_friction(results, component) : friction);
+    table.cell(or_none(length.cell(component)));
+    add_range(results, component, table);
+  }
+  return table.html();
+}
+
+std::string notes(const Results& results, bool bending) {
+  std::string text = results.evaluation
+                         ? "Of the material; its errors stand in the report of its fit."
+                         : "± standard error; in brackets: not determined by the data.";
+  if (!components_of(results, /*bending=*/false).empty()) {
+    text +=
+        " Stiffness: force per width over extension while first loaded (N/m = cN/cm), of shear "
+        "stress over strain; loop width: friction, at half of the range.";
+  }
+  if (bending) {
+    text +=
+        " Bending: moment per width over curvature; B and 2HB (friction) as the Kawabata tester "
+        "prints them: 1 µN m = 0.0102 gf cm²/cm, 1 mN = 0.102 gf cm/cm.";
+  }
+  const bool beyond = std::ranges::any_of(
+      results.figures, [](const ResultFigure& figure) { return figure.beyond_range; });
+  return text + (beyond ? " * read off the law beyond the range of the data." : "");
+}
+
+}  // namespace
+
+std::string material_table(const Results& results) {
+  if (results.figures.empty()) return {};  // of an earlier version
+  const std::string bending = bends(results);
+  const std::string tables = membranes(results) + bending;
+  if (tables.empty()) return {};
+  return "<section><h2>Material</h2>\n" + tables + "<p class=\"small\">" +
+         notes(results, !bending.empty()) + "</p></section>\n";
+}
+
+}  // namespace pliant::report

@@ -71,6 +71,11 @@ TEST(Judgement, OfAStripThatHangsCountsWhatIsBetterThanNoStiffness) {
               HasSubstr("36 % of what a strip without stiffness leaves is explained"));
 }
 
+TEST(Judgement, TellsSmallForcesInMillinewtons) {
+  const Judgement judgement = judge(result_of({pulled("a", 0.0055, 0.001)}), {}, false);
+  EXPECT_THAT(judgement.headline, HasSubstr("the measured span of 5.5 mN is predicted as 1 mN"));
+}
+
 TEST(Judgement, NamesTheComponentsThatAMaterialIsNotFitFor) {
   ExperimentResult bent = pulled("bent", 5, 1), stretched = pulled("stretched", 5, 5);
   bent.component = "bend.warp";

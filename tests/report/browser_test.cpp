@@ -230,6 +230,21 @@ TEST_F(BrowserReport, HasAPageOneOfOnePage) {
   }
 }
 
+// The style sheet keeps `.together` on one page of paper.
+TEST_F(BrowserReport, KeepsHeadingsWithTheirFiguresOnPaper) {
+  const std::string html = when_drawn(report(), R"(
+      const figures = [...document.querySelectorAll('#experiments .figure, #curves .figure')];
+      const kept = figures.filter((f) => f.closest('.together')?.querySelector('h3'));
+      const rules = [...document.styleSheets[0].cssRules].filter((r) => r instanceof CSSMediaRule);
+      const print = rules.find((r) => r.media.mediaText === 'print');
+      const avoids = [...print.cssRules].find((r) => r.selectorText?.includes('.together'));
+      document.body.dataset.loose = figures.length - kept.length;
+      document.body.dataset.avoids = avoids?.style.breakInside;)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document, HasSubstr("data-loose=\"0\""));
+  EXPECT_THAT(document, HasSubstr("data-avoids=\"avoid\""));
+}
+
 TEST_F(BrowserReport, FillsTheWidthOfPageOneWithItsLoops) {
   const std::string html = when_drawn(report(), R"(
       const figures = [...document.querySelectorAll('.page-one .figure')];

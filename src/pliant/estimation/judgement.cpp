@@ -42,7 +42,10 @@ struct Figure {
   std::string reason;
 };
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+std::string percent(double share) {
+  constexpr double kNothing = 1e-6;  // what rounding leaves of zero
+  return fmt::format("{:.2g} %", std::abs(share) < kNothing ? 0 : 100 * share);
+}
 
 // Of what the best model that knows nothing of the material leaves: where weight alone makes a
 // force, that is more than a constant.
@@ -59,8 +62,12 @@ std::string_view reference_of(const ExperimentResult& e) {
   return e.quantity.kind == "length" ? "the largest extension" : "the peak";
 }
 
-std::string with_unit(double value, const MeasuredQuantity& quantity) {
-  return fmt::format("{:.3g} {}", value * quantity.per_si, quantity.unit);
+/// Forces and moments per width below a tenth of a newton in mN, as reports have them.
+std::string with_unit(double value, double size, const MeasuredQuantity& quantity) {
+  constexpr double kSmall = 0.1;
+  const bool milli = quantity.unit == "N" && size * quantity.per_si < kSmall;
+  return fmt::format("{:.3g} {}", value * quantity.per_si * (milli ? 1e3 : 1),
+                     milli ? "mN" : quantity.unit);
 }
 
 ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) {
@@ -80,10 +87,10 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   if (rows.measured.size() > 2 && span_of(rows.measured) > 0) {
     const double measured = span_of(rows.measured), predicted = span_of(rows.predicted);
     own.span_ratio = predicted / measured;
-    figures.push_back(
-        {std::abs(*own.span_ratio - 1) / accept.span,
-         fmt::format("the measured span of {} is predicted as {}", with_unit(measured, e.quantity),
-                     with_unit(predicted, e.quantity))});
+    figures.push_back({std::abs(*own.span_ratio - 1) / accept.span,
+                       fmt::format("the measured span of {} is predicted as {}",
+                                   with_unit(measured, measured, e.quantity),
+                                   with_unit(predicted, measured, e.quantity))});
     own.explained = explained_share(e, rows);
     figures.push_back(
         {(1 - *own.explained) / accept.unexplained,

@@ -135,7 +135,8 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
 std::string sheet_curves(const ReportData& data, FigureSheet& figures) {
   const bool rubs = std::ranges::any_of(data.curves, has_friction);
   std::string html =
-      "<section id=\"curves\" class=\"figure-block\"><h2>Stress-strain curves</h2>\n"
+      "<section id=\"curves\" class=\"figure-block\"><div class=\"together\">"
+      "<h2>Stress-strain curves</h2>\n"
       "<p>The material at strains up to the largest in the fitted sheets, with a 95 % band. Where "
       "few elements stand below, the curve leans on few of them.";
   if (rubs) {
@@ -148,8 +149,11 @@ std::string sheet_curves(const ReportData& data, FigureSheet& figures) {
     html += legend_html(std::vector{kElastic, kPredictedLoad, kPredictedUnload});
   }
   html += "<div class=\"pair\">\n";
-  for (const ComponentCurve& curve : data.curves) html += sheet_curve_part(data, curve, figures);
-  return html + "</div></section>\n";
+  for (std::size_t i = 0; i < data.curves.size(); ++i) {
+    if (i == 2) html += "</div></div>\n<div><div class=\"pair\">\n";
+    html += sheet_curve_part(data, data.curves[i], figures);
+  }
+  return html + "</div></div></section>\n";
 }
 
 }  // namespace

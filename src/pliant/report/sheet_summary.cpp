@@ -10,6 +10,7 @@
 
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
+#include "pliant/report/material_table.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sheet_figures.h"
 #include "pliant/report/verdict.h"
@@ -377,8 +378,10 @@ std::string residual_table(const ReportData& data) {
 std::string sheet_findings(const ReportData& data, FigureSheet& figures) {
   const std::string friction = friction_table(data);
   const std::size_t most = friction.empty() ? kMostFigures : kMostBesideFriction;
-  return stiffness_table(data) + friction + residual_table(data) +
-         small_figures(data, most, figures) + search(data.results);
+  const std::string material =
+      data.results.evaluation ? material_table(data.results) : stiffness_table(data);
+  return material + friction + residual_table(data) + small_figures(data, most, figures) +
+         search(data.results);
 }
 
 }  // namespace pliant::report

@@ -383,7 +383,10 @@ void evaluate_sheets(const Study& study, const Material& material, const CordFri
     });
     if (drawn || row.component.empty()) continue;
     const ComponentLaw law = law_of(material, ComponentGroup{row.component});
-    result.curves.push_back(component_curve(row.component, law, row.strain_range.second, {}));
+    // What a session says of its strains is how far its clips have moved.
+    const auto& range = material.components.at(row.component).range;
+    const double largest = range ? range->second : row.strain_range.second;
+    result.curves.push_back(component_curve(row.component, law, largest, {}));
   }
 }
 

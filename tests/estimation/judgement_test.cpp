@@ -85,6 +85,16 @@ TEST(Judgement, NamesTheComponentsThatAMaterialIsNotFitFor) {
   EXPECT_THAT(judge(result_of({bent}), {}, false).headline, StartsWith("Not fit for use. bent: "));
 }
 
+// A loop that loses next to nothing is noise: a material without friction is fit for it.
+TEST(Judgement, ALoopThatIsHardlyOneIsNotMissed) {
+  ExperimentResult flat = pulled("flat", 5, 5), round = pulled("round", 5, 5);
+  flat.measured_loop = LoopMetrics{.loop_loss = 0.002};
+  round.measured_loop = LoopMetrics{.loop_loss = 0.2};
+  flat.predicted_loop = round.predicted_loop = LoopMetrics{};
+  EXPECT_EQ(judge(result_of({flat}), {}, false).fitness, Fitness::fit);
+  EXPECT_EQ(judge(result_of({round}), {}, false).fitness, Fitness::unfit);
+}
+
 TEST(Judgement, UpToThreeTimesWhatIsAcceptedIsAReservation) {
   const Judgement judgement = judge(result_of({pulled("a", 5, 6), pulled("b", 5, 5)}), {}, false);
   EXPECT_EQ(judgement.fitness, Fitness::reservations);

@@ -14,7 +14,8 @@
 namespace pliant {
 namespace {
 
-constexpr double kReservation = 3;  // times what is accepted: more is no use
+constexpr double kHardlyALoop = 0.02;  // of the work of loading: less is noise rather than friction
+constexpr double kReservation = 3;     // times what is accepted: more is no use
 
 /// Rows of a table that take part; empty where what is measured has no span of its own, such as
 /// distances from a profile and repeated readings.
@@ -99,11 +100,11 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
                      percent(1 - accept.unexplained))});
   }
   if (e.measured_loop && e.predicted_loop && e.measured_loop->loop_loss > 0) {
-    own.loop_ratio = e.predicted_loop->loop_loss / e.measured_loop->loop_loss;
+    const double measured = e.measured_loop->loop_loss, predicted = e.predicted_loop->loop_loss;
+    own.loop_ratio = predicted / measured;
     figures.push_back(
-        {std::abs(*own.loop_ratio - 1) / accept.loop,
-         fmt::format("the loop loses {}, predicted {}", percent(e.measured_loop->loop_loss),
-                     percent(e.predicted_loop->loop_loss))});
+        {std::abs(predicted - measured) / std::max(measured, kHardlyALoop) / accept.loop,
+         fmt::format("the loop loses {}, predicted {}", percent(measured), percent(predicted))});
   }
   for (Figure& figure : figures) {
     if (std::isnan(figure.excess)) figure.excess = INFINITY;

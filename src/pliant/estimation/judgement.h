@@ -13,7 +13,8 @@ struct StudyResult;
 struct Acceptance {
   double rms = 0.05;          ///< RMS error over the peak (the largest extension, the length)
   double span = 0.1;          ///< difference of the predicted span of what is measured from 1
-  double loop = 0.3;          ///< difference of the predicted loss of the loop from 1
+  double loop = 0.3;          ///< difference of the predicted loss of the loop from 1; of a loop
+                              ///< that loses less than 2 % as if it lost that
   double unexplained = 0.05;  ///< share of the variance of what is measured that is not predicted
 };
 

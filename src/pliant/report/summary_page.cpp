@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -138,15 +140,26 @@ std::string elastic_error(const ResultExperiment& e) {
   return kNoValue;
 }
 
+/// Those that are not accepted, the worst first, then the others as the study has them.
+std::vector<const ResultExperiment*> worst_first(const Results& results) {
+  std::vector<const ResultExperiment*> order;
+  for (const ResultExperiment& e : results.experiments) order.push_back(&e);
+  const auto& misses = results.judgement.misses;
+  std::ranges::stable_sort(order, {}, [&](const ResultExperiment* e) {
+    return std::ranges::find(misses, e->name) - misses.begin();
+  });
+  return order;
+}
+
 /// What does not fit the table must not hide a large error.
-std::string hidden_experiments(const Results& results, std::size_t shown) {
-  if (shown == results.experiments.size()) return {};
+std::string hidden_experiments(std::span<const ResultExperiment* const> hidden) {
+  if (hidden.empty()) return {};
   double largest = 0.0;
-  for (std::size_t i = shown; i < results.experiments.size(); ++i) {
-    largest = std::max(largest, results.experiments[i].rms_percent_of_peak.value_or(0.0));
+  for (const ResultExperiment* e : hidden) {
+    largest = std::max(largest, e->rms_percent_of_peak.value_or(0.0));
   }
   return fmt::format(" <small>{} more below, with RMS errors up to {} of peak</small>",
-                     results.experiments.size() - shown, escape_html(format_percent(largest)));
+                     hidden.size(), escape_html(format_percent(largest)));
 }
 
 std::string experiment_table(const Results& results, std::size_t shown) {
@@ -159,8 +172,9 @@ std::string experiment_table(const Results& results, std::size_t shown) {
                    {"Hysteresis ratio", Align::number, "measured / material"},
                    {"Loop loss", Align::number, "measured / material"}},
                   "compact");
-  for (std::size_t i = 0; i < shown; ++i) {
-    const ResultExperiment& e = results.experiments[i];
+  const std::vector<const ResultExperiment*> experiments = worst_first(results);
+  for (const ResultExperiment* experiment : std::span(experiments).first(shown)) {
+    const ResultExperiment& e = *experiment;
     const LoopMeasures measured = e.measured_loop.value_or(LoopMeasures{});
     const LoopMeasures predicted = e.predicted_loop.value_or(LoopMeasures{});
     table.begin_row();
@@ -172,9 +186,9 @@ std::string experiment_table(const Results& results, std::size_t shown) {
     table.cell(pair(measured.hysteresis_ratio, predicted.hysteresis_ratio, 2));
     table.cell(percent_pair(measured.loop_loss, predicted.loop_loss));
   }
-  return "<section><h2>Agreement" + hidden_experiments(results, shown) + "</h2>\n" + table.html() +
+  return "<section><h2>Agreement" + hidden_experiments(std::span(experiments).subspan(shown)) + "</h2>\n" + table.html() +
          "<p class=\"small\">RMS error: of the peak force, largest extension or mean overhang; of "
-         "profiles their distance. Of the largest cycle: secant at the peak; loading minus "
+         "profiles their distance. Of the largest cycle: secant from its foot to its peak; loading minus "
          "unloading force over their mean, at half the extension; work lost over work of "
          "loading.</p></section>\n";
 }

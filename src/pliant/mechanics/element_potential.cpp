@@ -37,13 +37,14 @@ struct ElementPotential<Measure>::Batch {
   Response response;
   Lane size;
 
+  /// @param differentiated  whether forces or stiffness will be asked for
   Batch(const ElementPotential& potential, int batch, const Configuration& configuration,
-        const double* history)
+        const double* history, bool differentiated = true)
       : positions(potential.gather(batch, configuration.positions.data())),
         strain(kLanes, Measure::kStrains),
         samples(potential.samples(batch, strain, history)),
         rests(potential.rests_near(batch, samples.last)),
-        kernel(rests.data(), positions),
+        kernel(rests.data(), positions, differentiated),
         response(Measure::kStrains),
         size(Eigen::Map<const Lane>(potential.sizes_.data() + kLanes * batch)) {
     strain = kernel.strain();
@@ -164,7 +165,8 @@ void ElementPotential<Measure>::evaluate(const Evaluation& at, Derivatives& deri
 template <class Measure>
 Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at,
                                                  const Derivatives& derivatives) const {
-  Batch elements(*this, batch, at.configuration, at.history);
+  const bool differentiated = derivatives.gradient || derivatives.hessian;
+  Batch elements(*this, batch, at.configuration, at.history, differentiated);
   law_at(at).add(elements.samples, at.time, elements.response);
   if (derivatives.gradient) {
     LanePositions<Measure> forces;
@@ -193,9 +195,53 @@ void ElementPotential<Measure>::scatter(int batch, const LanePositions<Measure>&
   }
 }
 
+// One strain whose own Hessian is left out: each stencil's blocks are those of one outer product.
+template <class Measure>
+void ElementPotential<Measure>::add_outer_products(int batch, const Lane& factor,
+                                                   const LanePositions<Measure>& gradient,
+                                                   const Evaluation& at, Hessian& hessian) const {
+  const int* entry = entries_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
+  for (int l = 0; l < kLanes; ++l) {
+    double g[Measure::kUnknowns], f[Measure::kUnknowns];
+    for (int k = 0; k < Measure::kUnknowns; ++k) {
+      g[k] = gradient(l, k);
+      f[k] = factor(l) * g[k];
+    }
+    const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
+    for (const auto& [i, j] : node_pairs<Measure>()) {
+      const int place = *entry++;
+      if (place >= 0) {
+        const double* const row = f + 3 * (place & 1 ? j : i);
+        const double* const column = g + 3 * (place & 1 ? i : j);
+        double* const block = hessian.matrix.block(place / 2).data();
+        for (int b = 0; b < 3; ++b) {
+          for (int a = 0; a < 3; ++a) block[3 * b + a] += row[a] * column[b];
+        }
+      } else if (place == kThroughClip) {
+        const Eigen::Matrix3d block = Eigen::Map<const Eigen::Vector3d>(f + 3 * i) *
+                                      Eigen::Map<const Eigen::RowVector3d>(g + 3 * j);
+        hessian.coordinates.add_coupling(at.configuration, nodes[static_cast<size_t>(i)],
+                                         nodes[static_cast<size_t>(j)], block, hessian.matrix);
+      }
+    }
+  }
+}
+
 template <class Measure>
 void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, const Evaluation& at,
                                             Hessian& hessian) const {
+  const LaneKernel<Measure>& kernel = elements.kernel;
+  if constexpr (requires(Lane factor, LanePositions<Measure> gradient) {
+                  kernel.outer_product(elements.response, elements.size, factor, gradient);
+                }) {
+    if (at.curvature == Curvature::convex) {
+      Lane factor;
+      LanePositions<Measure> gradient;
+      kernel.outer_product(elements.response, elements.size, factor, gradient);
+      add_outer_products(batch, factor, gradient, at, hessian);
+      return;
+    }
+  }
   LaneHessian<Measure> values;
   elements.kernel.hessian(elements.response, elements.size, at.curvature == Curvature::convex,
                           values);
@@ -241,18 +287,19 @@ Eigen::VectorXd ElementPotential<Measure>::initial_history(const Evaluation& at)
 }
 
 template <class Measure>
-double ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
+Energy ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
   constexpr int m = Measure::kStrains;
   const ParametricDensity& law = law_at(at);
-  return groups_.sum<double>([&](int batch) {
-    const Batch elements(*this, batch, at.configuration, at.history);
+  return groups_.sum<Energy>([&](int batch) -> Energy {
+    const Batch elements(*this, batch, at.configuration, at.history, false);
     double* own = next + Eigen::Index(kLanes) * columns() * batch;
     MutableLaneView(own, kLanes, m) = elements.strain;
     MutableLaneView(own + kLanes * m, kLanes, m) = elements.samples.last;
-    Lane work = Lane::Zero();
+    Lane stored = Lane::Zero(), work = Lane::Zero();
+    law.add_stored(elements.samples, stored);
     law.advance(elements.samples, at.time,
                 MutableLaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m), work);
-    return (elements.size * work).sum();
+    return {(elements.size * stored).sum(), (elements.size * work).sum()};
   });
 }
 

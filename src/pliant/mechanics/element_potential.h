@@ -33,7 +33,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
 
   Eigen::Index history_size() const override;
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
-  double advance(const Evaluation& at, double* next) const override;
+  Energy advance(const Evaluation& at, double* next) const override;
 
   std::shared_ptr<const ParametricDensity> law(const Eigen::VectorXd& all) const override;
   void add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
@@ -67,6 +67,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   Energy evaluate_batch(int batch, const Evaluation& at, const Derivatives& derivatives) const;
   static std::array<LanePositions<Measure>, Measure::kStrains> strain_gradients(
       const Batch& elements);
+  void add_outer_products(int batch, const Lane& factor, const LanePositions<Measure>& gradient,
+                          const Evaluation& at, Hessian& hessian) const;
   void add_hessian(int batch, const Batch& elements, const Evaluation& at, Hessian& hessian) const;
 
   std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches

@@ -12,20 +12,6 @@
 #include "pliant/mechanics/stvk_lanes.h"
 
 namespace pliant {
-namespace {
-
-// Where the block of a pair of points goes.
-constexpr int kNowhere = -1;      // one of the points is moved from outside
-constexpr int kThroughClip = -2;  // one of the points belongs to a free clip
-// Otherwise twice the number of the block, plus one when the pair stands in it transposed.
-
-Eigen::Matrix3d block_of(const auto& hessian, int lane, int pair) {
-  Eigen::Matrix3d block;
-  for (int k = 0; k < 9; ++k) block(k % 3, k / 3) = hessian(lane, 9 * pair + k);
-  return block;
-}
-
-}  // namespace
 
 template <class Measure>
 struct ElementPotential<Measure>::Batch {
@@ -91,8 +77,7 @@ std::vector<std::pair<int, int>> ElementPotential<Measure>::couplings() const {
 
 template <class Measure>
 void ElementPotential<Measure>::bind(const Coordinates& coordinates, const BlockPattern& pattern) {
-  entries_.clear();
-  entries_.reserve(points_.size() * kPairs<Measure>);
+  places_ = HessianPlaces<Measure>(points_, coordinates, pattern);
   groups_ = ElementGroups(batches(), [&](int batch, std::vector<int>& touched) {
     for (int l = 0; l < kLanes; ++l) {
       for (const int node : points_[static_cast<size_t>(kLanes * batch + l)]) {
@@ -102,21 +87,6 @@ void ElementPotential<Measure>::bind(const Coordinates& coordinates, const Block
       }
     }
   });
-  for (const auto& nodes : points_) {
-    for (const auto& [i, j] : node_pairs<Measure>()) {
-      const int p = nodes[static_cast<size_t>(i)], q = nodes[static_cast<size_t>(j)];
-      const int row = coordinates.row(p), column = coordinates.row(q);
-      if (coordinates.is_prescribed(p) || coordinates.is_prescribed(q)) {
-        entries_.push_back(kNowhere);
-      } else if (row < 0 || column < 0) {
-        entries_.push_back(kThroughClip);
-      } else if (row <= column) {
-        entries_.push_back(2 * pattern.find(row, column));
-      } else {
-        entries_.push_back(2 * pattern.find(column, row) + 1);
-      }
-    }
-  }
 }
 
 template <class Measure>
@@ -195,77 +165,25 @@ void ElementPotential<Measure>::scatter(int batch, const LanePositions<Measure>&
   }
 }
 
-// One strain whose own Hessian is left out: each stencil's blocks are those of one outer product.
-template <class Measure>
-void ElementPotential<Measure>::add_outer_products(int batch, const Lane& factor,
-                                                   const LanePositions<Measure>& gradient,
-                                                   const Evaluation& at, Hessian& hessian) const {
-  const int* entry = entries_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
-  for (int l = 0; l < kLanes; ++l) {
-    double g[Measure::kUnknowns], f[Measure::kUnknowns];
-    for (int k = 0; k < Measure::kUnknowns; ++k) {
-      g[k] = gradient(l, k);
-      f[k] = factor(l) * g[k];
-    }
-    const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
-    for (const auto& [i, j] : node_pairs<Measure>()) {
-      const int place = *entry++;
-      if (place >= 0) {
-        const double* const row = f + 3 * (place & 1 ? j : i);
-        const double* const column = g + 3 * (place & 1 ? i : j);
-        double* const block = hessian.matrix.block(place / 2).data();
-        for (int b = 0; b < 3; ++b) {
-          for (int a = 0; a < 3; ++a) block[3 * b + a] += row[a] * column[b];
-        }
-      } else if (place == kThroughClip) {
-        const Eigen::Matrix3d block = Eigen::Map<const Eigen::Vector3d>(f + 3 * i) *
-                                      Eigen::Map<const Eigen::RowVector3d>(g + 3 * j);
-        hessian.coordinates.add_coupling(at.configuration, nodes[static_cast<size_t>(i)],
-                                         nodes[static_cast<size_t>(j)], block, hessian.matrix);
-      }
-    }
-  }
-}
-
 template <class Measure>
 void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, const Evaluation& at,
                                             Hessian& hessian) const {
   const LaneKernel<Measure>& kernel = elements.kernel;
+  const bool convex = at.curvature == Curvature::convex;
   if constexpr (requires(Lane factor, LanePositions<Measure> gradient) {
                   kernel.outer_product(elements.response, elements.size, factor, gradient);
                 }) {
-    if (at.curvature == Curvature::convex) {
+    if (convex) {
       Lane factor;
       LanePositions<Measure> gradient;
       kernel.outer_product(elements.response, elements.size, factor, gradient);
-      add_outer_products(batch, factor, gradient, at, hessian);
+      places_.add_outer_products(batch, factor, gradient, points_, at.configuration, hessian);
       return;
     }
   }
   LaneHessian<Measure> values;
-  elements.kernel.hessian(elements.response, elements.size, at.curvature == Curvature::convex,
-                          values);
-  const int* entry = entries_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
-  for (int l = 0; l < kLanes; ++l) {
-    const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
-    int pair = 0;
-    for (const auto& [i, j] : node_pairs<Measure>()) {
-      const int place = *entry++;
-      const int p = pair++;
-      if (place >= 0) {
-        const Eigen::Matrix3d block = block_of(values, l, p);
-        if (place & 1) {
-          hessian.matrix.block(place / 2) += block.transpose();
-        } else {
-          hessian.matrix.block(place / 2) += block;
-        }
-      } else if (place == kThroughClip) {
-        hessian.coordinates.add_coupling(at.configuration, nodes[static_cast<size_t>(i)],
-                                         nodes[static_cast<size_t>(j)], block_of(values, l, p),
-                                         hessian.matrix);
-      }
-    }
-  }
+  kernel.hessian(elements.response, elements.size, convex, values);
+  places_.add(batch, values, points_, at.configuration, hessian);
 }
 
 template <class Measure>

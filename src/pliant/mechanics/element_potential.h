@@ -5,6 +5,7 @@
 #include "pliant/material/density/density.h"
 #include "pliant/mechanics/element_fields.h"
 #include "pliant/mechanics/element_groups.h"
+#include "pliant/mechanics/hessian_places.h"
 #include "pliant/mechanics/lane_kernel.h"
 #include "pliant/mechanics/parametric_potential.h"
 #include "pliant/mechanics/stencils.h"
@@ -67,8 +68,6 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   Energy evaluate_batch(int batch, const Evaluation& at, const Derivatives& derivatives) const;
   static std::array<LanePositions<Measure>, Measure::kStrains> strain_gradients(
       const Batch& elements);
-  void add_outer_products(int batch, const Lane& factor, const LanePositions<Measure>& gradient,
-                          const Evaluation& at, Hessian& hessian) const;
   void add_hessian(int batch, const Batch& elements, const Evaluation& at, Hessian& hessian) const;
 
   std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches
@@ -78,8 +77,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;
   std::vector<std::string> field_names_;
-  std::vector<int> entries_;  // of each pair of each stencil: see bind
-  ElementGroups groups_;      // of batches
+  HessianPlaces<Measure> places_;  // once bound
+  ElementGroups groups_;           // of batches
 };
 
 }  // namespace pliant

@@ -4,29 +4,26 @@
 
 namespace pliant {
 
-/// Eight vectors of space, one a lane. Their arithmetic is a few instructions: a call would cost
-/// more.
+/// Eight vectors of space, one a lane.
 struct LaneVector {
   Lane x, y, z;
 
-  [[gnu::always_inline]] friend inline LaneVector operator+(const LaneVector& a,
-                                                            const LaneVector& b) {
+  friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
-  [[gnu::always_inline]] friend inline LaneVector operator-(const LaneVector& a,
-                                                            const LaneVector& b) {
+  friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
-  [[gnu::always_inline]] friend inline LaneVector operator*(const Lane& f, const LaneVector& a) {
+  friend LaneVector operator*(const Lane& f, const LaneVector& a) {
     return {f * a.x, f * a.y, f * a.z};
   }
 };
 
-[[gnu::always_inline]] inline Lane dot(const LaneVector& a, const LaneVector& b) {
+inline Lane dot(const LaneVector& a, const LaneVector& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-[[gnu::always_inline]] inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
+inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 

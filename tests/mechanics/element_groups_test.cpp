@@ -86,7 +86,7 @@ Evaluated evaluated_by(int threads) {
     derivatives.hessian = &hessian;
     system.evaluate(at, {state}, Curvature::convex, derivatives);
     result.row_sums = hessian.matrix * Eigen::VectorXd::Ones(system.coordinates().unknowns());
-    result.work = system.advance_history(at, {state}, result.history);
+    result.work = system.advance_history(at, {state}, result.history).work;
   });
   return result;
 }

@@ -70,7 +70,7 @@ Eigen::VectorXd all_of(const System& system, const Configuration& at, double sca
   Derivatives derivatives{{}, &gradient, &hessian};
   system.evaluate(at, {state, parameters}, Curvature::exact, derivatives);
   Eigen::VectorXd history;
-  const double work = system.advance_history(at, {state, parameters}, history);
+  const double work = system.advance_history(at, {state, parameters}, history).work;
   const std::vector<int> by = system.all_parameters();
   Eigen::MatrixXd by_parameter = Eigen::MatrixXd::Zero(3 * system.points(), std::ssize(by));
   system.add_force_sensitivity(at, {state, parameters}, by,

@@ -60,7 +60,8 @@ inline double accept(const System& system, State& state, const Configuration& at
                      const StepTime& time = {}, const Parameters& parameters = kAsBuilt) {
   Eigen::VectorXd history;
   const double work =
-      system.advance_history(at, {.from = state, .parameters = parameters, .time = time}, history);
+      system.advance_history(at, {.from = state, .parameters = parameters, .time = time}, history)
+          .work;
   state.history = std::move(history);
   state.configuration = at;
   return work;

@@ -120,8 +120,8 @@ Eigen::VectorXd ObstacleContact::initial_history(const Evaluation& at) const {
   return history;
 }
 
-double ObstacleContact::advance(const Evaluation& at, double* next) const {
-  double work = 0;
+Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
+  Energy energy;
   for (size_t i = 0; i < points_.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     const Memory memory = Memory::read(at.history + Memory::kSize * index);
@@ -133,14 +133,16 @@ double ObstacleContact::advance(const Evaluation& at, double* next) const {
       const Eigen::Vector3d slip = plane * (memory.slip + position - memory.position);
       now.slip = elastic_slip(slip);
       now.slides = slip.norm() > kSlipLength;
-      now.normal_force = -stiffness_(index) * barrier(distance, thickness_).slope;
+      const Barrier pushed = barrier(distance, thickness_);
+      now.normal_force = -stiffness_(index) * pushed.slope;
+      energy.stored += stiffness_(index) * pushed.energy;
     }
     if (memory.normal_force > 0) {
-      work += slip_of(memory, position).energy - slip_of(memory, memory.position).energy;
+      energy.work += slip_of(memory, position).energy - slip_of(memory, memory.position).energy;
     }
     now.write(next + Memory::kSize * index);
   }
-  return work;
+  return energy;
 }
 
 double ObstacleContact::least_distance(const Eigen::Matrix3Xd& positions) const {

@@ -30,7 +30,7 @@ class ObstacleContact : public HistoryPotential {
 
   Eigen::Index history_size() const override;
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
-  double advance(const Evaluation& at, double* next) const override;
+  Energy advance(const Evaluation& at, double* next) const override;
 
   /// Of all its points (m); negative where one is inside.
   double least_distance(const Eigen::Matrix3Xd& positions) const;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 namespace pliant {
 namespace {
 
@@ -58,6 +56,35 @@ Quad quad(const Eigen::Vector3d& x) {
 }
 
 Eigen::Vector3d vector(const Quad& x) { return {x[0], x[1], x[2]}; }
+
+QuadBlock quad_block(const Eigen::Ref<const Eigen::Matrix3d>& m) {
+  return {{quad(m.col(0)), quad(m.col(1)), quad(m.col(2))}};
+}
+
+// L B R^T with lower triangular L and R.
+QuadBlock scaled_block(const QuadBlock& l, const QuadBlock& b, const QuadBlock& r) {
+  QuadBlock left;
+  for (int c = 0; c < 3; ++c) left.column[c] = product(l, b.column[c]);
+  QuadBlock result;
+  for (int c = 0; c < 3; ++c) {
+    result.column[c] = left.column[0] * spread(r.column[0], c);
+    for (int k = 1; k <= c; ++k) result.column[c] += left.column[k] * spread(r.column[k], c);
+  }
+  return result;
+}
+
+// C^-1 of C C^T = m, lower triangular.
+// @return whether m is positive definite and its factor finite
+bool invert_cholesky(const Eigen::Ref<const Eigen::Matrix3d>& m, Eigen::Matrix3d& inverse) {
+  const double d0 = m(0, 0), p0 = 1 / std::sqrt(d0);
+  const double l10 = m(1, 0) * p0, l20 = m(2, 0) * p0;
+  const double d1 = m(1, 1) - l10 * l10, p1 = 1 / std::sqrt(d1);
+  const double l21 = (m(2, 1) - l20 * l10) * p1;
+  const double d2 = m(2, 2) - l20 * l20 - l21 * l21, p2 = 1 / std::sqrt(d2);
+  if (!(d0 > 0 && d1 > 0 && d2 > 0)) return false;
+  inverse << p0, 0, 0, -l10 * p0 * p1, p1, 0, (l10 * l21 * p1 - l20) * p0 * p2, -l21 * p1 * p2, p2;
+  return inverse.allFinite();
+}
 
 }  // namespace
 
@@ -120,6 +147,7 @@ struct SsorCg::Scaled {
   struct Pass {
     int iterations = 0;
     bool positive = true;
+    double residual = 0;  // as the iteration carries it along
   };
   Pass correct(const Eigen::VectorXd& residual, double target, int max_iterations,
                Eigen::VectorXd& x) const {
@@ -144,6 +172,7 @@ struct SsorCg::Scaled {
       rr = next;
       ++pass.iterations;
     }
+    pass.residual = std::sqrt(rr);
     solve_upper(y, t);
     add_unscaled(t, x);
     return pass;
@@ -176,21 +205,18 @@ SsorCg::~SsorCg() = default;
 bool SsorCg::factorize(const BlockMatrix& matrix) {
   matrix_ = &matrix;
   const BlockPattern& pattern = matrix.pattern();
+  std::vector<QuadBlock> scales(static_cast<size_t>(pattern.size()));  // inverse_c
   for (int i = 0; i < pattern.size(); ++i) {
-    const Eigen::LLT<Eigen::Matrix3d> llt(matrix.block(pattern.diagonal(i)));
-    if (llt.info() != Eigen::Success) return false;
     Eigen::Matrix3d& inverse_c = scaled_->inverse_c[static_cast<size_t>(i)];
-    inverse_c = llt.matrixL().solve(Eigen::Matrix3d::Identity());
-    if (!inverse_c.allFinite()) return false;
+    if (!invert_cholesky(matrix.block(pattern.diagonal(i)), inverse_c)) return false;
+    scales[static_cast<size_t>(i)] = quad_block(inverse_c);
   }
-  size_t next = 0;
+  QuadBlock* next = scaled_->upper.data();
   for (int i = 0; i < pattern.size(); ++i) {
+    const QuadBlock& left = scales[static_cast<size_t>(i)];
     for (int k = pattern.row_begin(i) + 1; k < pattern.row_end(i); ++k) {
-      const Eigen::Matrix3d block =
-          scaled_->inverse_c[static_cast<size_t>(i)] * matrix.block(k) *
-          scaled_->inverse_c[static_cast<size_t>(pattern.column(k))].transpose();
-      for (int c = 0; c < 3; ++c) scaled_->upper[next].column[c] = quad(block.col(c));
-      ++next;
+      const QuadBlock& right = scales[static_cast<size_t>(pattern.column(k))];
+      *next++ = scaled_block(left, quad_block(matrix.block(k)), right);
     }
   }
   return true;
@@ -198,7 +224,8 @@ bool SsorCg::factorize(const BlockMatrix& matrix) {
 
 // Single precision has a small range: what goes into it is scaled to 1 before.
 LinearSummary SsorCg::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  constexpr double kReach = 1e-4;  // what single precision gives in one pass
+  constexpr double kReach = 1e-4;    // what single precision gives in one pass
+  constexpr double kTrusted = 5e-3;  // so far rounding changes the residual of a pass little
   LinearSummary summary;
   const double unit = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0;
   if (unit == 0) {
@@ -207,8 +234,10 @@ LinearSummary SsorCg::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const 
   }
   const double scale = scaled_->norm(b / unit);
   const double target = options_.tolerance * scale;
-  Eigen::VectorXd residual = (b - *matrix_ * x) / unit;
-  double norm = scaled_->norm(residual);
+  const bool from_zero = x.isZero(0);
+  Eigen::VectorXd residual = b / unit;
+  if (!from_zero) residual -= *matrix_ * (x / unit);
+  double norm = from_zero ? scale : scaled_->norm(residual);
   while (norm > target && summary.iterations < options_.max_iterations) {
     const double size = residual.cwiseAbs().maxCoeff();
     Eigen::VectorXd correction = Eigen::VectorXd::Zero(x.size());
@@ -217,6 +246,11 @@ LinearSummary SsorCg::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const 
                          options_.max_iterations - summary.iterations, correction);
     summary.iterations += pass.iterations;
     x += unit * size * correction;
+    const bool first = summary.iterations == pass.iterations;
+    if (first && pass.positive && target > kTrusted * norm && pass.residual * size <= target) {
+      norm = pass.residual * size;
+      break;
+    }
     residual = (b - *matrix_ * x) / unit;
     const double before = std::exchange(norm, scaled_->norm(residual));
     if (!pass.positive || !(norm < before / 2)) break;

@@ -12,20 +12,6 @@
 #include "pliant/mechanics/stvk_lanes.h"
 
 namespace pliant {
-namespace {
-
-// Where the block of a pair of points goes.
-constexpr int kNowhere = -1;      // one of the points is moved from outside
-constexpr int kThroughClip = -2;  // one of the points belongs to a free clip
-// Otherwise twice the number of the block, plus one when the pair stands in it transposed.
-
-Eigen::Matrix3d block_of(const auto& hessian, int lane, int pair) {
-  Eigen::Matrix3d block;
-  for (int k = 0; k < 9; ++k) block(k % 3, k / 3) = hessian(lane, 9 * pair + k);
-  return block;
-}
-
-}  // namespace
 
 template <class Measure>
 struct ElementPotential<Measure>::Batch {
@@ -37,13 +23,14 @@ struct ElementPotential<Measure>::Batch {
   Response response;
   Lane size;
 
+  /// @param differentiated  whether forces or stiffness will be asked for
   Batch(const ElementPotential& potential, int batch, const Configuration& configuration,
-        const double* history)
+        const double* history, bool differentiated = true)
       : positions(potential.gather(batch, configuration.positions.data())),
         strain(kLanes, Measure::kStrains),
         samples(potential.samples(batch, strain, history)),
         rests(potential.rests_near(batch, samples.last)),
-        kernel(rests.data(), positions),
+        kernel(rests.data(), positions, differentiated),
         response(Measure::kStrains),
         size(Eigen::Map<const Lane>(potential.sizes_.data() + kLanes * batch)) {
     strain = kernel.strain();
@@ -90,8 +77,7 @@ std::vector<std::pair<int, int>> ElementPotential<Measure>::couplings() const {
 
 template <class Measure>
 void ElementPotential<Measure>::bind(const Coordinates& coordinates, const BlockPattern& pattern) {
-  entries_.clear();
-  entries_.reserve(points_.size() * kPairs<Measure>);
+  places_ = HessianPlaces<Measure>(points_, coordinates, pattern);
   groups_ = ElementGroups(batches(), [&](int batch, std::vector<int>& touched) {
     for (int l = 0; l < kLanes; ++l) {
       for (const int node : points_[static_cast<size_t>(kLanes * batch + l)]) {
@@ -101,21 +87,6 @@ void ElementPotential<Measure>::bind(const Coordinates& coordinates, const Block
       }
     }
   });
-  for (const auto& nodes : points_) {
-    for (const auto& [i, j] : node_pairs<Measure>()) {
-      const int p = nodes[static_cast<size_t>(i)], q = nodes[static_cast<size_t>(j)];
-      const int row = coordinates.row(p), column = coordinates.row(q);
-      if (coordinates.is_prescribed(p) || coordinates.is_prescribed(q)) {
-        entries_.push_back(kNowhere);
-      } else if (row < 0 || column < 0) {
-        entries_.push_back(kThroughClip);
-      } else if (row <= column) {
-        entries_.push_back(2 * pattern.find(row, column));
-      } else {
-        entries_.push_back(2 * pattern.find(column, row) + 1);
-      }
-    }
-  }
 }
 
 template <class Measure>
@@ -164,7 +135,8 @@ void ElementPotential<Measure>::evaluate(const Evaluation& at, Derivatives& deri
 template <class Measure>
 Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at,
                                                  const Derivatives& derivatives) const {
-  Batch elements(*this, batch, at.configuration, at.history);
+  const bool differentiated = derivatives.gradient || derivatives.hessian;
+  Batch elements(*this, batch, at.configuration, at.history, differentiated);
   law_at(at).add(elements.samples, at.time, elements.response);
   if (derivatives.gradient) {
     LanePositions<Measure> forces;
@@ -196,30 +168,22 @@ void ElementPotential<Measure>::scatter(int batch, const LanePositions<Measure>&
 template <class Measure>
 void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, const Evaluation& at,
                                             Hessian& hessian) const {
-  LaneHessian<Measure> values;
-  elements.kernel.hessian(elements.response, elements.size, at.curvature == Curvature::convex,
-                          values);
-  const int* entry = entries_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
-  for (int l = 0; l < kLanes; ++l) {
-    const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
-    int pair = 0;
-    for (const auto& [i, j] : node_pairs<Measure>()) {
-      const int place = *entry++;
-      const int p = pair++;
-      if (place >= 0) {
-        const Eigen::Matrix3d block = block_of(values, l, p);
-        if (place & 1) {
-          hessian.matrix.block(place / 2) += block.transpose();
-        } else {
-          hessian.matrix.block(place / 2) += block;
-        }
-      } else if (place == kThroughClip) {
-        hessian.coordinates.add_coupling(at.configuration, nodes[static_cast<size_t>(i)],
-                                         nodes[static_cast<size_t>(j)], block_of(values, l, p),
-                                         hessian.matrix);
-      }
+  const LaneKernel<Measure>& kernel = elements.kernel;
+  const bool convex = at.curvature == Curvature::convex;
+  if constexpr (requires(Lane factor, LanePositions<Measure> gradient) {
+                  kernel.outer_product(elements.response, elements.size, factor, gradient);
+                }) {
+    if (convex) {
+      Lane factor;
+      LanePositions<Measure> gradient;
+      kernel.outer_product(elements.response, elements.size, factor, gradient);
+      places_.add_outer_products(batch, factor, gradient, points_, at.configuration, hessian);
+      return;
     }
   }
+  LaneHessian<Measure> values;
+  kernel.hessian(elements.response, elements.size, convex, values);
+  places_.add(batch, values, points_, at.configuration, hessian);
 }
 
 template <class Measure>
@@ -241,18 +205,19 @@ Eigen::VectorXd ElementPotential<Measure>::initial_history(const Evaluation& at)
 }
 
 template <class Measure>
-double ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
+Energy ElementPotential<Measure>::advance(const Evaluation& at, double* next) const {
   constexpr int m = Measure::kStrains;
   const ParametricDensity& law = law_at(at);
-  return groups_.sum<double>([&](int batch) {
-    const Batch elements(*this, batch, at.configuration, at.history);
+  return groups_.sum<Energy>([&](int batch) -> Energy {
+    const Batch elements(*this, batch, at.configuration, at.history, false);
     double* own = next + Eigen::Index(kLanes) * columns() * batch;
     MutableLaneView(own, kLanes, m) = elements.strain;
     MutableLaneView(own + kLanes * m, kLanes, m) = elements.samples.last;
-    Lane work = Lane::Zero();
+    Lane stored = Lane::Zero(), work = Lane::Zero();
+    law.add_stored(elements.samples, stored);
     law.advance(elements.samples, at.time,
                 MutableLaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m), work);
-    return (elements.size * work).sum();
+    return {(elements.size * stored).sum(), (elements.size * work).sum()};
   });
 }
 

@@ -5,6 +5,7 @@
 #include "pliant/material/density/density.h"
 #include "pliant/mechanics/element_fields.h"
 #include "pliant/mechanics/element_groups.h"
+#include "pliant/mechanics/hessian_places.h"
 #include "pliant/mechanics/lane_kernel.h"
 #include "pliant/mechanics/parametric_potential.h"
 #include "pliant/mechanics/stencils.h"
@@ -33,7 +34,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
 
   Eigen::Index history_size() const override;
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
-  double advance(const Evaluation& at, double* next) const override;
+  Energy advance(const Evaluation& at, double* next) const override;
 
   std::shared_ptr<const ParametricDensity> law(const Eigen::VectorXd& all) const override;
   void add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
@@ -76,8 +77,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;
   std::vector<std::string> field_names_;
-  std::vector<int> entries_;  // of each pair of each stencil: see bind
-  ElementGroups groups_;      // of batches
+  HessianPlaces<Measure> places_;  // once bound
+  ElementGroups groups_;           // of batches
 };
 
 }  // namespace pliant

@@ -43,7 +43,9 @@ template <class Measure>
 class LaneKernel {
  public:
   /// @param rests  of eight stencils; they and `positions` outlive the kernel
-  LaneKernel(const typename Measure::Rest* rests, const LanePositions<Measure>& positions)
+  /// @param differentiated  whether forces or stiffness will be asked for; kernels may save that
+  LaneKernel(const typename Measure::Rest* rests, const LanePositions<Measure>& positions,
+             bool /*differentiated*/ = true)
       : rests_(rests), positions_(positions) {}
 
   LaneStrains strain() const {

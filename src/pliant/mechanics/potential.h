@@ -89,8 +89,8 @@ class HistoryPotential : public Potential {
   virtual Eigen::VectorXd initial_history(const Evaluation& at) const = 0;
   /// The history after a step that is accepted at `at.positions`.
   /// @param next  `history_size()` numbers; not `at.history`
-  /// @return the work done during the step against friction and damping (J)
-  virtual double advance(const Evaluation& at, double* next) const = 0;
+  /// @return what is stored then, and the work done during the step against friction and damping
+  virtual Energy advance(const Evaluation& at, double* next) const = 0;
 };
 
 }  // namespace pliant

@@ -12,7 +12,8 @@ namespace pliant {
 template <>
 class LaneKernel<DiscreteShells> {
  public:
-  LaneKernel(const DiscreteShells::Rest* rests, const LanePositions<DiscreteShells>& positions)
+  LaneKernel(const DiscreteShells::Rest* rests, const LanePositions<DiscreteShells>& positions,
+             bool differentiated = true)
       : rests_(rests), positions_(positions) {
     const auto node = [&](int i) -> LaneVector {
       return {positions.col(3 * i), positions.col(3 * i + 1), positions.col(3 * i + 2)};
@@ -24,6 +25,9 @@ class LaneKernel<DiscreteShells> {
     normal_[1] = cross(side_[1], edge_);
     squared_length_ = dot(edge_, edge_);
     length_ = squared_length_.sqrt();
+    sine_ = dot(cross(normal_[0], normal_[1]), edge_) / length_;
+    cosine_ = dot(normal_[0], normal_[1]);
+    if (!differentiated) return;
     for (int l = 0; l < kLanes; ++l) scale_(l) = 3 / rests[l].height;
     for (int w = 0; w < 2; ++w) {
       share_[w] = dot(side_[w], edge_) / squared_length_;
@@ -31,8 +35,6 @@ class LaneKernel<DiscreteShells> {
     }
     gradient_[1] = Lane(-share_[0]) * gradient_[2] - share_[1] * gradient_[3];
     gradient_[0] = Lane(share_[0] - 1) * gradient_[2] - Lane(1 - share_[1]) * gradient_[3];
-    sine_ = dot(cross(normal_[0], normal_[1]), edge_) / length_;
-    cosine_ = dot(normal_[0], normal_[1]);
   }
 
   LaneStrains strain() const {
@@ -52,6 +54,17 @@ class LaneKernel<DiscreteShells> {
       result.col(3 * i) = stress * gradient_[i].x;
       result.col(3 * i + 1) = stress * gradient_[i].y;
       result.col(3 * i + 2) = stress * gradient_[i].z;
+    }
+  }
+
+  /// The convex Hessian, factor gradient gradient^T.
+  void outer_product(const Response& response, const Lane& size, Lane& factor,
+                     LanePositions<DiscreteShells>& gradient) const {
+    factor = size * response.tangent.col(0);
+    for (int i = 0; i < 4; ++i) {
+      gradient.col(3 * i) = gradient_[i].x;
+      gradient.col(3 * i + 1) = gradient_[i].y;
+      gradient.col(3 * i + 2) = gradient_[i].z;
     }
   }
 

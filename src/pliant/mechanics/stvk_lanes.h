@@ -11,7 +11,8 @@ namespace pliant {
 template <>
 class LaneKernel<StvkMembrane> {
  public:
-  LaneKernel(const MembraneRest* rests, const LanePositions<StvkMembrane>& positions)
+  LaneKernel(const MembraneRest* rests, const LanePositions<StvkMembrane>& positions,
+             bool /*differentiated*/ = true)
       : positions_(positions) {
     for (int l = 0; l < kLanes; ++l) {
       for (int i = 0; i < 3; ++i) {

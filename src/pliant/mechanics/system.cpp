@@ -98,16 +98,21 @@ void System::evaluate(const Configuration& at, const Conditions& under, Curvatur
   }
 }
 
-double System::advance_history(const Configuration& at, const Conditions& under,
+Energy System::advance_history(const Configuration& at, const Conditions& under,
                                Eigen::VectorXd& history) const {
   history.resize(history_size_);
-  double work = 0;
+  Derivatives of_others;
+  Energy energy;
   for (const Part& part : parts_) {
-    if (!part.with_history) continue;
-    work += part.with_history->advance(evaluation(part, at, under),
-                                       history.data() + part.first_history);
+    if (!part.with_history) {
+      part.potential->evaluate(evaluation(part, at, under), of_others);
+      continue;
+    }
+    energy += part.with_history->advance(evaluation(part, at, under),
+                                         history.data() + part.first_history);
   }
-  return work;
+  energy.stored += of_others.energy.stored;
+  return energy;
 }
 
 void System::add_force_sensitivity(const Configuration& at, const Conditions& under,

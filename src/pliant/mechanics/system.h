@@ -70,8 +70,8 @@ class System {
 
   /// Ends a step at `at`.
   /// @param history  from then on; not that of `under.from`
-  /// @return the work done during the step against friction and damping (J)
-  double advance_history(const Configuration& at, const Conditions& under,
+  /// @return what is stored at `at`, and the work done during the step against friction and damping
+  Energy advance_history(const Configuration& at, const Conditions& under,
                          Eigen::VectorXd& history) const;
 
   /// @name Derivatives by some of the parameters of the material, in statics

@@ -68,10 +68,14 @@ class Simulation::TimeSteps : public Simulation::Stepper {
         step_(scene.time.step) {}
 
   StepResult advance(State& state) override {
-    State next = state;
     StepResult result;
-    advance(next, step_, 0, result);
-    state = std::move(next);
+    if (!adaptive_) {
+      advance(state, step_, 0, result);
+      return result;
+    }
+    State moved = state;
+    advance(moved, step_, 0, result);
+    state = std::move(moved);
     return result;
   }
 
@@ -79,15 +83,14 @@ class Simulation::TimeSteps : public Simulation::Stepper {
   // With `adaptive`, a step that fails is taken as two of half its size.
   void advance(State& state, double step, int halvings, StepResult& result) {
     constexpr int kMostHalvings = 8;
-    State next = state;
-    const StepSummary summary = attempt(next, step);
+    const StepSummary summary = attempt(state, step);
     result.newton_iterations += summary.newton_iterations;
     result.linear_iterations += summary.linear_iterations;
     if (summary.converged) {
       ++result.substeps;
       result.work += summary.work + summary.drag;
       result.drag += summary.drag;
-      state = std::move(next);
+      std::swap(state, next_);
       return;
     }
     if (!adaptive_ || halvings == kMostHalvings) {
@@ -97,9 +100,10 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
   }
 
-  StepSummary attempt(State& state, double step) {
+  // Takes `next_` where a step leads.
+  StepSummary attempt(const State& state, double step) {
     try {
-      return stepper_.advance(state, step);
+      return stepper_.advance(state, step, next_);
     } catch (const SolverError& error) {
       return {.converged = false,
               .newton_iterations = error.iterations(),
@@ -110,6 +114,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
   bool adaptive_;
   TimeStepper stepper_;
   double step_;
+  State next_;
 };
 
 class Simulation::Equilibria : public Simulation::Stepper {

@@ -114,7 +114,7 @@ void StaticPath::accept(double time, Controls controls, Configuration at, PathEq
   const Conditions under{state_, options_.parameters, controls};
   if (options_.by.empty()) point.forces = Objective(system_, under).gradient(at);
   State next = state_;
-  point.work += system_.advance_history(at, under, next.history);
+  point.work += system_.advance_history(at, under, next.history).work;
   next.time = time;
   next.configuration = at;
   std::swap(state_, next);

@@ -13,7 +13,7 @@ NewtonSummary StaticSolver::find_equilibrium(State& state, const Controls& contr
 
 double StaticSolver::accept(State& state) const {
   Eigen::VectorXd history;
-  const double work = system_.advance_history(state.configuration, {state}, history);
+  const double work = system_.advance_history(state.configuration, {state}, history).work;
   state.history = std::move(history);
   return work;
 }

@@ -39,6 +39,14 @@ Eigen::VectorXd coasting(const Coordinates& coordinates, const Configuration& at
   return change;
 }
 
+double kinetic_energy(const System& system, const Eigen::Matrix3Xd& velocities) {
+  return velocities.colwise().squaredNorm().dot(system.masses()) / 2;
+}
+
+Eigen::VectorXd no_change(const System& system) {
+  return Eigen::VectorXd::Zero(system.coordinates().unknowns());
+}
+
 StepSummary summary_of(const DescentSummary& descent) {
   return {descent.converged, descent.iterations, descent.linear_iterations, descent.residual};
 }
@@ -83,96 +91,104 @@ TimeStepper::~TimeStepper() = default;
 // What a step minimises, and where the search for it begins.
 struct TimeStepper::Trial {
   const State& from;
+  const Conditions& under;
   const Objective& objective;
   const PointTargets& inertia;
-  const Eigen::Matrix3Xd& start;  // where there is no velocity
-  double time = 0;                // new velocity = (x - start) / time
-  Eigen::VectorXd guess;          // the change of the unknowns
-
-  Eigen::Matrix3Xd velocities(const Configuration& at) const {
-    return (at.positions - start) / time;
-  }
-
-  // Kinetic energy and potentials, given what the objective has of potentials and inertia.
-  double total(const Energy& energy, const Configuration& at,
-               const Eigen::Matrix3Xd& velocities) const {
-    const double kinetic = velocities.colwise().squaredNorm().dot(objective.system().masses()) / 2;
-    return energy.total() - inertia.energy(at.positions) + kinetic;
-  }
+  const std::optional<AirDrag>& drag;
+  const Eigen::Matrix3Xd start;  // where there is no velocity
+  double time = 0;               // new velocity = (x - start) / time
+  Eigen::VectorXd guess;         // the change of the unknowns
 };
 
-StepSummary TimeStepper::linearized(const Trial& trial, Configuration& at) {
-  const Objective& objective = trial.objective;
+// Accepts what was found, with the memory that it leaves.
+// @return kinetic energy, what is stored and what was lost on the way (J)
+double TimeStepper::settle(const Trial& trial, Configuration at, State& to,
+                           StepSummary& summary) const {
+  const Energy energy = system_.advance_history(at, trial.under, to.history);
+  summary.work = energy.work;
+  if (trial.drag) summary.drag = trial.drag->work(trial.from.configuration, at);
+  to.velocities = (at.positions - trial.start) / trial.time;
+  to.configuration = std::move(at);
+  return energy.total() + summary.drag + kinetic_energy(system_, to.velocities);
+}
+
+StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State& to) {
   const Configuration before = at;
-  const DescentSummary once =
-      descend(objective, {.iterations = 1, .line_search = false}, trial.guess, workspace_, at);
+  const DescentSummary once = descend(trial.objective, {.iterations = 1, .line_search = false},
+                                      trial.guess, workspace_, at);
   StepSummary summary = summary_of(once);
-  if (!options_.mend_growth || !once.converged) return summary;
-  const double first = trial.total(once.start, before, trial.from.velocities);
-  const double now = trial.total(objective.energy(at), at, trial.velocities(at));
-  if (now <= first) return summary;
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.guess.size());
-  const DescentSummary again = descend(objective, {.iterations = 1}, none, workspace_, at);
+  const double stored = once.start.stored - trial.inertia.energy(before.positions);
+  const double total = stored + kinetic_energy(system_, trial.from.velocities);
+  const bool gained = settle(trial, std::move(at), to, summary) > total;
+  if (!once.converged || !options_.mend_growth || !gained) return summary;
+  at = to.configuration;
+  const DescentSummary again =
+      descend(trial.objective, {.iterations = 1}, no_change(system_), workspace_, at);
   summary.newton_iterations += again.iterations;
   summary.linear_iterations += again.linear_iterations;
+  settle(trial, std::move(at), to, summary);
   return summary;
 }
 
-StepSummary TimeStepper::solve(const Trial& trial, Configuration& at) {
-  if (options_.solve == StepSolve::linearized) return linearized(trial, at);
+StepSummary TimeStepper::searched(const Trial& trial, Configuration at, State& to) {
   // Where inertia alone leads into an obstacle the search begins where the step does.
   Configuration coasted = system_.coordinates().moved(at, trial.guess);
   if (trial.objective.admits(coasted)) at = std::move(coasted);
+  StepSummary summary;
   if (options_.solve == StepSolve::iterated) {
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.guess.size());
-    return summary_of(
-        descend(trial.objective, {.motion = options_.motion_tolerance}, none, workspace_, at));
+    const DescentOptions few{.motion = options_.motion_tolerance};
+    summary = summary_of(descend(trial.objective, few, no_change(system_), workspace_, at));
+  } else {
+    NewtonOptions newton;
+    newton.tolerance = options_.tolerance;
+    const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
+    summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
   }
-  NewtonOptions newton;
-  newton.tolerance = options_.tolerance;
-  const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
-  return {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
+  settle(trial, std::move(at), to, summary);
+  return summary;
 }
 
-StepSummary TimeStepper::advance(State& state, double step) {
-  const Scheme scheme(options_.integrator, step, state);
-  const double time = state.time + step;
-  Configuration at = state.configuration;
+StepSummary TimeStepper::advance(const State& from, double step, State& to) {
+  const Scheme scheme(options_.integrator, step, from);
+  const double time = from.time + step;
+  Configuration at = from.configuration;
   const Controls controls = options_.schedule ? options_.schedule(time) : kNoControls;
   system_.coordinates().apply(controls, at);
 
-  const Eigen::Matrix3Xd start = scheme.mix(state.configuration.positions, state.last_positions);
-  const Eigen::Matrix3Xd velocities = scheme.mix(state.velocities, state.last_velocities);
+  const Eigen::Matrix3Xd start = scheme.mix(from.configuration.positions, from.last_positions);
+  const Eigen::Matrix3Xd velocities = scheme.mix(from.velocities, from.last_velocities);
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
                              start + scheme.time * velocities);
   const Conditions under{
-      .from = state, .controls = controls, .time = {1 / scheme.time, scheme.now, scheme.earlier}};
+      .from = from, .controls = controls, .time = {1 / scheme.time, scheme.now, scheme.earlier}};
   Objective objective(system_, under);
   objective.add(inertia);
   std::optional<AirDrag> drag;
   if (options_.air) {
-    drag.emplace(*options_.air, faces_, start, state.velocities, scheme.time);
+    drag.emplace(*options_.air, faces_, start, from.velocities, scheme.time);
     objective.add(*drag);
   }
 
-  const Trial trial{state,       objective,
-                    inertia,     start,
-                    scheme.time, coasting(system_.coordinates(), at, state.velocities, step)};
-  StepSummary summary = solve(trial, at);
-  if (!at.positions.allFinite() || !std::isfinite(summary.residual)) {
+  const Trial trial{
+      from, under, objective,   inertia,
+      drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step)};
+  const StepSummary summary = options_.solve == StepSolve::linearized
+                                  ? linearized(trial, std::move(at), to)
+                                  : searched(trial, std::move(at), to);
+  if (!to.configuration.positions.allFinite() || !std::isfinite(summary.residual)) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
                       summary.newton_iterations, summary.residual);
   }
+  to.time = time;
+  to.last_step = step;
+  to.last_positions = from.configuration.positions;
+  to.last_velocities = from.velocities;
+  return summary;
+}
 
+StepSummary TimeStepper::advance(State& state, double step) {
   State next;
-  next.time = time;
-  next.velocities = trial.velocities(at);
-  summary.work = system_.advance_history(at, under, next.history);
-  if (drag) summary.drag = drag->work(state.configuration, at);
-  next.last_step = step;
-  next.last_positions = std::move(state.configuration.positions);
-  next.last_velocities = std::move(state.velocities);
-  next.configuration = std::move(at);
+  const StepSummary summary = advance(state, step, next);
   state = std::move(next);
   return summary;
 }

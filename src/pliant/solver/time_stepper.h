@@ -45,14 +45,18 @@ class TimeStepper {
   /// @throws SolverError when the result is not finite; `state` is then as it was
   StepSummary advance(State& state) { return advance(state, options_.step); }
   StepSummary advance(State& state, double step);
+  /// The same from one state to another, whose memory is used again.
+  /// @param to  not `from`; without meaning after a SolverError
+  StepSummary advance(const State& from, double step, State& to);
 
  private:
   struct Scheme;  // the weights of the step's formula
 
   struct Trial;  // a step before it is accepted
 
-  StepSummary solve(const Trial& trial, Configuration& at);
-  StepSummary linearized(const Trial& trial, Configuration& at);
+  StepSummary linearized(const Trial& trial, Configuration at, State& to);
+  StepSummary searched(const Trial& trial, Configuration at, State& to);
+  double settle(const Trial& trial, Configuration at, State& to, StepSummary& summary) const;
 
   const System& system_;
   TimeStepOptions options_;

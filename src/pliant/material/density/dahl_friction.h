@@ -24,6 +24,7 @@ class DahlFriction : public ParametricDensity {
 
   int history_size() const override { return 1; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void add_stored(const Samples&, Lane&) const override {}
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   /// (a, b, tau), and those of negative strain where they differ.

@@ -14,6 +14,7 @@ class Damping : public Density {
 
   int history_size() const override { return 0; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void add_stored(const Samples&, Lane&) const override {}
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
 

@@ -39,4 +39,10 @@ SampleDerivatives::SampleDerivatives(int strains, int history, int parameters)
       next_by_history(Eigen::MatrixXd::Zero(history, history)),
       next_by_parameter(Eigen::MatrixXd::Zero(history, parameters)) {}
 
+void Density::add_stored(const Samples& samples, Lane& stored) const {
+  Response response(static_cast<int>(samples.strain.cols()));
+  add(samples, {}, response);
+  stored += response.stored;
+}
+
 }  // namespace pliant

@@ -87,6 +87,10 @@ class Density {
   /// Adds its energy, stress and tangent.
   virtual void add(const Samples& samples, const StepTime& time, Response& response) const = 0;
 
+  /// Adds the energy that the strain alone decides. Those that have none, or a short way to it, say
+  /// so; else it is that of `add`.
+  virtual void add_stored(const Samples& samples, Lane& stored) const;
+
   /// Ends a step at `samples.strain`.
   /// @param next  the history from then on
   /// @param work  gets the work done during the step against friction and damping added

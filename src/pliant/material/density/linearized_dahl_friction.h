@@ -21,6 +21,7 @@ class LinearizedDahlFriction : public Density {
 
   int history_size() const override { return 1; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void add_stored(const Samples&, Lane&) const override {}
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
 

@@ -23,6 +23,10 @@ void Sum::add(const Samples& samples, const StepTime& time, Response& response) 
   }
 }
 
+void Sum::add_stored(const Samples& samples, Lane& stored) const {
+  for (const Addend& addend : addends_) addend.density->add_stored(own(addend, samples), stored);
+}
+
 void Sum::advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                   Lane& work) const {
   for (const Addend& addend : addends_) {

@@ -17,6 +17,7 @@ class Sum : public ParametricDensity {
 
   int history_size() const override { return history_size_; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  void add_stored(const Samples& samples, Lane& stored) const override;
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;

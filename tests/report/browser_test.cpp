@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "pliant/io/text_file.h"
 #include "pliant/report/embedded_bundle.h"
@@ -22,6 +23,8 @@
 namespace pliant {
 namespace {
 
+using nlohmann::json;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::SampleOptions;
@@ -228,6 +231,33 @@ TEST_F(BrowserReport, HasAPageOneOfOnePage) {
       EXPECT_EQ(printed_pages(page_one_and_a_line(html)), 2U) << rich << evaluation;
     }
   }
+}
+
+// What a reader must find on page one without a search: the verdict, what is missed most, and a
+// number of the material with its error.
+TEST_F(BrowserReport, SaysOnPageOneWhatIsWorstTheVerdictAndAValueWithItsError) {
+  const TemporaryFolder folder;
+  write_sample_results(folder.path(), {.rich = true});
+  json fit = json::parse(read_text_file(folder.path() / "fit.json"));
+  const std::string worst = fit["experiments"].back()["name"];
+  fit["judgement"] = {{"fitness", "unfit"},
+                      {"headline", "Not fit for use. " + worst + ": missed."},
+                      {"experiments", {{{"name", worst}, {"fitness", "unfit"}}}}};
+  write_text(folder.path() / "fit.json", fit.dump());
+  const std::string html = when_drawn(make_report(folder.path()), R"(
+      const page = document.querySelector('.page-one');
+      const table = (title) => [...page.querySelectorAll('section, div')]
+          .filter((part) => part.querySelector('h2')?.textContent.startsWith(title)).pop();
+      const verdict = page.querySelector('.verdict');
+      document.body.dataset.verdict = verdict.className + '; ' + verdict.querySelector('strong').innerText;
+      document.body.dataset.worst = table('Agreement').querySelector('td').innerText;
+      document.body.dataset.value = [...table('Material').querySelectorAll('td')]
+          .map((cell) => cell.innerText).find((text) => /^[0-9.]+ \u00b1 [0-9.]+/.test(text));)");
+  const std::string document = without_script(document_of(html));
+  EXPECT_THAT(document,
+              HasSubstr("data-verdict=\"verdict unfit; Not fit for use. " + worst + ": missed.\""));
+  EXPECT_THAT(document, HasSubstr("data-worst=\"" + worst + "\""));
+  EXPECT_THAT(document, ContainsRegex("data-value=\"[0-9.]+ . [0-9.]+"));
 }
 
 // The style sheet keeps `.together` on one page of paper.

@@ -186,9 +186,11 @@ std::string experiment_table(const Results& results, std::size_t shown) {
     table.cell(pair(measured.hysteresis_ratio, predicted.hysteresis_ratio, 2));
     table.cell(percent_pair(measured.loop_loss, predicted.loop_loss));
   }
-  return "<section><h2>Agreement" + hidden_experiments(std::span(experiments).subspan(shown)) + "</h2>\n" + table.html() +
+  return "<section><h2>Agreement" + hidden_experiments(std::span(experiments).subspan(shown)) +
+         "</h2>\n" + table.html() +
          "<p class=\"small\">RMS error: of the peak force, largest extension or mean overhang; of "
-         "profiles their distance. Of the largest cycle: secant from its foot to its peak; loading minus "
+         "profiles their distance. Of the largest cycle: secant from its foot to its peak; loading "
+         "minus "
          "unloading force over their mean, at half the extension; work lost over work of "
          "loading.</p></section>\n";
 }

@@ -257,7 +257,7 @@ TEST_F(BrowserReport, SaysOnPageOneWhatIsWorstTheVerdictAndAValueWithItsError) {
   EXPECT_THAT(document,
               HasSubstr("data-verdict=\"verdict unfit; Not fit for use. " + worst + ": missed.\""));
   EXPECT_THAT(document, HasSubstr("data-worst=\"" + worst + "\""));
-  EXPECT_THAT(document, ContainsRegex("data-value=\"[0-9.]+ . [0-9.]+"));
+  EXPECT_THAT(document, ContainsRegex("data-value=\"[0-9.]+ \u00b1 [0-9.]+"));
 }
 
 // The style sheet keeps `.together` on one page of paper.

@@ -77,18 +77,6 @@ CoulombFriction read_friction(const Value& value) {
   return friction;
 }
 
-/// What FORMATS promises and this version has not.
-void refuse_what_is_not_there(Fields& fields) {
-  for (const char* key : {"box", "mesh", "sequence"}) {
-    if (auto v = fields.optional(key)) {
-      v->fail("obstacles of this shape are not there yet", "`plane`, `sphere` or `capsule`");
-    }
-  }
-  if (auto v = fields.optional("motion")) {
-    v->fail("obstacles that move are not there yet", "an obstacle that stands still");
-  }
-}
-
 }  // namespace
 
 SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& taken) {
@@ -96,7 +84,6 @@ SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& tak
   SceneObstacle obstacle;
   obstacle.where = value.location();
   obstacle.name = read_result_name(fields.require("name"), "an obstacle", taken);
-  refuse_what_is_not_there(fields);
   obstacle.shape = read_shape(fields, value);
   if (auto v = fields.optional("friction")) obstacle.friction = read_friction(*v);
   fields.finish();
@@ -108,10 +95,6 @@ SceneContact read_scene_contact(const Value& value) {
   SceneContact contact;
   if (auto v = fields.optional("thickness")) {
     contact.thickness = v->positive_quantity(Dimension::length);
-  }
-  if (auto v = fields.optional("friction")) {
-    v->fail("this version knows no contact of cloth with itself",
-            "nothing: the friction of an obstacle stands in the obstacle");
   }
   fields.finish();
   return contact;

@@ -194,6 +194,66 @@ void describe_holds(const Scene& scene, const HeldVertices& held, FileInfo& info
   }
 }
 
+Json shape_json(const HalfSpace& plane) {
+  return {{"plane", {{"point", vector_json(plane.point)}, {"normal", vector_json(plane.normal)}}}};
+}
+
+Json shape_json(const Sphere& sphere) {
+  return {{"sphere", {{"centre", vector_json(sphere.centre)}, {"radius", sphere.radius}}}};
+}
+
+Json shape_json(const Capsule& capsule) {
+  return {{"capsule",
+           {{"from", vector_json(capsule.from)},
+            {"to", vector_json(capsule.to)},
+            {"radius", capsule.radius}}}};
+}
+
+std::string shape_text(const HalfSpace& plane) {
+  return fmt::format("plane through {} m, normal {}", vector_text(plane.point),
+                     vector_text(plane.normal));
+}
+
+std::string shape_text(const Sphere& sphere) {
+  return fmt::format("sphere of radius {} about {} m",
+                     format_quantity(sphere.radius, Dimension::length), vector_text(sphere.centre));
+}
+
+std::string shape_text(const Capsule& capsule) {
+  return fmt::format("capsule of radius {} from {} to {} m",
+                     format_quantity(capsule.radius, Dimension::length), vector_text(capsule.from),
+                     vector_text(capsule.to));
+}
+
+std::string friction_text(const CoulombFriction& friction) {
+  if (friction.sticking == friction.sliding) {
+    return "friction " + format_number(friction.sticking, kDigits);
+  }
+  return fmt::format("friction {}, {} where it slides", format_number(friction.sticking, kDigits),
+                     format_number(friction.sliding, kDigits));
+}
+
+void describe_obstacles(const Scene& scene, FileInfo& info) {
+  info.json["obstacles"] = Json::array();
+  for (const SceneObstacle& obstacle : scene.obstacles) {
+    const auto& [sticking, sliding] = obstacle.friction;
+    Json json{{"name", obstacle.name}};
+    json.update(std::visit([](const auto& shape) { return shape_json(shape); }, obstacle.shape));
+    json["friction"] = {{"static", sticking}, {"kinetic", sliding}};
+    info.json["obstacles"].push_back(json);
+    info.lines.push_back(
+        labelled("obstacle " + obstacle.name,
+                 std::visit([](const auto& shape) { return shape_text(shape); }, obstacle.shape) +
+                     ", " + friction_text(obstacle.friction)));
+  }
+  info.json["contact_thickness"] =
+      scene.obstacles.empty() ? Json(nullptr) : Json(scene.contact.thickness);
+  if (scene.obstacles.empty()) return;
+  info.lines.push_back(labelled(
+      "contact",
+      "from a distance of " + format_quantity(scene.contact.thickness, Dimension::length)));
+}
+
 void describe_surroundings(const Scene& scene, FileInfo& info) {
   info.json["gravity"] = vector_json(scene.gravity);
   info.lines.push_back(labelled("gravity", vector_text(scene.gravity) + " m/s^2"));
@@ -277,6 +337,7 @@ FileInfo scene_info(const std::filesystem::path& path) {
     vertices.push_back({built.mesh.mesh.positions, built.mesh.numbering.groups});
   }
   describe_holds(scene, held_vertices(scene, vertices), info);
+  describe_obstacles(scene, info);
   describe_surroundings(scene, info);
   describe_run(scene, info);
   warn_of_materials(scene, info);

@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 
 FileInfo info_of(const std::string& scene) {
   const TemporaryFolder folder;
@@ -33,6 +34,28 @@ TEST(SceneInfo, TellsWhatWouldBeSimulated) {
   EXPECT_EQ(info.json["frames"], 26);
   EXPECT_THAT(info.lines, Contains(HasSubstr("grid 100 mm x 100 mm, 3 x 3 nodes")));
   EXPECT_THAT(info.lines, Contains(HasSubstr("200 steps of 5 ms")));
+}
+
+TEST(SceneInfo, TellsWhatIsInTheWay) {
+  const FileInfo info = info_of(
+      with_more("obstacles:\n"
+                "  - {name: floor, plane: {point: [0, 0, -1], normal: [0, 0, 2]}, friction: 0.5}\n"
+                "  - {name: ball, sphere: {centre: [0, 0, -0.3], radius: 200 mm},\n"
+                "     friction: {static: 0.4, kinetic: 0.3}}\n"
+                "  - {name: rod, capsule: {from: [0, 0, -0.1], to: [1, 0, -0.1], radius: 10 mm}}\n"
+                "contact: {thickness: 2 mm}\n"));
+  EXPECT_EQ(info.json["obstacles"][0]["plane"]["normal"][2], 1);
+  EXPECT_EQ(info.json["obstacles"][1]["friction"]["kinetic"], 0.3);
+  EXPECT_EQ(info.json["obstacles"][2]["capsule"]["radius"], 0.01);
+  EXPECT_EQ(info.json["contact_thickness"], 2e-3);
+  EXPECT_THAT(
+      info.lines,
+      IsSupersetOf(
+          {HasSubstr("plane through [0, 0, -1] m, normal [0, 0, 1], friction 0.5"),
+           HasSubstr("sphere of radius 200 mm about [0, 0, -0.3] m, friction 0.4, 0.3 where"),
+           HasSubstr("capsule of radius 10 mm from [0, 0, -0.1] to [1, 0, -0.1] m"),
+           HasSubstr("from a distance of 2 mm")}));
+  EXPECT_EQ(info_of(with_more("")).json["obstacles"].size(), 0u);
 }
 
 TEST(SceneInfo, WarnsOfWhatSimulateWouldRefuse) {

@@ -93,19 +93,61 @@ TEST(ObstacleContact, HasTheForcesAndTheStiffnessOfItsEnergy) {
   }
 }
 
-TEST(ObstacleContact, KeepsPointsOutAndDoesNotLetThemThrough) {
+TEST(ObstacleContact, StopsEachPointByItselfBeforeTheSurface) {
+  const Ball ball({0.5e-3, 20e-3, 0.1e-3});
+  const State state = ball.system->initial_state();
+  const auto shares = [&](const Eigen::Vector3d& by) {
+    return ball.system->free_shares(state.configuration, moved(state, by), {.from = state});
+  };
+  EXPECT_EQ(shares(Eigen::Vector3d::Zero()), Eigen::Vector3d::Ones());
+  EXPECT_EQ(shares({0, 0, 0.3}), Eigen::Vector3d::Ones());
+  // A fifth of the distance is kept, or of half the thickness.
+  const Eigen::VectorXd near = shares({0, 0, -1e-3});
+  EXPECT_NEAR(near(0), 0.4, 1e-3);
+  EXPECT_EQ(near(1), 1);
+  EXPECT_NEAR(near(2), 0.08, 0.01);
+  // Through the ball and out of it again.
+  const Eigen::VectorXd through = shares({0, 0, -0.3});
+  EXPECT_NEAR(through(0), 0.4e-3 / 0.3, 1e-6);
+  EXPECT_NEAR(through(1), 20e-3 / 0.3, 2e-3);
+}
+
+TEST(ObstacleContact, HasInfiniteEnergyInside) {
   const Ball ball({0.5e-3});
   const State state = ball.system->initial_state();
-  const Conditions under{.from = state};
-  EXPECT_TRUE(ball.system->admits(state.configuration, under));
-  EXPECT_TRUE(ball.system->admits(moved(state, {0, 0, -0.4e-3}), under));
-  EXPECT_FALSE(ball.system->admits(moved(state, {0, 0, -0.6e-3}), under));
-  // Out of the ball again, on the other side.
-  EXPECT_FALSE(ball.system->admits(moved(state, {0, 0, -0.3}), under));
-  EXPECT_TRUE(ball.system->admits(moved(state, {0.3, 0, 0}), under));
-  Derivatives derivatives;
-  ball.system->evaluate(moved(state, {0, 0, -0.3}), under, Curvature::exact, derivatives);
-  EXPECT_EQ(derivatives.energy.stored, INFINITY);
+  const auto energy = [&](double by) {
+    Derivatives derivatives;
+    ball.system->evaluate(moved(state, {0, 0, by}), {.from = state}, Curvature::exact, derivatives);
+    return derivatives.energy.stored;
+  };
+  EXPECT_TRUE(std::isfinite(energy(-0.4e-3)));
+  EXPECT_EQ(energy(-0.6e-3), INFINITY);
+}
+
+// Loaded below the cone and unloaded again, a slip gives back all it took; what slides is lost.
+TEST(ObstacleContact, StoresWhatIsElasticOfASlipAndLosesTheRest) {
+  const Ball ball({0.5e-3});
+  State state = ball.system->initial_state();
+  const auto moved_by = [&](double way) {
+    const Configuration at = moved(state, {way, 0, 0});
+    Eigen::VectorXd history;
+    const Energy energy = ball.system->advance_history(at, {.from = state}, history);
+    state.history = history;
+    state.configuration = at;
+    return energy;
+  };
+  const double normal = -kStiffness * barrier(0.5e-3, kThickness).slope;
+  const double resting = moved_by(0).stored;
+  const Energy loaded = moved_by(kSlipLength / 2);
+  EXPECT_NEAR(loaded.stored - resting, kFriction.sticking * normal * kSlipLength / 8,
+              1e-3 * normal * kSlipLength);
+  EXPECT_NEAR(loaded.work, 0, 1e-16);
+  const Energy unloaded = moved_by(-kSlipLength / 2);
+  EXPECT_NEAR(unloaded.stored, resting, 1e-4 * normal * kSlipLength);
+  EXPECT_NEAR(unloaded.work, 0, 1e-16);
+  const Energy slid = moved_by(11 * kSlipLength);
+  EXPECT_NEAR(slid.work, kFriction.sticking * normal * 10 * kSlipLength,
+              1e-3 * normal * kSlipLength);
 }
 
 TEST(ObstacleContact, RemembersWhatIsElasticOfASlip) {

@@ -70,6 +70,11 @@ const Refusal kDocumentRefusals[] = {
      with_more("obstacles: [{name: a, sphere: {centre: [0, 0, -1], radius: 1 m},\n"
                "  friction: {static: 0.2, kinetic: 0.3}}]\n"),
      6, "obstacles[0].friction.kinetic", "exceeds the static"},
+    {"FrictionOfGlue",
+     with_more("obstacles: [{name: a, sphere: {centre: [0, 0, -1], radius: 1 m}, friction: 50}]\n"),
+     5, "obstacles[0].friction", "more than any fabric has"},
+    {"AContactOfNothing", with_more("contact: {thickness: 1 um}\n"), 5, "contact.thickness",
+     "no thickness of a contact"},
     {"FrictionOfClothOnItself", with_more("contact: {friction: 0.6}\n"), 5, "contact.friction",
      "unknown key"},
     {"AirWithoutDrag", with_more("air: {wind: [1, 0, 0]}\n"), 5, "air.drag", "is missing"},

@@ -34,6 +34,11 @@ Eigen::Matrix3d tangent_plane(const Eigen::Vector3d& normal) {
   return Eigen::Matrix3d::Identity() - normal * normal.transpose();
 }
 
+// @param slip  elastic
+double stored_slip(const Eigen::Vector3d& slip, double largest_friction) {
+  return slip_energy(slip, largest_friction, Eigen::Matrix3d::Zero()).energy;
+}
+
 }  // namespace
 
 ObstacleContact::ObstacleContact(ObstacleShape shape, std::vector<int> points,
@@ -49,22 +54,51 @@ void ObstacleContact::evaluate(const Evaluation& at, Derivatives& derivatives) c
   for (size_t i = 0; i < points_.size(); ++i) evaluate_point(i, at, derivatives);
 }
 
+void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                            Eigen::VectorXd& shares) const {
+  constexpr double kKept = 0.2;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const int point = points_[i];
+    const Eigen::Vector3d begin = from.configuration.positions.col(point), end = to.col(point);
+    const Memory memory = Memory::read(from.history + Memory::kSize * static_cast<Eigen::Index>(i));
+    if (memory.normal_force > 0) {
+      shares(point) = std::min(shares(point), share_to_standstill(memory, begin, end));
+    }
+    const double distance = distance_to(shape_, begin);
+    if ((end - begin).norm() < (1 - kKept) * distance) continue;
+    const double kept = kKept * std::min(distance, thickness_ / 2);
+    shares(point) = std::min(shares(point), free_share(shape_, begin, end, kept));
+  }
+}
+
+// A point that slides and turns back may come to rest: its stiffness there is another, and unknown
+// where it slides.
+double ObstacleContact::share_to_standstill(const Memory& memory, const Eigen::Vector3d& from,
+                                            const Eigen::Vector3d& to) const {
+  const Eigen::Vector3d before = slip_of(memory, from), way = slip_of(memory, to) - before;
+  if (before.squaredNorm() <= kSlipLength * kSlipLength) return 1;
+  const double share = -before.dot(way) / way.squaredNorm();
+  const bool stops = share > 0 && (before + share * way).norm() < kSlipLength;
+  return stops ? std::min(share, 1.0) : 1;
+}
+
 void ObstacleContact::evaluate_point(size_t i, const Evaluation& at,
                                      Derivatives& derivatives) const {
   const int point = points_[i];
   const Eigen::Vector3d position = at.configuration.positions.col(point);
   const Memory memory = Memory::read(at.history + Memory::kSize * static_cast<Eigen::Index>(i));
-  if (!admits_point(i, at)) {
+  const double distance = distance_to(shape_, position);
+  if (distance >= thickness_ && memory.normal_force == 0) return;
+  if (!(distance > 0)) {
     derivatives.energy.stored = INFINITY;
     return;
   }
-  if (distance_to(shape_, position) >= thickness_ && memory.normal_force == 0) return;
   const SurfaceDistance surface = surface_distance(shape_, position);
   const Barrier pushed = barrier(surface.distance, thickness_);
   const double stiffness = stiffness_(static_cast<Eigen::Index>(i));
-  const SlipEnergy rubbed = slip_of(memory, position);
+  const SlipEnergy rubbed = rubbing(memory, position);
   derivatives.energy.stored += stiffness * pushed.energy;
-  derivatives.energy.work += rubbed.energy - slip_of(memory, memory.position).energy;
+  derivatives.energy.work += rubbed.energy - rubbing(memory, memory.position).energy;
   if (derivatives.gradient) {
     derivatives.gradient->col(point) += stiffness * pushed.slope * surface.normal + rubbed.force;
   }
@@ -77,30 +111,19 @@ void ObstacleContact::evaluate_point(size_t i, const Evaluation& at,
                                                 derivatives.hessian->matrix);
 }
 
-SlipEnergy ObstacleContact::slip_of(const Memory& memory, const Eigen::Vector3d& position) const {
-  const double bound =
-      memory.normal_force * (memory.slides ? friction_.sliding : friction_.sticking);
-  const Eigen::Matrix3d plane = tangent_plane(surface_distance(shape_, memory.position).normal);
-  return slip_energy(plane * (memory.slip + position - memory.position), bound, plane);
+double ObstacleContact::largest_friction(const Memory& memory) const {
+  return memory.normal_force * (memory.slides ? friction_.sliding : friction_.sticking);
 }
 
-bool ObstacleContact::admits(const Evaluation& at) const {
-  for (size_t i = 0; i < points_.size(); ++i) {
-    if (!admits_point(i, at)) return false;
-  }
-  return true;
+Eigen::Vector3d ObstacleContact::slip_of(const Memory& memory,
+                                         const Eigen::Vector3d& position) const {
+  const Eigen::Vector3d slip = memory.slip + position - memory.position;
+  return tangent_plane(surface_distance(shape_, memory.position).normal) * slip;
 }
 
-// Distances change no faster than points move: only who may have met the surface is looked at
-// closer.
-bool ObstacleContact::admits_point(size_t i, const Evaluation& at) const {
-  const Eigen::Vector3d position = at.configuration.positions.col(points_[i]);
-  const auto first = Memory::kSize * static_cast<Eigen::Index>(i);
-  const Eigen::Vector3d before = Eigen::Vector3d::Map(at.history + first);
-  const double distance = distance_to(shape_, position);
-  if (!(distance > 0)) return false;
-  if (distance + distance_to(shape_, before) > (position - before).norm()) return true;
-  return pliant::least_distance(shape_, before, position) > 0;
+SlipEnergy ObstacleContact::rubbing(const Memory& memory, const Eigen::Vector3d& position) const {
+  return slip_energy(slip_of(memory, position), largest_friction(memory),
+                     tangent_plane(surface_distance(shape_, memory.position).normal));
 }
 
 Eigen::Index ObstacleContact::history_size() const {
@@ -120,6 +143,8 @@ Eigen::VectorXd ObstacleContact::initial_history(const Evaluation& at) const {
   return history;
 }
 
+// What is elastic of a slip is stored, with the largest friction of the next step; the rest of what
+// friction took in this one is lost.
 Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
   Energy energy;
   for (size_t i = 0; i < points_.size(); ++i) {
@@ -136,9 +161,11 @@ Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
       const Barrier pushed = barrier(distance, thickness_);
       now.normal_force = -stiffness_(index) * pushed.slope;
       energy.stored += stiffness_(index) * pushed.energy;
+      energy.stored += stored_slip(now.slip, largest_friction(now));
     }
     if (memory.normal_force > 0) {
-      energy.work += slip_of(memory, position).energy - slip_of(memory, memory.position).energy;
+      energy.work += rubbing(memory, position).energy;
+      energy.work -= stored_slip(now.slip, largest_friction(memory));
     }
     now.write(next + Memory::kSize * index);
   }

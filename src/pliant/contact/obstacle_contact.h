@@ -11,9 +11,9 @@ namespace pliant {
 /// Points that a solid body keeps out, and rubs against.
 ///
 /// A barrier acts on each point that is nearer to the surface than a thickness; no point reaches
-/// the surface, nor passes through the body during a step. Friction is Coulomb's, with the normal
-/// forces and normals that the step begins with: elastic up to `kSlipLength`, of which each point
-/// keeps its part from step to step, so that what rests does not creep.
+/// the surface, nor passes through the body on a way that `limit` leaves. Friction is Coulomb's,
+/// with the normal forces and normals that the step begins with: elastic up to `kSlipLength`, of
+/// which each point keeps its part from step to step, so that what rests does not creep.
 class ObstacleContact : public HistoryPotential {
  public:
   /// @param points     of the system
@@ -24,9 +24,12 @@ class ObstacleContact : public HistoryPotential {
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
-  /// The energy is infinite where `admits` says no.
+  /// A point keeps a fifth of its distance, or of half the thickness; one that slides stops where
+  /// it may come to rest.
+  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+             Eigen::VectorXd& shares) const override;
+  /// The energy is infinite inside the body.
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
-  bool admits(const Evaluation& at) const override;
 
   Eigen::Index history_size() const override;
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
@@ -39,8 +42,11 @@ class ObstacleContact : public HistoryPotential {
   struct Memory;
 
   void evaluate_point(size_t i, const Evaluation& at, Derivatives& derivatives) const;
-  bool admits_point(size_t i, const Evaluation& at) const;
-  SlipEnergy slip_of(const Memory& memory, const Eigen::Vector3d& position) const;
+  double largest_friction(const Memory& memory) const;  // N
+  Eigen::Vector3d slip_of(const Memory& memory, const Eigen::Vector3d& position) const;
+  SlipEnergy rubbing(const Memory& memory, const Eigen::Vector3d& position) const;
+  double share_to_standstill(const Memory& memory, const Eigen::Vector3d& from,
+                             const Eigen::Vector3d& to) const;
 
   ObstacleShape shape_;
   std::vector<int> points_;

@@ -18,20 +18,6 @@ double distance_to_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
   return (point - from - nearest_share(from, to, point) * (to - from)).norm();
 }
 
-// Of two lines: where both are nearest to each other in between, or an end is nearest to the other.
-double distance_of_lines(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                         const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-  double least = std::min({distance_to_line(c, d, a), distance_to_line(c, d, b),
-                           distance_to_line(a, b, c), distance_to_line(a, b, d)});
-  const Eigen::Vector3d normal = (b - a).cross(d - c);
-  const double area = normal.squaredNorm();
-  if (area == 0) return least;  // they are parallel
-  const double on_first = (c - a).cross(d - c).dot(normal) / area;
-  const double on_second = (c - a).cross(b - a).dot(normal) / area;
-  const bool between = on_first > 0 && on_first < 1 && on_second > 0 && on_second < 1;
-  return between ? std::min(least, std::abs((c - a).dot(normal)) / std::sqrt(area)) : least;
-}
-
 // Distance from a point of a round body's core; `along` is the direction of a line, or zero.
 SurfaceDistance round(const Eigen::Vector3d& away, const Eigen::Vector3d& along, double radius) {
   const double length = away.norm();
@@ -59,18 +45,6 @@ SurfaceDistance distance(const Capsule& body, const Eigen::Vector3d& point) {
   return round(point - core, along, body.radius);
 }
 
-double least(const HalfSpace& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return std::min(body.normal.dot(from - body.point), body.normal.dot(to - body.point));
-}
-
-double least(const Sphere& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return distance_to_line(from, to, body.centre) - body.radius;
-}
-
-double least(const Capsule& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return distance_of_lines(from, to, body.from, body.to) - body.radius;
-}
-
 double only(const HalfSpace& body, const Eigen::Vector3d& point) {
   return body.normal.dot(point - body.point);
 }
@@ -93,9 +67,23 @@ double distance_to(const ObstacleShape& shape, const Eigen::Vector3d& point) {
   return std::visit([&](const auto& body) { return only(body, point); }, shape);
 }
 
-double least_distance(const ObstacleShape& shape, const Eigen::Vector3d& from,
-                      const Eigen::Vector3d& to) {
-  return std::visit([&](const auto& body) { return least(body, from, to); }, shape);
+// The distance from a convex body is a convex function on a line: Newton's method comes to where it
+// falls below `keep` from before, and once it grows it goes on growing.
+double free_share(const ObstacleShape& shape, const Eigen::Vector3d& from,
+                  const Eigen::Vector3d& to, double keep) {
+  constexpr double kNear = 1e-3;
+  constexpr int kSteps = 50;
+  const Eigen::Vector3d way = to - from;
+  double share = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const SurfaceDistance surface = surface_distance(shape, from + share * way);
+    const double room = surface.distance - keep, slope = surface.normal.dot(way);
+    if (slope >= 0) return 1;
+    if (room <= kNear * keep) return share;
+    share -= room / slope;
+    if (share >= 1) return 1;
+  }
+  return share;
 }
 
 }  // namespace pliant

@@ -23,7 +23,7 @@ struct Capsule {
   double radius = 0;         ///< m, > 0
 };
 
-/// A solid body with a smooth surface.
+/// A convex body with a smooth surface.
 using ObstacleShape = std::variant<HalfSpace, Sphere, Capsule>;
 
 /// Where a point is to the surface of a body.
@@ -38,9 +38,10 @@ SurfaceDistance surface_distance(const ObstacleShape& shape, const Eigen::Vector
 /// The distance alone.
 double distance_to(const ObstacleShape& shape, const Eigen::Vector3d& point);
 
-/// The least distance on a straight way (m); the negative depth at its deepest point is not told,
-/// only that it is not positive.
-double least_distance(const ObstacleShape& shape, const Eigen::Vector3d& from,
-                      const Eigen::Vector3d& to);
+/// How much of a straight way a point goes before it is nearer to the body than `keep`; 1: all of
+/// it. Never too much.
+/// @param from  further from the body than `keep`
+double free_share(const ObstacleShape& shape, const Eigen::Vector3d& from,
+                  const Eigen::Vector3d& to, double keep);
 
 }  // namespace pliant

@@ -65,6 +65,11 @@ bool Coordinates::is_prescribed(int point) const {
   return owner == kPrescribed || (owner >= 0 && clip_is_prescribed(owner));
 }
 
+bool Coordinates::is_led(int point) const {
+  return is_prescribed(point) ||
+         std::ranges::any_of(held_axes_, [&](const HeldAxis& held) { return held.point == point; });
+}
+
 void Coordinates::number() {
   block_rows_ = 0;
   rows_.assign(owner_.size(), -1);

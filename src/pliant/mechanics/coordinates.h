@@ -41,6 +41,8 @@ class Coordinates {
   double clip_radius(int clip, const Configuration& at) const;
   bool is_free(int point) const { return row(point) >= 0; }
   bool is_prescribed(int point) const;
+  /// Whether it is prescribed, or an axis of it.
+  bool is_led(int point) const;
   /// The clip that a point belongs to; -1 for none.
   int clip_of(int point) const { return std::max(owner_[static_cast<size_t>(point)], -1); }
 

@@ -69,14 +69,16 @@ class Potential {
   /// Learns where its part of the Hessian goes; called before any evaluation.
   virtual void bind(const Coordinates& coordinates, const BlockPattern& pattern) = 0;
 
-  /// Whether points may be there at the end of a step: false where the energy is infinite. Asked
-  /// before each evaluation of a search.
-  virtual bool admits(const Evaluation& at) const {
-    static_cast<void>(at);
-    return true;
+  /// Shortens the straight ways of points to what each may go at once: what is in the way stops it.
+  /// @param to      where the points of `from` would go
+  /// @param shares  of the ways, one a point, in [0, 1]; only ever lowered
+  virtual void limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                     Eigen::VectorXd& shares) const {
+    static_cast<void>(from), static_cast<void>(to), static_cast<void>(shares);
   }
 
-  /// Adds to the energy and to the derivatives that are asked for.
+  /// Adds to the energy and to the derivatives that are asked for. The energy is infinite where
+  /// points must not be.
   virtual void evaluate(const Evaluation& at, Derivatives& derivatives) const = 0;
 };
 

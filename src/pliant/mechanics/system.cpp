@@ -85,10 +85,13 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
-bool System::admits(const Configuration& at, const Conditions& under) const {
-  return std::ranges::all_of(parts_, [&](const Part& part) {
-    return part.potential->admits(evaluation(part, at, under));
-  });
+Eigen::VectorXd System::free_shares(const Configuration& from, const Configuration& to,
+                                    const Conditions& under) const {
+  Eigen::VectorXd shares = Eigen::VectorXd::Ones(points());
+  for (const Part& part : parts_) {
+    part.potential->limit(evaluation(part, from, under), to.positions, shares);
+  }
+  return shares;
 }
 
 void System::evaluate(const Configuration& at, const Conditions& under, Curvature curvature,

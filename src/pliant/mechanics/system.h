@@ -62,8 +62,9 @@ class System {
   /// A Hessian of the right pattern, zero.
   Hessian make_hessian() const;
 
-  /// Whether no potential keeps the points out of there.
-  bool admits(const Configuration& at, const Conditions& under) const;
+  /// How much of its straight way each point may go at once, in [0, 1].
+  Eigen::VectorXd free_shares(const Configuration& from, const Configuration& to,
+                              const Conditions& under) const;
   /// Adds the energy and the derivatives of all potentials.
   void evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                 Derivatives& derivatives) const;

@@ -37,6 +37,30 @@ void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
       "cloth that begins outside");
 }
 
+void warn_of_deep_starts(const SceneObstacle& obstacle, double thickness,
+                         const TouchingCloth& cloth, std::vector<std::string>& warnings) {
+  const auto deep = std::ranges::count_if(cloth.points, [&](int point) {
+    return distance_to(obstacle.shape, cloth.positions.col(point)) < thickness / 4;
+  });
+  if (deep == 0) return;
+  warnings.push_back(fmt::format(
+      "{} vertices begin nearer to {} than a quarter of the thickness of {}: it throws them off",
+      deep, quoted_value(obstacle.name), millimetres(thickness)));
+}
+
+// What is led goes where it is told to, through anything.
+void warn_of_led_points(const SceneObstacle& obstacle, const TouchingCloth& cloth,
+                        std::vector<std::string>& warnings) {
+  const auto inside = std::ranges::count_if(cloth.led, [&](int point) {
+    return distance_to(obstacle.shape, cloth.positions.col(point)) <= 0;
+  });
+  if (inside == 0) return;
+  warnings.push_back(
+      fmt::format("{} vertices that pins or clips hold begin inside {}, which does "
+                  "not push what is held",
+                  inside, quoted_value(obstacle.name)));
+}
+
 // Between two vertices on a round surface an edge of length l comes nearer to its axis by
 // l^2 / (8 r).
 void warn_of_long_edges(const SceneObstacle& obstacle, const Scene& scene,
@@ -57,6 +81,8 @@ std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
   const double per_mass = kStiffness / (scene.time.step * scene.time.step);
   for (const SceneObstacle& obstacle : scene.obstacles) {
     refuse_overlap(obstacle, cloth);
+    warn_of_deep_starts(obstacle, scene.contact.thickness, cloth, warnings);
+    warn_of_led_points(obstacle, cloth, warnings);
     warn_of_long_edges(obstacle, scene, cloth, warnings);
     contacts.push_back(std::make_shared<ObstacleContact>(
         obstacle.shape, cloth.points, per_mass * cloth.masses(cloth.points),

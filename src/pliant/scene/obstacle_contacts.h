@@ -11,7 +11,8 @@ namespace pliant {
 
 /// Cloth as obstacles see it.
 struct TouchingCloth {
-  std::vector<int> points;  ///< that are free to move
+  std::vector<int> points;  ///< that move freely, alone or with a clip
+  std::vector<int> led;     ///< with an axis or more that is told where to be
   Eigen::Matrix3Xd positions;
   Eigen::VectorXd masses;   ///< kg, one a point of the system
   double longest_edge = 0;  ///< at rest, m

@@ -56,7 +56,11 @@ ObstacleShape read_shape(Fields& fields, const Value& value) {
 
 double read_coefficient(const Value& value) {
   const double coefficient = value.number();
+  constexpr double kLargest = 10;
   if (coefficient < 0) value.fail("is negative", "a coefficient of friction of at least 0");
+  if (coefficient > kLargest) {
+    value.fail("is more than any fabric has", fmt::format("at most {}", kLargest));
+  }
   return coefficient;
 }
 
@@ -94,7 +98,11 @@ SceneContact read_scene_contact(const Value& value) {
   Fields fields = value.fields();
   SceneContact contact;
   if (auto v = fields.optional("thickness")) {
+    constexpr double kLeast = 1e-5, kMost = 0.1;
     contact.thickness = v->positive_quantity(Dimension::length);
+    if (contact.thickness < kLeast || contact.thickness > kMost) {
+      v->fail("is no thickness of a contact", "10 um to 10 cm");
+    }
   }
   fields.finish();
   return contact;

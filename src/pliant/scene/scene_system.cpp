@@ -283,11 +283,11 @@ class SceneBuilder {
     system().add(std::make_shared<PointForces>(scene_.gravity * masses_.transpose()));
   }
 
-  // What is held or moved from outside goes where it is told to.
   void add_obstacles() {
-    TouchingCloth cloth{{}, positions_, masses_};
+    TouchingCloth cloth{{}, {}, positions_, masses_};
     for (int point = 0; point < result_.vertices; ++point) {
-      if (!system().coordinates().is_prescribed(point)) cloth.points.push_back(point);
+      const bool led = system().coordinates().is_led(point);
+      (led ? cloth.led : cloth.points).push_back(point);
     }
     for (const ClothPiece& piece : result_.cloths) {
       cloth.longest_edge = std::max(cloth.longest_edge, mesh_quality(piece.mesh).longest_edge);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "pliant/solver/free_change.h"
+
 namespace pliant {
 namespace {
 
@@ -10,21 +12,36 @@ double largest_motion(const Configuration& from, const Configuration& to) {
 }
 
 // Shortens a change until the energy falls by a part of what its slope promises.
+// @param energy  at `at`; both change together
 // @return whether it does
 bool search_along(const Objective& objective, const Eigen::VectorXd& change, double slope,
-                  const Energy& energy, Configuration& at) {
-  constexpr double kShare = 1e-4, kShortest = 1e-3;
+                  double shortest, Energy& energy, Configuration& at) {
+  constexpr double kShare = 1e-4;
+  if (slope > 0) return false;
   const double rounding = 1e-13 * (std::abs(energy.stored) + std::abs(energy.work));
-  for (double length = 1; length > kShortest; length /= 2) {
+  for (double length = 1; length > shortest; length /= 2) {
     Configuration trial = objective.system().coordinates().moved(at, length * change);
-    if (!objective.admits(trial)) continue;
-    const double rise = objective.energy(trial).total() - energy.total();
-    if (rise <= kShare * length * slope + rounding) {
+    const Energy there = objective.energy(trial);
+    if (there.total() - energy.total() <= kShare * length * slope + rounding) {
       at = std::move(trial);
+      energy = there;
       return true;
     }
   }
   return false;
+}
+
+// Takes a change whole, or as much of it as is free and brings less energy: first with each point
+// for itself, as one that meets something says nothing of those far away.
+// @return whether the energy fell
+bool go_down(const Objective& objective, const Eigen::VectorXd& force, const FreeChange& free,
+             Energy& energy, Configuration& at) {
+  constexpr double kShortest = 1e-3, kShortestOfEach = 0.1;
+  const auto searched = [&](const Eigen::VectorXd& change, double shortest) {
+    return search_along(objective, change, -force.dot(change), shortest, energy, at);
+  };
+  if (!free.whole && searched(free.each, kShortestOfEach)) return true;
+  return searched(free.alike, kShortest);
 }
 
 }  // namespace
@@ -35,12 +52,15 @@ DescentSummary descend(const Objective& objective, const DescentOptions& options
   const Coordinates& coordinates = objective.system().coordinates();
   DescentSummary summary;
   Eigen::Matrix3Xd gradient;
-  for (double motion = INFINITY; motion > options.motion; change.setZero()) {
-    if (summary.iterations == options.iterations) break;
-    const Energy energy = objective.linearize(at, Curvature::convex, gradient, hessian);
+  bool settled = true;
+  double motion = INFINITY;
+  for (int left = options.iterations; left > 0 && (!settled || motion > options.motion);) {
+    if (summary.iterations == options.most_iterations) break;
+    Energy energy = objective.linearize(at, Curvature::convex, gradient, hessian);
     if (summary.iterations++ == 0) summary.start = energy;
     const Eigen::VectorXd force = -coordinates.reduce(at, gradient);
-    summary.converged = force.allFinite() && solver->factorize(hessian.matrix);
+    summary.converged =
+        force.allFinite() && std::isfinite(energy.total()) && solver->factorize(hessian.matrix);
     if (!summary.converged) {
       summary.residual = INFINITY;
       break;
@@ -50,14 +70,17 @@ DescentSummary descend(const Objective& objective, const DescentOptions& options
     summary.residual = linear.residual;
     const Configuration before = at;
     if (options.line_search) {
-      const double slope = -force.dot(change);
-      summary.converged = slope <= 0 && search_along(objective, change, slope, energy, at);
+      const FreeChange free = free_change(objective, at, change);
+      summary.converged = go_down(objective, force, free, energy, at);
+      settled = free.whole && energy.total() <= options.most_energy;
     } else {
       at = coordinates.moved(at, change);
       summary.converged = linear.converged;
     }
     if (!summary.converged) break;
+    if (settled) --left;
     motion = largest_motion(before, at);
+    change.setZero();
   }
   return summary;
 }

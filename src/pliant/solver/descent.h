@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "pliant/solver/objective.h"
 #include "pliant/solver/workspace.h"
 
@@ -7,14 +9,18 @@ namespace pliant {
 
 /// How to go down an objective with few linear systems.
 struct DescentOptions {
-  int iterations = 3;       ///< at most
+  /// At most, beside those that something in the way shortens, or that leave too much energy.
+  int iterations = 3;
+  int most_iterations = 20;                                      ///< at most, with those
+  double most_energy = std::numeric_limits<double>::infinity();  ///< that is not too much (J)
   double motion = 3e-5;     ///< ends with an iteration that moves no point further (m)
   bool line_search = true;  ///< without it every change is taken whole
 };
 
 struct DescentSummary {
-  bool converged =
-      true;  ///< every linear system was solved, and the energy fell where it was asked
+  /// With a line search: the energy fell in each iteration; without one: the linear system was
+  /// solved.
+  bool converged = true;
   int iterations = 0;
   int linear_iterations = 0;
   double residual = 0;  ///< of the last linear system, relative; infinite where it has no solution

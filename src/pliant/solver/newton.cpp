@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "pliant/solver/free_change.h"
+
 namespace pliant {
 namespace {
 
@@ -72,7 +74,6 @@ bool line_search(const Objective& objective, const Eigen::VectorXd& step, double
   Iterate trial;
   for (double length = 1; length > kShortest; length /= 2) {
     trial.at = coordinates.moved(now.at, length * step);
-    if (!objective.admits(trial.at)) continue;
     trial.energy = objective.evaluate(trial.at, trial.gradient);
     const double change = trial.energy.total() - now.energy.total();
     const bool falls = change <= kShare * length * slope;
@@ -136,13 +137,17 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
     summary.residual = largest_force(coordinates, at, force);
     summary.converged = summary.residual < options.tolerance;
     if (summary.converged || summary.iterations == options.max_iterations ||
-        !std::isfinite(summary.residual)) {
+        !std::isfinite(summary.residual + now.energy.total())) {
       return summary;
     }
     Eigen::VectorXd step;
+    const auto searched = [&](const Eigen::VectorXd& change) {
+      const double slope = -force.dot(change);
+      return slope < 0 && line_search(objective, change, slope, summary.residual, now);
+    };
     const auto descend = [&] {
-      const double slope = -force.dot(step);
-      return slope < 0 && line_search(objective, step, slope, summary.residual, now);
+      const FreeChange free = free_change(objective, at, step);
+      return (!free.whole && searched(free.each)) || searched(free.alike);
     };
     const bool reuse =
         options.reuse_factor && has_factor && summary.residual < kFast * last_residual;

@@ -18,8 +18,6 @@ class Objective {
   const System& system() const { return system_; }
   const Conditions& conditions() const { return under_; }
 
-  /// Whether the points may be there: a search asks before it evaluates.
-  bool admits(const Configuration& at) const { return system_.admits(at, under_); }
   Energy energy(const Configuration& at) const;
   /// dE / d points, N; on prescribed points the force that holds them.
   Eigen::Matrix3Xd gradient(const Configuration& at) const;

@@ -7,6 +7,7 @@
 #include "pliant/math/ssor_cg.h"
 #include "pliant/mechanics/point_targets.h"
 #include "pliant/solver/descent.h"
+#include "pliant/solver/free_change.h"
 
 namespace pliant {
 
@@ -131,12 +132,13 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State&
 }
 
 StepSummary TimeStepper::searched(const Trial& trial, Configuration at, State& to) {
-  // Where inertia alone leads into an obstacle the search begins where the step does.
-  Configuration coasted = system_.coordinates().moved(at, trial.guess);
-  if (trial.objective.admits(coasted)) at = std::move(coasted);
+  const FreeChange guess = free_change(trial.objective, at, trial.guess);
+  // A guess that something in the way has bent may hold more energy than there was.
+  const double most_energy = guess.whole ? INFINITY : trial.objective.energy(at).total();
+  at = system_.coordinates().moved(at, guess.each);
   StepSummary summary;
   if (options_.solve == StepSolve::iterated) {
-    const DescentOptions few{.motion = options_.motion_tolerance};
+    const DescentOptions few{.most_energy = most_energy, .motion = options_.motion_tolerance};
     summary = summary_of(descend(trial.objective, few, no_change(system_), workspace_, at));
   } else {
     NewtonOptions newton;

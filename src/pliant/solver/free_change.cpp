@@ -1,0 +1,36 @@
+#include "pliant/solver/free_change.h"
+
+namespace pliant {
+namespace {
+
+// The share of each unknown: of a free point its own, of a clip the least of its points'.
+Eigen::VectorXd of_unknowns(const Coordinates& coordinates, const Eigen::VectorXd& of_points) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Ones(coordinates.unknowns());
+  for (int i = 0; i < coordinates.points(); ++i) {
+    if (coordinates.is_free(i)) {
+      shares.segment<3>(3 * coordinates.row(i)).setConstant(of_points(i));
+    }
+  }
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (coordinates.clip_is_prescribed(k)) continue;
+    const double least = of_points(coordinates.clip_points(k)).minCoeff();
+    shares.segment<6>(3 * coordinates.clip_row(k)).setConstant(least);
+  }
+  return shares;
+}
+
+}  // namespace
+
+FreeChange free_change(const Objective& objective, const Configuration& at,
+                       const Eigen::VectorXd& change) {
+  const System& system = objective.system();
+  const Coordinates& coordinates = system.coordinates();
+  const Configuration there = coordinates.moved(at, change);
+  const Eigen::VectorXd shares =
+      of_unknowns(coordinates, system.free_shares(at, there, objective.conditions()));
+  const double least = shares.size() > 0 ? shares.minCoeff() : 1;
+  if (least == 1) return {change, change, true};
+  return {change.cwiseProduct(shares), least * change, false};
+}
+
+}  // namespace pliant

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pliant/solver/objective.h"
+
+namespace pliant {
+
+/// A change of the unknowns, shortened to where its points may go.
+struct FreeChange {
+  Eigen::VectorXd each;   ///< by itself for each free point; for each clip by its least free point
+  Eigen::VectorXd alike;  ///< for all by the point that may go least
+  bool whole = true;      ///< nothing was in the way: both are what was asked for
+};
+
+FreeChange free_change(const Objective& objective, const Configuration& at,
+                       const Eigen::VectorXd& change);
+
+}  // namespace pliant

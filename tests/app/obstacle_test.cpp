@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 /// The example with fewer vertices and steps.
 void write_drape(const SceneFolder& folder, const std::string& duration) {
   folder.copy_example("drape-sphere", {{"nodes: 121x121", "nodes: 21x21"},
-                                       {"duration: 600 ms", "duration: " + duration},
+                                       {"duration: 800 ms", "duration: " + duration},
                                        {"{thickness: 1 mm}", "{thickness: 4 mm}"}});
 }
 

@@ -63,12 +63,44 @@ TEST(Judgement, AMissIsToldByTheScaleOfWhatWasMeasured) {
 // nothing.
 TEST(Judgement, OfAStripThatHangsCountsWhatIsBetterThanNoStiffness) {
   ExperimentResult hanging = pulled("hanging", 5, 4.8);
-  hanging.limp_percent = 1.25 * hanging.rms_percent;
+  const auto error = (hanging.predicted - hanging.measured).array().square().mean();
+  hanging.limp_rms = 1.25 * std::sqrt(error);
   const Judgement judgement = judge(result_of({hanging}), {}, false);
   EXPECT_NEAR(*judgement.experiments.front().explained, 0.36, 1e-12);
   EXPECT_EQ(judgement.fitness, Fitness::unfit);
   EXPECT_THAT(judgement.headline,
               HasSubstr("36 % of what a strip without stiffness leaves is explained"));
+}
+
+// Where noise is a good part of what no stiffness leaves, the strip is no test of bending.
+TEST(Judgement, DoesNotBlameAMaterialForNoise) {
+  ExperimentResult hanging = pulled("hanging", 5, 5);
+  constexpr double kNoise = 0.1;
+  for (Eigen::Index i = 0; i < hanging.measured.size(); ++i) {
+    hanging.measured(i) += i % 2 == 0 ? kNoise : -kNoise;
+  }
+  hanging.noise_floor = kNoise;
+  hanging.rms = kNoise;
+  hanging.rms_percent = 2;
+  hanging.limp_rms = 2 * kNoise;
+  const Judgement hidden = judge(result_of({hanging}), {}, true);
+  EXPECT_FALSE(hidden.experiments.front().explained.has_value());
+  EXPECT_NE(hidden.fitness, Fitness::unfit);
+  hanging.limp_rms = 4 * kNoise;
+  const Judgement told = judge(result_of({hanging}), {}, true);
+  EXPECT_NEAR(*told.experiments.front().explained, 1, 1e-9);
+  EXPECT_NE(told.fitness, Fitness::unfit);
+}
+
+TEST(Judgement, JudgesALoopThatIsNotThereByWhatIsPredicted) {
+  for (const double measured : {-6e-4, -4e-5, 0.0, 1e-4, 8e-4}) {
+    ExperimentResult elastic = pulled("elastic", 5, 5);
+    elastic.measured_loop.emplace().loop_loss = measured;
+    elastic.predicted_loop.emplace().loop_loss = 0.089;
+    const Judgement judgement = judge(result_of({elastic}), {}, true);
+    EXPECT_EQ(judgement.fitness, Fitness::unfit) << measured;
+    EXPECT_FALSE(judgement.experiments.front().loop_ratio.has_value());
+  }
 }
 
 TEST(Judgement, TellsSmallForcesInMillinewtons) {

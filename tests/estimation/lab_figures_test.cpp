@@ -69,6 +69,26 @@ TEST(LabFigures, TheLoopIsTwiceTheSaturatedFrictionWide) {
   EXPECT_NEAR(width.error->std_error, 2 * 0.02, kDifferences * 0.04);
 }
 
+// A preloaded strip says nothing of what is below its data, one that ends early nothing above.
+TEST(LabFigures, AreMarkedWhereThereAreNoData) {
+  const auto beyond = [](const std::string& component, double low, double high) {
+    Material material = cloth(component, ScalarCurve::constant(30), high);
+    material.components[component].range->first = low;
+    material.components[component].friction = ComponentFriction{{1, 0, 1e-3}, {}};
+    std::vector<std::string> names;
+    for (const LabFigure& figure : lab_figures(material, component, {})) {
+      if (figure.beyond_range) names.push_back(figure.name);
+    }
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(beyond("stretch.warp", 0, 0.4), Names());
+  EXPECT_EQ(beyond("stretch.warp", 0.3, 0.4),
+            (Names{"stiffness_at_rest", "secant_modulus", "loop_width"}));
+  EXPECT_EQ(beyond("bend.warp", 0, 3 * 120), Names{"kes_B"});
+  EXPECT_EQ(beyond("bend.warp", 0, 3 * 80), (Names{"kes_B", "kes_2HB"}));
+}
+
 TEST(LabFigures, OfBendingAreTheKawabataNumbersAndTheBendingLength) {
   const double k = 3e-6, a = 2e-4;
   Material material = cloth("bend.warp", ScalarCurve::constant(k), 750);

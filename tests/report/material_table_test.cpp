@@ -86,7 +86,7 @@ TEST(MaterialTable, MarksWhatIsReadBeyondTheData) {
   EXPECT_THAT(material_table(results), Not(HasSubstr("*")));
   results.figures[1].beyond_range = true;
   EXPECT_THAT(material_table(results), HasSubstr("9.003 ± 0.011*"));
-  EXPECT_THAT(material_table(results), HasSubstr("* read off the law beyond the range"));
+  EXPECT_THAT(material_table(results), HasSubstr("* read off the law where there are no data"));
 }
 
 TEST(MaterialTable, OfAnEvaluationHasNoErrorsAndSaysWhereTheyAre) {

@@ -36,9 +36,10 @@ std::string own_text(std::string html) {
 TEST(Report, OpensWithTheVerdict) {
   EXPECT_THAT(
       report_of({}),
-      HasSubstr("The material reproduces 5 of 5 fitted experiments within 1.2 % of peak "
-                "force or extension. 2 validation experiments are predicted within 5.7 % of peak "
-                "force."));
+      HasSubstr(
+          "The material reproduces 5 of 5 fitted experiments within 1.2 % of peak "
+          "force or range of lengths. 2 validation experiments are predicted within 5.7 % of peak "
+          "force."));
 }
 
 TEST(Report, NamesNothingOutsideItself) {

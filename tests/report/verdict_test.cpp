@@ -91,13 +91,13 @@ TEST(Verdict, AnEvaluationPredictsAndFitsNothing) {
   EXPECT_EQ(verdict(results), "1 experiment is predicted within 4.0 % of peak force.");
 }
 
-TEST(Verdict, TakesLengthsAsPercentageOfTheLargestExtension) {
+TEST(Verdict, TakesLengthsAsPercentageOfTheirRange) {
   Results results;
   results.experiments = {experiment("a", 1.4)};
   results.experiments[0].quantity = "length_mm";
   EXPECT_EQ(verdict(results),
-            "The material reproduces 1 of 1 fitted experiment within 1.4 % of the largest "
-            "extension.");
+            "The material reproduces 1 of 1 fitted experiment within 1.4 % of the range "
+            "of the lengths.");
 }
 
 TEST(Verdict, GivesLengthsInMillimetres) {

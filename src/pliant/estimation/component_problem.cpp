@@ -21,7 +21,6 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
                                    StopToken stop, RobustLoss loss)
     : experiments_(std::move(experiments)), stop_(stop), loss_(loss) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
-  smallest_strain_ = 1e300;
   for (const ComponentExperiment* experiment : experiments_) {
     first_nuisance_.push_back(nuisance_count_);
     nuisance_count_ += static_cast<int>(experiment->nuisance().size());
@@ -33,8 +32,6 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
       if (!used[i]) continue;
       peak_stress_ = std::max(peak_stress_, std::abs(path.force[i] / path.factor[i]));
       largest_strain_ = std::max(largest_strain_, std::abs(path.strain[i]));
-      const bool from_zero = !path.starts_flat.empty() && path.starts_flat[i];
-      smallest_strain_ = std::min(smallest_strain_, from_zero ? 0.0 : std::abs(path.strain[i]));
     }
     weight_.push_back(Eigen::VectorXd::Constant(experiment->rows(), 1 / first_noise(*experiment)));
   }

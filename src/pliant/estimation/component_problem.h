@@ -45,7 +45,6 @@ class ComponentProblem {
 
   double peak_stress() const { return peak_stress_; }
   double largest_strain() const { return largest_strain_; }
-  double smallest_strain() const { return smallest_strain_; }
 
   /// Takes the weights that the noise at a solution gives. Returns the largest relative change of
   /// those of an experiment.
@@ -66,7 +65,6 @@ class ComponentProblem {
   int used_rows_ = 0;
   double peak_stress_ = 0;
   double largest_strain_ = 0;
-  double smallest_strain_ = 0;
 };
 
 }  // namespace pliant

@@ -94,6 +94,15 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
     }
   }
+  std::vector<std::string> at_bound;
+  for (std::size_t i = 0; i < fit.fit.unknowns.size(); ++i) {
+    const Unknown& unknown = fit.fit.unknowns[i];
+    if (fit.uncertainty.at_bound[i] && !unknown.fixed) at_bound.push_back(unknown.name);
+  }
+  if (!at_bound.empty()) {
+    result.warnings.push_back(
+        fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
+  }
   const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
   if (rows.rows > 1.5 * rows.effective) {
     result.assumptions.push_back(fmt::format(
@@ -133,13 +142,28 @@ void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
   }
 }
 
+// How large the strains of the fitted experiments are by the fitted law; somewhere along it a bent
+// strip is straight.
+std::pair<double, double> strains_of_data(const ComponentWork& work) {
+  std::pair<double, double> range{is_bending(work.component) ? 0 : INFINITY, 0};
+  for (size_t e = 0; e < work.fitted.size(); ++e) {
+    const ComponentExperiment& experiment = *work.fitted[e];
+    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
+    const auto [low, high] =
+        compare(experiment, work.fit.fit.law,
+                work.fit.fit.nuisance.segment(work.problem->first_nuisance(e), count))
+            .strain_range;
+    const double least = low < 0 && high > 0 ? 0 : std::min(std::abs(low), std::abs(high));
+    range.first = std::min(range.first, least);
+    range.second = std::max({range.second, std::abs(low), std::abs(high)});
+  }
+  return range;
+}
+
 MaterialComponent measured_component(const ComponentWork& work) {
   MaterialComponent component;
   set_law(component, work.fit.fit.law);
-  // Somewhere along it a bent strip is straight.
-  const double lowest = is_bending(work.component) ? 0 : work.problem->smallest_strain();
-  component.range = {std::min(lowest, work.problem->largest_strain()),
-                     work.problem->largest_strain()};
+  component.range = strains_of_data(work);
   return component;
 }
 
@@ -151,7 +175,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_warnings(work, result);
   warn_of_snapping(work, result);
   result.curves.push_back(component_curve(work.component, work.fit.fit.law,
-                                          work.problem->largest_strain(),
+                                          strains_of_data(work).second,
                                           errors_of_law(work.fit.uncertainty, 0)));
   result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
   const LawFit& fit = work.fit.fit;

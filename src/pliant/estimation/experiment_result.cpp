@@ -109,8 +109,8 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   result.rms = rms_of_used(result.predicted - result.measured, info.used);
   result.rms_percent = 100 * result.rms / experiment.reference();
   if (const auto limp = experiment.limp()) {
-    result.limp_percent =
-        100 * rms_of_used(*limp - result.measured, info.used) / experiment.reference();
+    result.limp_rms = rms_of_used(*limp - result.measured, info.used);
+    result.limp_percent = 100 * *result.limp_rms / experiment.reference();
   }
   result.peak_force = experiment.peak_force();
   result.points = static_cast<int>(std::count(info.used.begin(), info.used.end(), 1));

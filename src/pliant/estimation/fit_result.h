@@ -53,13 +53,14 @@ struct ExperimentResult {
   std::string name, type, direction, component;
   ExperimentRole role = ExperimentRole::fit;
   MeasuredQuantity quantity;
-  double rms = 0;          ///< SI, over the used rows
-  double rms_percent = 0;  ///< of the peak (of the largest extension for lengths, of the strip's
-                           ///< length for distances)
-  bool unloads = false;    ///< by enough to show friction
+  double rms = 0;                         ///< SI, over the used rows
+  double rms_percent = 0;                 ///< of the peak (of the range of lengths, of the strip's
+                                          ///< length for distances)
+  bool unloads = false;                   ///< by enough to show friction
   std::optional<double> elastic_rms;      ///< SI, of the best purely elastic curve
   std::optional<double> elastic_percent;  ///< the same in per cent
-  std::optional<double> limp_percent;     ///< the same of a material without any stiffness
+  std::optional<double> limp_rms;         ///< SI, of a material without any stiffness
+  std::optional<double> limp_percent;     ///< the same in per cent
   double peak_force = 0;                  ///< N, or N/m for forces per width
   int points = 0;
   int excluded = 0;

@@ -45,22 +45,27 @@ struct Figure {
 
 std::string percent(double share) {
   constexpr double kNothing = 1e-6;  // what rounding leaves of zero
+  if (std::abs(share) >= 1) return fmt::format("{:.0f} %", 100 * share);
   return fmt::format("{:.2g} %", std::abs(share) < kNothing ? 0 : 100 * share);
 }
 
-// Of what the best model that knows nothing of the material leaves: where weight alone makes a
-// force, that is more than a constant.
-double explained_share(const ExperimentResult& e, const ComparedRows& rows) {
-  if (e.limp_percent) return 1 - std::pow(e.rms_percent / *e.limp_percent, 2);
-  const double variance = (rows.measured - rows.measured.mean()).square().sum();
-  return 1 - (rows.predicted - rows.measured).square().sum() / variance;
+// Of what the best model that knows nothing of the material leaves beyond noise: where weight alone
+// makes a force, that is more than a constant. Noise that is a third of it leaves nothing to judge.
+std::optional<double> explained_share(const ExperimentResult& e, const ComparedRows& rows) {
+  constexpr double kTellable = 3;
+  const double noise = std::pow(e.noise_floor.value_or(0), 2);
+  const double error = (rows.predicted - rows.measured).square().mean();
+  const double unknowing = e.limp_rms ? std::pow(*e.limp_rms, 2)
+                                      : (rows.measured - rows.measured.mean()).square().mean();
+  if (unknowing <= kTellable * kTellable * noise) return std::nullopt;
+  return 1 - std::max(error - noise, 0.0) / (unknowing - noise);
 }
 
 std::string_view reference_of(const ExperimentResult& e) {
   if (facts_of_test(e.type).bends_by_weight) return "the mean overhang";
   if (facts_of_test(e.type).has_unknown_zero) return "the span of the force";
   if (e.quantity.kind == "distance") return e.sheet ? "the sheet's side" : "the strip's length";
-  return e.quantity.kind == "length" ? "the largest extension" : "the peak";
+  return e.quantity.kind == "length" ? "the range of the lengths" : "the peak";
 }
 
 /// Forces and moments per width below a tenth of a newton in mN, as reports have them.
@@ -93,15 +98,17 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
                                    with_unit(measured, measured, e.quantity),
                                    with_unit(predicted, measured, e.quantity))});
     own.explained = explained_share(e, rows);
+  }
+  if (own.explained) {
     figures.push_back(
         {(1 - *own.explained) / accept.unexplained,
          fmt::format("{} of {} is explained (accepted: {})", percent(std::max(*own.explained, 0.0)),
-                     e.limp_percent ? "what a strip without stiffness leaves" : "the variance",
+                     e.limp_rms ? "what a strip without stiffness leaves" : "the variance",
                      percent(1 - accept.unexplained))});
   }
-  if (e.measured_loop && e.predicted_loop && e.measured_loop->loop_loss > 0) {
+  if (e.measured_loop && e.predicted_loop) {
     const double measured = e.measured_loop->loop_loss, predicted = e.predicted_loop->loop_loss;
-    own.loop_ratio = predicted / measured;
+    if (measured >= kHardlyALoop) own.loop_ratio = predicted / measured;
     figures.push_back(
         {std::abs(predicted - measured) / std::max(measured, kHardlyALoop) / accept.loop,
          fmt::format("the loop loses {}, predicted {}", percent(measured), percent(predicted))});

@@ -11,11 +11,11 @@ struct StudyResult;
 
 /// How large the errors of an experiment may be (`accept:` of a study).
 struct Acceptance {
-  double rms = 0.05;          ///< RMS error over the peak (the largest extension, the length)
+  double rms = 0.05;          ///< RMS error over the peak (the range of the lengths, the length)
   double span = 0.1;          ///< difference of the predicted span of what is measured from 1
   double loop = 0.3;          ///< difference of the predicted loss of the loop from 1; of a loop
                               ///< that loses less than 2 % as if it lost that
-  double unexplained = 0.05;  ///< share of the variance of what is measured that is not predicted
+  double unexplained = 0.05;  ///< share of what is measured, beyond noise, that is not predicted
 };
 
 /// Whether a material may be used within the range of its data.
@@ -29,7 +29,8 @@ struct ExperimentJudgement {
   bool predicted = false;                        ///< nothing was fitted to it
   double excess = 0;                             ///< the worst of its figures over what is accepted
   std::optional<double> span_ratio, loop_ratio;  ///< predicted over measured
-  /// Share of the variance, or of what a material without any stiffness leaves.
+  /// Share of the mean square about the mean, or about what a material without any stiffness does,
+  /// noise taken out of both; nothing where that is hardly more than noise.
   std::optional<double> explained;
   std::vector<std::string> reasons;  ///< figures that are not accepted, the worst first
 

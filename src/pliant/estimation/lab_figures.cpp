@@ -94,16 +94,25 @@ class Figures {
   const MaterialComponent& component() const { return component_; }
   double end() const { return component_.range ? component_.range->second : 0; }
 
-  void add(const char* name, const char* unit, const Reading& read,
-           std::optional<double> at = std::nullopt, bool beyond_range = false) {
+  /// @param from, to  strains between which the law is read
+  void add(const char* name, const char* unit, const Reading& read, double from, double to,
+           std::optional<double> at = std::nullopt) {
     const std::optional<double> value = read(component_);
     if (!value || !std::isfinite(*value)) return;
-    all_.push_back({name_, name, unit, *value, at, error(read), beyond_range});
+    all_.push_back({name_, name, unit, *value, at, error(read), is_beyond(from, to)});
   }
 
   std::vector<LabFigure> take() { return std::move(all_); }
 
  private:
+  /// Of what the data cover; their ends count as met by a hundredth.
+  bool is_beyond(double from, double to) const {
+    if (!component_.range) return true;
+    const auto [low, high] = *component_.range;
+    const double slack = 0.01 * high;
+    return from < low - slack || to > high + slack;
+  }
+
   std::optional<CurveError> error(const Reading& read) const {
     // Of friction that differs between the sides the parameters are twice as many.
     if (!error_of_ || (component_.friction && component_.friction->negative)) return std::nullopt;
@@ -153,49 +162,55 @@ void add_membrane(const Material& material, bool shear, Figures& figures) {
   Chart chart;
   chart.strip.measure = material.membrane;
   chart.shear = shear;
-  figures.add("stiffness_at_rest", "N/m", tangent_at_rest);
+  figures.add("stiffness_at_rest", "N/m", tangent_at_rest, 0, 0);
   if (!(figures.end() > kLeast) || (shear && figures.end() >= 1)) return;
   const double end = chart.at(figures.end());
   for (const double at : {chart.rounded(end / 2), end}) {
-    figures.add("secant_modulus", "N/m", secant_modulus(chart, at), at);
+    const double strain = chart.strain(at);
+    figures.add("secant_modulus", "N/m", secant_modulus(chart, at), strain, strain, at);
   }
   if (law_of(figures.component()).remembers()) {
-    figures.add("loop_width", "N/m", loop_width(chart, end / 2, end), end / 2);
+    const double half = end / 2;
+    figures.add("loop_width", "N/m", loop_width(chart, half, end), chart.strain(half),
+                figures.end(), half);
   }
 }
 
 /// Numbers of the sheet, whose moment per width is the stress at three times its curvature.
 void add_bending(const Material& material, Figures& figures) {
   const double end = figures.end();
-  figures.add("rigidity_at_rest", "N m", [](const MaterialComponent& component) {
-    return kStrainPerCurvature * tangent_at_rest(component);
-  });
+  figures.add(
+      "rigidity_at_rest", "N m",
+      [](const MaterialComponent& component) {
+        return kStrainPerCurvature * tangent_at_rest(component);
+      },
+      0, 0);
   if (end > 0) {
     figures.add(
         "secant_rigidity", "N m",
         [end](const MaterialComponent& component) {
           return stress_while_loading(law_of(component), end) / (end / kStrainPerCurvature);
         },
-        end / kStrainPerCurvature);
+        end, end, end / kStrainPerCurvature);
   }
-  const bool beyond_slope = end < kStrainPerCurvature * kKesSlopeCurvature[1];
-  const bool beyond_loop = end < kStrainPerCurvature * kKesHysteresisCurvature;
   figures.add(
       "kes_B", "N m",
-      [](const MaterialComponent& component) { return kes_bending(component).rigidity; }, {},
-      beyond_slope);
+      [](const MaterialComponent& component) { return kes_bending(component).rigidity; },
+      kStrainPerCurvature * kKesSlopeCurvature[0], kStrainPerCurvature * kKesSlopeCurvature[1]);
   if (law_of(figures.component()).remembers()) {
     figures.add(
         "kes_2HB", "N",
-        [](const MaterialComponent& component) { return kes_bending(component).hysteresis; }, {},
-        beyond_loop);
+        [](const MaterialComponent& component) { return kes_bending(component).hysteresis; }, 0,
+        kStrainPerCurvature * kKesHysteresisCurvature);
   }
   if (!(material.density > 0)) return;
-  figures.add("bending_length", "m",
-              [density = material.density](const MaterialComponent& component) {
-                const auto length = bending_length(law_of(component), density);
-                return length ? std::optional(length->length) : std::nullopt;
-              });
+  figures.add(
+      "bending_length", "m",
+      [density = material.density](const MaterialComponent& component) {
+        const auto length = bending_length(law_of(component), density);
+        return length ? std::optional(length->length) : std::nullopt;
+      },
+      0, 0);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct LabFigure {
   /// the name says it.
   std::optional<double> at;
   std::optional<CurveError> error;  ///< nothing where it is not known
-  bool beyond_range = false;        ///< of the strains that were measured
+  bool beyond_range = false;        ///< read at strains that were not measured
 };
 
 /// The figures of a component, read off its law as a laboratory reads them off a chart.

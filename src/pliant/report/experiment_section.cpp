@@ -28,7 +28,7 @@ std::size_t row_budget(std::size_t experiments) {
 
 std::string_view reference_of(const ResultExperiment& e) {
   if (e.measures_overhangs()) return "mean overhang";
-  if (e.measures_lengths()) return "largest extension";
+  if (e.measures_lengths()) return "range of the lengths";
   return facts_of_test(e.type).has_unknown_zero ? "the span of the force" : "peak";
 }
 

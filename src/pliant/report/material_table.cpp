@@ -25,12 +25,13 @@ struct StrainRange {
 };
 
 /// The strains that the data of each component cover; in an evaluation nothing is fitted, so all
-/// experiments count.
+/// experiments count. Somewhere along it a bent strip is straight.
 std::vector<StrainRange> strain_ranges(const Results& results) {
   std::vector<StrainRange> ranges;
   for (const ResultExperiment& e : results.experiments) {
     if (!e.strain_range || e.measures_sheets() || (e.validation && !results.evaluation)) continue;
-    const auto [low, high] = *e.strain_range;
+    const auto [least, high] = *e.strain_range;
+    const double low = is_bending(e.component) ? std::min(least, 0.0) : least;
     const auto known = std::ranges::find(ranges, e.component, &StrainRange::component);
     if (known == ranges.end()) {
       ranges.push_back({e.component, low, high});
@@ -107,9 +108,18 @@ class FigureColumn {
     if (results_.evaluation || (figure.std_error && error == 0)) {
       return format_significant(value, 3);
     }
-    if (!figure.is_determined()) return fmt::format("({})", format_significant(value, 2));
+    if (!is_determined(figure)) return fmt::format("({})", format_significant(value, 2));
     const UncertainFormat format(value, error);
     return fmt::format("{} ± {}", format(value), format(error));
+  }
+
+  /// A bending length is a length of some rigidity, and no better known to be one.
+  bool is_determined(const ResultFigure& figure) const {
+    if (figure.name != "bending_length") return figure.is_determined();
+    return std::ranges::any_of(results_.figures, [&](const ResultFigure& other) {
+      const bool rigidity = other.name == "rigidity_at_rest" || other.name == "kes_B";
+      return rigidity && other.component == figure.component && other.is_determined();
+    });
   }
 
   static std::string place(const ResultFigure& figure) {
@@ -150,13 +160,15 @@ void add_range(const Results& results, const std::string& component, HtmlTable& 
   if (!is_bending(component)) table.cell(green.empty() ? kNoValue : green);
 }
 
+std::string elastic(const FigureColumn& at_rest) { return at_rest.unit() + ", without friction"; }
+
 std::string membranes(const Results& results) {
   const std::vector<std::string> components = components_of(results, /*bending=*/false);
   if (components.empty()) return {};
   const FigureColumn rest(results, "stiffness_at_rest"), secant(results, "secant_modulus"),
       end(results, "secant_modulus", /*last_of_name=*/true), loop(results, "loop_width");
   HtmlTable table({{"Stretch, shear"},
-                   {"At rest", Align::number, rest.unit()},
+                   {"At rest", Align::number, elastic(rest)},
                    {"Secant modulus", Align::number, secant.unit()},
                    {"At the end", Align::number, end.unit()},
                    {"Loop width", Align::number, loop.unit()},
@@ -182,7 +194,7 @@ std::string bends(const Results& results) {
   const FigureColumn rest(results, "rigidity_at_rest"), end(results, "secant_rigidity"),
       b(results, "kes_B"), loop(results, "kes_2HB"), length(results, "bending_length");
   HtmlTable table({{"Bending"},
-                   {"At rest", Align::number, rest.unit()},
+                   {"At rest", Align::number, elastic(rest)},
                    {"At the end", Align::number, end.unit()},
                    {"B", Align::number, b.unit()},
                    {"2HB", Align::number, loop.unit()},
@@ -209,8 +221,8 @@ std::string notes(const Results& results, bool bending) {
                          : "± standard error; in brackets: not determined by the data.";
   if (!components_of(results, /*bending=*/false).empty()) {
     text +=
-        " Stiffness: force per width over extension while first loaded (N/m = cN/cm), of shear "
-        "stress over strain; loop width: friction, at half of the range.";
+        " Stiffness: force per width over extension (N/m = cN/cm), of shear stress over strain; "
+        "secants while first loaded; loop width: friction, at half of the range.";
   }
   if (bending) {
     text +=
@@ -219,13 +231,12 @@ std::string notes(const Results& results, bool bending) {
   }
   const bool beyond = std::ranges::any_of(
       results.figures, [](const ResultFigure& figure) { return figure.beyond_range; });
-  return text + (beyond ? " * read off the law beyond the range of the data." : "");
+  return text + (beyond ? " * read off the law where there are no data." : "");
 }
 
 }  // namespace
 
 std::string material_table(const Results& results) {
-  if (results.figures.empty()) return {};  // of an earlier version
   const std::string bending = bends(results);
   const std::string tables = membranes(results) + bending;
   if (tables.empty()) return {};

@@ -48,7 +48,7 @@ struct ResultExperiment {
   bool measures_overhangs() const { return quantity.starts_with("overhang"); }
 
   std::optional<double> rms_force, peak_force;  ///< N, or N/m for shear
-  /// Of the peak force, of the largest extension where lengths are measured, or of the mean
+  /// Of the peak force, of the range of the lengths where they are measured, or of the mean
   /// overhang.
   std::optional<double> rms_percent_of_peak, rms_elastic_percent_of_peak;
   std::optional<double> rms_position_mm, rms_elastic_position_mm;

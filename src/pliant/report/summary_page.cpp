@@ -154,9 +154,10 @@ std::vector<const ResultExperiment*> worst_first(const Results& results) {
 /// What does not fit the table must not hide a large error.
 std::string hidden_experiments(std::span<const ResultExperiment* const> hidden) {
   if (hidden.empty()) return {};
-  double largest = 0.0;
+  double largest = 0;
   for (const ResultExperiment* e : hidden) {
-    largest = std::max(largest, e->rms_percent_of_peak.value_or(0.0));
+    if (!e->rms_percent_of_peak) return fmt::format(" <small>{} more below</small>", hidden.size());
+    largest = std::max(largest, *e->rms_percent_of_peak);
   }
   return fmt::format(" <small>{} more below, with RMS errors up to {} of peak</small>",
                      hidden.size(), escape_html(format_percent(largest)));
@@ -188,7 +189,8 @@ std::string experiment_table(const Results& results, std::size_t shown) {
   }
   return "<section><h2>Agreement" + hidden_experiments(std::span(experiments).subspan(shown)) +
          "</h2>\n" + table.html() +
-         "<p class=\"small\">RMS error: of the peak force, largest extension or mean overhang; of "
+         "<p class=\"small\">RMS error: of the peak force, range of the lengths or mean overhang; "
+         "of "
          "profiles their distance. Of the largest cycle: secant from its foot to its peak; loading "
          "minus "
          "unloading force over their mean, at half the extension; work lost over work of "

@@ -86,7 +86,7 @@ std::string_view reference(const Experiments& experiments) {
   const auto overhangs = std::count_if(experiments.begin(), experiments.end(),
                                        [](const auto* e) { return e->measures_overhangs(); });
   if (overhangs == std::ssize(experiments)) return "the mean overhang";
-  if (overhangs > 0) return "peak force, extension or overhang";
+  if (overhangs > 0) return "peak force, range of lengths or overhang";
   const auto lengths = std::count_if(experiments.begin(), experiments.end(),
                                      [](const auto* e) { return e->measures_lengths(); });
   const auto spans = std::count_if(experiments.begin(), experiments.end(), [](const auto* e) {
@@ -94,7 +94,8 @@ std::string_view reference(const Experiments& experiments) {
   });
   if (spans == std::ssize(experiments)) return "the span of the force";
   if (lengths == 0) return spans == 0 ? "peak force" : "the peak or span of force";
-  return lengths == std::ssize(experiments) ? "the largest extension" : "peak force or extension";
+  return lengths == std::ssize(experiments) ? "the range of the lengths"
+                                            : "peak force or range of lengths";
 }
 
 std::string fit_sentence(const Experiments& all) {

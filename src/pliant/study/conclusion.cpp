@@ -1,6 +1,7 @@
 #include "pliant/study/conclusion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "pliant/estimation/judgement.h"
@@ -30,6 +31,22 @@ void order_figures(std::vector<LabFigure>& figures) {
   });
 }
 
+/// The evaluated material; what states no range has that of the experiments. Sessions know strains
+/// of their clips alone.
+Material with_ranges(const StudyResult& result) {
+  Material material = result.material;
+  for (auto& [name, component] : material.components) {
+    if (component.range) continue;
+    for (const ExperimentResult& e : result.experiments) {
+      if (e.component != name || e.sheet) continue;
+      const double largest =
+          std::max(std::abs(e.strain_range.first), std::abs(e.strain_range.second));
+      component.range = {0, std::max(largest, component.range ? component.range->second : 0)};
+    }
+  }
+  return material;
+}
+
 }  // namespace
 
 void conclude_fit(const Study& study, StudyResult& result) {
@@ -42,9 +59,10 @@ void conclude_fit(const Study& study, StudyResult& result) {
 void conclude_evaluation(const Study& study, StudyResult& result) {
   result.data = data_of(study);
   result.judgement = judge(result, study.accept, /*evaluation=*/true);
-  for (const auto& [name, component] : result.material.components) {
+  const Material material = with_ranges(result);
+  for (const auto& [name, component] : material.components) {
     if (component.status != ComponentStatus::measured || !component.stiffness) continue;
-    std::ranges::move(lab_figures(result.material, name, {}), std::back_inserter(result.figures));
+    std::ranges::move(lab_figures(material, name, {}), std::back_inserter(result.figures));
   }
   order_figures(result.figures);
 }

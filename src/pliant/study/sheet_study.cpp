@@ -382,11 +382,11 @@ void evaluate_sheets(const Study& study, const Material& material, const CordFri
       return curve.component == row.component;
     });
     if (drawn || row.component.empty()) continue;
-    const ComponentLaw law = law_of(material, ComponentGroup{row.component});
     // What a session says of its strains is how far its clips have moved.
     const auto& range = material.components.at(row.component).range;
-    const double largest = range ? range->second : row.strain_range.second;
-    result.curves.push_back(component_curve(row.component, law, largest, {}));
+    if (!range) continue;
+    const ComponentLaw law = law_of(material, ComponentGroup{row.component});
+    result.curves.push_back(component_curve(row.component, law, range->second, {}));
   }
 }
 

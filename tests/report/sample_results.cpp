@@ -279,20 +279,21 @@ json figures_json(const SampleOptions& options) {
   for (const SampleExperiment& e : sample_experiments(options)) {
     if (e.validation || e.quantity == "length_mm" || e.component == last) continue;
     last = e.component;
-    const auto add = [&](const char* name, double value) {
+    const auto add = [&](const char* name, double value, double error) {
       const auto of_fit = [&](double number) { return options.evaluation ? json() : json(number); };
       list.push_back({{"component", e.component},
                       {"name", name},
                       {"value", value},
                       {"unit", "N/m"},
                       {"at", nullptr},
-                      {"std_error", of_fit(0.02 * value)},
-                      {"lower", of_fit(0.96 * value)},
-                      {"upper", of_fit(1.04 * value)},
+                      {"std_error", of_fit(error * value)},
+                      {"lower", of_fit((1 - 2 * error) * value)},
+                      {"upper", of_fit((1 + 2 * error) * value)},
                       {"beyond_range", false}});
     };
-    add("stiffness_at_rest", e.law.k1);
-    add("loop_width", 2 * e.law.max_friction);
+    const bool unloads = e.component != "stretch.bias";
+    add("stiffness_at_rest", e.law.k1, 0.02);
+    add("loop_width", 2 * e.law.max_friction, unloads ? 0.02 : 0.8);
   }
   return list;
 }

@@ -99,9 +99,20 @@ std::string sheet_curve_part(const ReportData& data, const ComponentCurve& curve
       figures);
 }
 
+/// Whether the data tell how wide the loop of a component is; that all numbers of its friction are
+/// told is more than that.
+bool knows_loop(const Results& results, const std::string& component) {
+  const auto loop = std::ranges::find_if(results.figures, [&](const ResultFigure& figure) {
+    return figure.component == component &&
+           (figure.name == "loop_width" || figure.name == "kes_2HB");
+  });
+  if (loop != results.figures.end() && loop->std_error) return loop->is_determined();
+  return !any_undetermined(results, component, true);
+}
+
 std::string curve_part(const ReportData& data, const ComponentCurve& curve, FigureSheet& figures) {
   const std::vector<double> strains = data_strains(data, curve.component);
-  const bool friction_known = !any_undetermined(data.results, curve.component, true);
+  const bool friction_known = knows_loop(data.results, curve.component);
   const bool draws_friction = friction_known && has_friction(curve);
   std::vector<SeriesStyle> legend;
   if (!curve.elastic.empty()) legend.push_back(kElastic);
@@ -116,6 +127,8 @@ std::string curve_part(const ReportData& data, const ComponentCurve& curve, Figu
   }
   if (!friction_known) {
     html += "<p>Its friction is not determined by the data and not drawn.</p>\n";
+  } else if (any_undetermined(data.results, curve.component, true)) {
+    html += "<p>How wide its loops are is determined by the data, not each number of it.</p>\n";
   }
   if (figures.can_draw()) html += legend_html(legend);
   html += "<div class=\"pair\">\n";

@@ -233,6 +233,14 @@ TEST_F(BrowserReport, HasAPageOneOfOnePage) {
   }
 }
 
+TEST_F(BrowserReport, OfSheetsHasAPageOneOfOnePage) {
+  for (const bool evaluation : {false, true}) {
+    const testing::TemporaryFolder folder;
+    testing::write_sample_sheets(folder.path(), evaluation);
+    EXPECT_EQ(printed_pages(page_one_and_a_line(make_report(folder.path()))), 2U) << evaluation;
+  }
+}
+
 // What a reader must find on page one without a search: the verdict, what is missed most, and a
 // number of the material with its error.
 TEST_F(BrowserReport, SaysOnPageOneWhatIsWorstTheVerdictAndAValueWithItsError) {

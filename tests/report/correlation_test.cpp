@@ -1,15 +1,20 @@
 #include "pliant/report/correlation.h"
 
 #include <cmath>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "pliant/report/sections.h"
 
 namespace pliant::report {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 ResultParameter parameter(const std::string& name, const std::string& component) {
@@ -45,6 +50,18 @@ TEST(CorrelationBlocks, LeaveOutWhatIsFixedOrNotDetermined) {
   results.parameters[0].fixed = true;
   results.parameters[2].identified = false;
   EXPECT_THAT(correlation_blocks(results), IsEmpty());
+}
+
+// On paper one wide table makes the whole report small.
+TEST(CorrelationSection, HasColoursAloneOnPaperWhereItIsLarge) {
+  EXPECT_THAT(correlation_section(two_components()), Not(HasSubstr("heat-map-large")));
+  Results many;
+  many.covariance.assign(20, std::vector<double>(20, 0.1));
+  for (std::size_t i = 0; i < 20; ++i) {
+    many.parameters.push_back(parameter("k" + std::to_string(i), "warp"));
+    many.covariance[i][i] = 1;
+  }
+  EXPECT_THAT(correlation_section(many), HasSubstr("heat-map-large"));
 }
 
 TEST(CorrelationBlocks, HaveNoNumberWithoutAVariance) {

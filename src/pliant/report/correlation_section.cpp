@@ -27,7 +27,11 @@ std::string two_decimals(double value) {
 }
 
 std::string heat_map(const CorrelationBlock& block) {
-  std::string html = "<div class=\"table-box\"><table class=\"heat-map\">\n<thead><tr><th></th>";
+  // On paper a table that is too wide makes everything smaller: colours alone say it.
+  constexpr std::size_t kMostNumbers = 14;
+  std::string html =
+      fmt::format("<div class=\"table-box\"><table class=\"heat-map{}\">\n<thead><tr><th></th>",
+                  block.names.size() > kMostNumbers ? " heat-map-large" : "");
   for (std::size_t i = 0; i < block.names.size(); ++i) {
     html += fmt::format("<th scope=\"col\">{}</th>", i + 1);
   }

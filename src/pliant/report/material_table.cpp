@@ -25,8 +25,9 @@ struct StrainRange {
 };
 
 /// The strains that the data of each component cover; in an evaluation nothing is fitted, so all
-/// experiments count. Somewhere along it a bent strip is straight.
-std::vector<StrainRange> strain_ranges(const Results& results) {
+/// experiments count. Somewhere along it a bent strip is straight. Of sheets the material tells.
+std::vector<StrainRange> strain_ranges(const Results& results,
+                                       const std::optional<Material>& material) {
   std::vector<StrainRange> ranges;
   for (const ResultExperiment& e : results.experiments) {
     if (!e.strain_range || e.measures_sheets() || (e.validation && !results.evaluation)) continue;
@@ -40,11 +41,18 @@ std::vector<StrainRange> strain_ranges(const Results& results) {
       known->high = std::max(known->high, high);
     }
   }
+  if (!material) return ranges;
+  for (const auto& [name, component] : material->components) {
+    const bool known = std::ranges::find(ranges, name, &StrainRange::component) != ranges.end();
+    if (known || !component.range || !results.has_figures(name)) continue;
+    ranges.push_back({name, component.range->first, component.range->second});
+  }
   return ranges;
 }
 
 /// The components of one kind that have figures or data, in the order of a cloth's components.
-std::vector<std::string> components_of(const Results& results, bool bending) {
+std::vector<std::string> components_of(const Results& results,
+                                       const std::vector<StrainRange>& ranges, bool bending) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (is_bending(name) == bending && std::ranges::find(names, name) == names.end()) {
@@ -52,7 +60,7 @@ std::vector<std::string> components_of(const Results& results, bool bending) {
     }
   };
   for (const ResultFigure& figure : results.figures) add(figure.component);
-  for (const StrainRange& range : strain_ranges(results)) add(range.component);
+  for (const StrainRange& range : ranges) add(range.component);
   return names;
 }
 
@@ -147,8 +155,8 @@ std::string or_none(std::string cell) { return cell.empty() ? std::string(kNoVal
 
 /// The range of the data as its column says it, and that of the Green strain in a column of its
 /// own.
-void add_range(const Results& results, const std::string& component, HtmlTable& table) {
-  const std::vector<StrainRange> ranges = strain_ranges(results);
+void add_range(const Results& results, const std::vector<StrainRange>& ranges,
+               const std::string& component, HtmlTable& table) {
   const auto range = std::ranges::find(ranges, component, &StrainRange::component);
   if (range == ranges.end()) {
     for (int i = 0; i < (is_bending(component) ? 1 : 2); ++i) table.cell(kNoValue);
@@ -162,8 +170,8 @@ void add_range(const Results& results, const std::string& component, HtmlTable& 
 
 std::string elastic(const FigureColumn& at_rest) { return at_rest.unit() + ", without friction"; }
 
-std::string membranes(const Results& results) {
-  const std::vector<std::string> components = components_of(results, /*bending=*/false);
+std::string membranes(const Results& results, const std::vector<StrainRange>& ranges) {
+  const std::vector<std::string> components = components_of(results, ranges, /*bending=*/false);
   if (components.empty()) return {};
   const FigureColumn rest(results, "stiffness_at_rest"), secant(results, "secant_modulus"),
       end(results, "secant_modulus", /*last_of_name=*/true), loop(results, "loop_width");
@@ -183,13 +191,13 @@ std::string membranes(const Results& results) {
     }
     const std::string friction = loop.cell(component);
     table.cell(friction.empty() ? without_friction(results, component) : friction);
-    add_range(results, component, table);
+    add_range(results, ranges, component, table);
   }
   return table.html();
 }
 
-std::string bends(const Results& results) {
-  const std::vector<std::string> components = components_of(results, /*bending=*/true);
+std::string bends(const Results& results, const std::vector<StrainRange>& ranges) {
+  const std::vector<std::string> components = components_of(results, ranges, /*bending=*/true);
   if (components.empty()) return {};
   const FigureColumn rest(results, "rigidity_at_rest"), end(results, "secant_rigidity"),
       b(results, "kes_B"), loop(results, "kes_2HB"), length(results, "bending_length");
@@ -210,16 +218,16 @@ std::string bends(const Results& results) {
     const std::string friction = loop.cell(component);
     table.cell(friction.empty() ? without_friction(results, component) : friction);
     table.cell(or_none(length.cell(component)));
-    add_range(results, component, table);
+    add_range(results, ranges, component, table);
   }
   return table.html();
 }
 
-std::string notes(const Results& results, bool bending) {
+std::string notes(const Results& results, bool membranes, bool bending) {
   std::string text = results.evaluation
                          ? "Of the material; its errors stand in the report of its fit."
                          : "± standard error; in brackets: not determined by the data.";
-  if (!components_of(results, /*bending=*/false).empty()) {
+  if (membranes) {
     text +=
         " Stiffness: force per width over extension (N/m = cN/cm), of shear stress over strain; "
         "secants while first loaded; loop width: friction, at half of the range.";
@@ -236,12 +244,12 @@ std::string notes(const Results& results, bool bending) {
 
 }  // namespace
 
-std::string material_table(const Results& results) {
-  const std::string bending = bends(results);
-  const std::string tables = membranes(results) + bending;
-  if (tables.empty()) return {};
-  return "<section><h2>Material</h2>\n" + tables + "<p class=\"small\">" +
-         notes(results, !bending.empty()) + "</p></section>\n";
+std::string material_table(const Results& results, const std::optional<Material>& material) {
+  const std::vector<StrainRange> ranges = strain_ranges(results, material);
+  const std::string stretch = membranes(results, ranges), bending = bends(results, ranges);
+  if (stretch.empty() && bending.empty()) return {};
+  return "<section><h2>Material</h2>\n" + stretch + bending + "<p class=\"small\">" +
+         notes(results, !stretch.empty(), !bending.empty()) + "</p></section>\n";
 }
 
 }  // namespace pliant::report

@@ -22,7 +22,7 @@ constexpr int kTable = 36, kNotes = 38, kHeading = 20;
 constexpr std::size_t kFactsOfRow = 5, kMostFacts = 10;
 constexpr std::size_t kMostExperiments = 10, kFewestExperiments = 4;
 constexpr std::size_t kLoopsOfRow = 2;
-constexpr int kLoopRow = 150, kMostLoops = 400;
+constexpr int kLoopRow = 150, kMostLoops = 460;
 
 int lines_of(std::size_t letters, int letters_of_line) {
   return static_cast<int>(letters) / letters_of_line + 1;
@@ -71,15 +71,20 @@ int rows_of_facts(std::size_t facts) {
 
 }  // namespace
 
-PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts) {
+PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts,
+                       const std::vector<std::size_t>& other_tables) {
   const std::size_t all_loops = experiments_on_page_one(results).size();
+  const std::size_t all_experiments = other_tables.empty() ? results.experiments.size() : 0;
+  int tables = other_tables.empty() ? kHeading + kTable + kNotes : 0;
+  for (const std::size_t rows : other_tables) {
+    tables += kHeading + kTable + kNotes + kRow * static_cast<int>(rows);
+  }
   const int fixed = kTitle + kLine * lines_of(verdict_length, kLettersOfVerdict) + kLoopHeadings +
-                    height_of_doubts(results) + height_of_material(results) + kHeading + kTable +
-                    kNotes + height_of_columns(results) + kSignature;
+                    height_of_doubts(results) + height_of_material(results) + tables +
+                    height_of_columns(results) + kSignature;
   PageBudget budget;
   for (const std::size_t loops : {all_loops, std::min(all_loops, kLoopsOfRow)}) {
-    budget = {std::min(results.experiments.size(), kMostExperiments), std::min(facts, kMostFacts),
-              loops, 0};
+    budget = {std::min(all_experiments, kMostExperiments), std::min(facts, kMostFacts), loops, 0};
     const int least = loops > kLoopsOfRow + 1 ? 2 * kLoopRow : kLoopRow;
     const auto left = [&] {
       return kPage - fixed - kFactRow * rows_of_facts(budget.facts) -

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "pliant/report/results.h"
 
@@ -17,6 +18,8 @@ struct PageBudget {
 /// The most facts and experiments that leave the loops enough height, which take the rest.
 /// @param verdict_length  characters of the verdict, headline included
 /// @param facts           that there are
-PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts);
+/// @param other_tables    rows of each table that stands there in place of that of agreement
+PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts,
+                       const std::vector<std::size_t>& other_tables = {});
 
 }  // namespace pliant::report

@@ -28,10 +28,10 @@ std::vector<std::string> components_of(const Results& results) {
   const auto add = [&](const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
-  for (const std::string& miss : results.judgement.misses) {
-    const auto worst = std::ranges::find(results.experiments, miss, &ResultExperiment::name);
+  if (const auto& misses = results.judgement.misses; !misses.empty()) {
+    const auto worst =
+        std::ranges::find(results.experiments, misses.front(), &ResultExperiment::name);
     if (worst != results.experiments.end()) add(worst->component);
-    break;
   }
   for (const ResultExperiment& e : results.experiments) add(e.component);
   return names;

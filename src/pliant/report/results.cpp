@@ -286,4 +286,8 @@ Results read_results(const std::filesystem::path& directory) {
   return r;
 }
 
+bool Results::has_figures(const std::string& component) const {
+  return std::ranges::find(figures, component, &ResultFigure::component) != figures.end();
+}
+
 }  // namespace pliant::report

@@ -147,6 +147,8 @@ struct Results {
   std::vector<std::string> questions;  ///< the first of the warnings: they stay on page one
   std::vector<std::string> skipped;    ///< experiments that were not predicted, and why
   ResultJudgement judgement;
+
+  bool has_figures(const std::string& component) const;
 };
 
 /// Reads `directory`/fit.json, or evaluation.json where there is no fit.json.

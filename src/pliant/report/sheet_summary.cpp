@@ -20,9 +20,6 @@ namespace {
 
 using Align = HtmlTable::Align;
 
-constexpr std::size_t kMostFigures = 6;         // two rows of a printed page
-constexpr std::size_t kMostBesideFriction = 3;  // one row: its table takes the place of the other
-constexpr PrintSize kFigureSize = {226, 112};
 constexpr double kMicro = 1e-6;
 
 bool is_fitted(const ReportData& data, std::size_t i) {
@@ -221,44 +218,6 @@ std::string cord_sentence(const Results& results) {
       escape_html(fmt::format("{}", fmt::join(found, "; "))));
 }
 
-std::string small_figures(const ReportData& data, std::size_t most, FigureSheet& figures) {
-  const std::size_t shown = std::min(data.sheets.size(), most);
-  std::string html =
-      "<section class=\"figure-block\"><h2>Measured (thin) and material (thick)</h2>";
-  html += "\n<div class=\"loops\">\n";
-  for (std::size_t i = 0; i < shown; ++i) {
-    const ResultExperiment& e = data.results.experiments[i];
-    Figure figure = sheet_figure(data.sheets[i]->session, /*compact=*/true);
-    figure.data_file = e.sheet_folder;
-    figure.print_size = kFigureSize;
-    html += fmt::format("<figure><figcaption><strong>{}</strong> {}</figcaption>\n{}</figure>\n",
-                        escape_html(e.name), is_fitted(data, i) ? "fitted" : "predicted",
-                        figures.add(figure, "figure-short"));
-  }
-  html += "</div>\n";
-  const std::size_t left = data.sheets.size() - shown;
-  if (left > 0)
-    html += element("p", fmt::format("{} below.", counted(int(left), "more", data.is_of_strips())));
-  return html + "</section>\n";
-}
-
-std::string search(const Results& results) {
-  if (results.evaluation) return {};
-  std::vector<std::string> lines;
-  for (const std::string& text : results.assumptions) {
-    if (text.starts_with("search: ")) lines.push_back(text.substr(8));
-  }
-  if (!results.stages.empty()) {
-    const auto kept = std::ranges::count_if(results.stages, &FitStage::accepted);
-    lines.push_back(fmt::format("{} stages, {} of them kept", results.stages.size(), kept));
-  }
-  if (results.work) lines.push_back(fmt::format("{} equilibria", results.work->equilibria));
-  if (results.seconds) lines.push_back(format_significant(results.seconds, 3) + " s");
-  if (lines.empty()) return {};
-  return fmt::format("<p class=\"small\">Search: {}.</p>\n",
-                     escape_html(fmt::format("{}", fmt::join(lines, "; "))));
-}
-
 }  // namespace
 
 std::string sheet_verdict(const ReportData& data) {
@@ -285,15 +244,14 @@ std::string stiffness_table(const ReportData& data) {
                    {"Unit"}},
                   "compact");
   for (const std::string& component : cloth_component_names()) {
-    if (data.material->components.contains(component)) {
+    if (data.material->components.contains(component) && !data.results.has_figures(component)) {
       add_stiffness(table, *data.material, component, data.results);
     }
   }
   if (table.empty()) return {};
-  return "<section><h2>Stiffness</h2>\n" + table.html() +
-         "<p class=\"small\">Stretch and shear: force per width (N/m) over strain; bending: of the "
-         "hinges of the mesh. Range: strains of the fitted sheets (of bending: curvatures); few "
-         "elements reach its end. In brackets: not determined by the data.</p></section>\n";
+  return "<section>\n" + table.html() +
+         "<p class=\"small\">Bending: of the hinges of the mesh. Range: of the fitted sheets; few "
+         "elements reach its end.</p></section>\n";
 }
 
 std::string friction_table(const ReportData& data) {
@@ -375,13 +333,28 @@ std::string residual_table(const ReportData& data) {
          std::string(folds ? kAboutFolds : "") + "</p></section>\n";
 }
 
-std::string sheet_findings(const ReportData& data, FigureSheet& figures) {
-  const std::string friction = friction_table(data);
-  const std::size_t most = friction.empty() ? kMostFigures : kMostBesideFriction;
-  const std::string material =
-      data.results.evaluation ? material_table(data.results) : stiffness_table(data);
-  return material + friction + residual_table(data) + small_figures(data, most, figures) +
-         search(data.results);
+std::string sheet_search(const Results& results) {
+  if (results.evaluation) return {};
+  std::vector<std::string> lines;
+  for (const std::string& text : results.assumptions) {
+    if (text.starts_with("search: ")) lines.push_back(text.substr(8));
+  }
+  if (!results.stages.empty()) {
+    const auto kept = std::ranges::count_if(results.stages, &FitStage::accepted);
+    lines.push_back(fmt::format("{} stages, {} of them kept", results.stages.size(), kept));
+  }
+  if (results.work) lines.push_back(fmt::format("{} equilibria", results.work->equilibria));
+  if (results.seconds) lines.push_back(format_significant(results.seconds, 3) + " s");
+  if (lines.empty()) return {};
+  return fmt::format("<p class=\"small\">Search: {}.</p>\n",
+                     escape_html(fmt::format("{}", fmt::join(lines, "; "))));
+}
+
+std::vector<std::string> sheet_tables(const ReportData& data) {
+  std::vector<std::string> tables{stiffness_table(data), friction_table(data),
+                                  residual_table(data)};
+  std::erase(tables, "");
+  return tables;
 }
 
 }  // namespace pliant::report

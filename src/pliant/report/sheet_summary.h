@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pliant/report/figure.h"
 #include "pliant/report/report_data.h"
@@ -10,12 +11,17 @@ namespace pliant::report {
 /// How well a material goes with full-field sessions, in a few sentences.
 std::string sheet_verdict(const ReportData& data);
 
-/// Page one of a study of full-field sessions, less what all studies have: what was measured, the
-/// stiffness of each component, the residuals as [T] Tables A.1-A.4 give them, the search.
-std::string sheet_findings(const ReportData& data, FigureSheet& figures);
+/// Tables of page one of a study of full-field sessions beside that of the material: stiffness of
+/// what has no figures of a laboratory, friction, the residuals as [T] Tables A.1-A.4 give them.
+/// Those that are not empty.
+std::vector<std::string> sheet_tables(const ReportData& data);
 
-/// The stiffness of each component at zero strain and at the largest of the data, with standard
-/// errors; empty where nothing was fitted.
+/// How the search went, in a line.
+std::string sheet_search(const Results& results);
+
+/// The stiffness of each component without figures of a laboratory, as the hinges of a mesh, at
+/// zero strain and at the largest of the data, with standard errors; empty where nothing was
+/// fitted.
 std::string stiffness_table(const ReportData& data);
 
 /// The friction of each component that has any, and what was found of the cords; empty without

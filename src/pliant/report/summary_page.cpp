@@ -259,6 +259,20 @@ std::string identity(const Results& results) {
   return text;
 }
 
+std::vector<std::size_t> rows_of(const std::vector<std::string>& tables) {
+  std::vector<std::size_t> rows;
+  for (const std::string& table : tables) {
+    constexpr std::string_view kRow = "<tr";
+    std::size_t count = 0;
+    for (std::size_t at = table.find(kRow); at != std::string::npos;
+         at = table.find(kRow, at + 1)) {
+      ++count;
+    }
+    rows.push_back(count > 0 ? count - 1 : 0);  // less that of the heads
+  }
+  return rows;
+}
+
 constexpr std::string_view kSignature =
     "<div class=\"signature\"><span>Name</span><span>Date</span><span>Signature</span></div>\n";
 
@@ -274,13 +288,17 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html += headline(data);
   html += doubts(results);
   const Facts fabric = all_facts(data);
+  const std::vector<std::string> tables =
+      data.is_of_sheets() ? sheet_tables(data) : std::vector<std::string>();
   const PageBudget budget =
-      page_budget(results, results.judgement.headline.size() + details(data).size(), fabric.size());
+      page_budget(results, results.judgement.headline.size() + details(data).size(), fabric.size(),
+                  rows_of(tables));
   html += facts(fabric, budget.facts);
-  html += data.is_of_sheets()
-              ? sheet_findings(data, figures)
-              : page_one_loops(data, budget.loops, budget.height_of_loops, figures) +
-                    material_table(results) + experiment_table(results, budget.experiments);
+  html += page_one_loops(data, budget.loops, budget.height_of_loops, figures);
+  html += material_table(results, data.material);
+  if (tables.empty()) html += experiment_table(results, budget.experiments);
+  for (const std::string& table : tables) html += table;
+  if (data.is_of_sheets()) html += sheet_search(results);
   html += "<div class=\"columns\">\n" + warnings(results) + not_determined(data) + "</div>\n";
   html += kSignature;
   html += fmt::format("<p class=\"small\">{}</p>\n", escape_html(identity(results)));

@@ -240,7 +240,7 @@ void set_status(const FitSettings& settings, SheetFit& fit) {
     component.status = measured ? ComponentStatus::measured : ComponentStatus::assumed;
     if (!measured) continue;
     const std::vector<double>& knots = component.stiffness->knots();
-    component.range = {0.0, knots.empty() ? largest_strain(fit, {name}) : knots.back()};
+    component.range = {0.0, knots.size() < 2 ? largest_strain(fit, {name}) : knots.back()};
   }
 }
 

@@ -209,6 +209,14 @@ Json shape_json(const Capsule& capsule) {
             {"radius", capsule.radius}}}};
 }
 
+Json shape_json(const Box& box) {
+  return {{"box", {{"centre", vector_json(box.centre)}, {"size", vector_json(2 * box.half)}}}};
+}
+
+std::string shape_text(const Box& box) {
+  return fmt::format("box of {} m about {} m", vector_text(2 * box.half), vector_text(box.centre));
+}
+
 std::string shape_text(const HalfSpace& plane) {
   return fmt::format("plane through {} m, normal {}", vector_text(plane.point),
                      vector_text(plane.normal));
@@ -240,11 +248,13 @@ void describe_obstacles(const Scene& scene, FileInfo& info) {
     Json json{{"name", obstacle.name}};
     json.update(std::visit([](const auto& shape) { return shape_json(shape); }, obstacle.shape));
     json["friction"] = {{"static", sticking}, {"kinetic", sliding}};
+    json["moved"] = obstacle.motion.has_value();
     info.json["obstacles"].push_back(json);
     info.lines.push_back(
         labelled("obstacle " + obstacle.name,
                  std::visit([](const auto& shape) { return shape_text(shape); }, obstacle.shape) +
-                     ", " + friction_text(obstacle.friction)));
+                     ", " + friction_text(obstacle.friction) +
+                     (obstacle.motion ? ", " + motion_text(obstacle.motion) : std::string())));
   }
   info.json["contact_thickness"] =
       scene.obstacles.empty() ? Json(nullptr) : Json(scene.contact.thickness);

@@ -43,16 +43,21 @@ TEST(SceneInfo, TellsWhatIsInTheWay) {
                 "  - {name: ball, sphere: {centre: [0, 0, -0.3], radius: 200 mm},\n"
                 "     friction: {static: 0.4, kinetic: 0.3}}\n"
                 "  - {name: rod, capsule: {from: [0, 0, -0.1], to: [1, 0, -0.1], radius: 10 mm}}\n"
+                "  - {name: plate, box: {centre: [0, 0, -2], size: [1, 1, 0.1]},\n"
+                "     motion: {keyframes: [{time: 0 s}, {time: 1 s, translate: [0, 0, 1]}]}}\n"
                 "contact: {thickness: 2 mm}\n"));
   EXPECT_EQ(info.json["obstacles"][0]["plane"]["normal"][2], 1);
   EXPECT_EQ(info.json["obstacles"][1]["friction"]["kinetic"], 0.3);
   EXPECT_EQ(info.json["obstacles"][2]["capsule"]["radius"], 0.01);
+  EXPECT_EQ(info.json["obstacles"][3]["box"]["size"][2], 0.1);
+  EXPECT_EQ(info.json["obstacles"][3]["moved"], true);
   EXPECT_EQ(info.json["contact_thickness"], 2e-3);
   EXPECT_THAT(
       info.lines,
       IsSupersetOf(
           {HasSubstr("plane through [0, 0, -1] m, normal [0, 0, 1], friction 0.5"),
            HasSubstr("sphere of radius 200 mm about [0, 0, -0.3] m, friction 0.4, 0.3 where"),
+           HasSubstr("box of [1, 1, 0.1] m about [0, 0, -2] m, friction 0, moved, 2 keyframes"),
            HasSubstr("capsule of radius 10 mm from [0, 0, -0.1] to [1, 0, -0.1] m"),
            HasSubstr("from a distance of 2 mm")}));
   EXPECT_EQ(info_of(with_more("")).json["obstacles"].size(), 0u);

@@ -32,7 +32,7 @@ struct Ball {
     system = std::make_unique<System>(positions, Eigen::VectorXd::Ones(positions.cols()));
     contact = std::make_shared<ObstacleContact>(
         Sphere{Eigen::Vector3d::Zero(), kRadius}, points,
-        Eigen::VectorXd::Constant(positions.cols(), kStiffness), kThickness, kFriction);
+        Eigen::VectorXd::Constant(positions.cols(), kStiffness), kThickness, kFriction, /*body=*/0);
     system->add(contact);
     system->finish();
   }
@@ -175,6 +175,64 @@ TEST(ObstacleContact, RemembersWhatIsElasticOfASlip) {
   EXPECT_NEAR(force_after(-kSlipLength), 0, 2e-3 * normal);
 }
 
+Controls led_to(const Pose& pose) {
+  Controls controls;
+  controls.bodies = {pose};
+  return controls;
+}
+
+// A body that comes pushes who is in its way before it; who goes with it feels no more than before.
+TEST(ObstacleContact, OfABodyThatIsLedMakesWayAndGoesAlong) {
+  const Ball ball({0.5e-3, 30e-3});
+  const State state = ball.system->initial_state();
+  const Eigen::Vector3d rise(0, 0, 0.01);
+  const Controls led = led_to({Eigen::Quaterniond::Identity(), rise});
+  const Conditions under{.from = state, .controls = led};
+  const Eigen::Matrix3Xd way = ball.system->made_way(state.configuration, under);
+  EXPECT_GT(way(2, 0), 0.009);
+  EXPECT_TRUE(way.col(1).isZero(0)) << "it is far enough away";
+  // A slip of the body below a point at rest rubs as that of the point above it.
+  const auto force_at = [&](const Eigen::Vector3d& of_point, const Eigen::Vector3d& of_body) {
+    const Controls controls = led_to({Eigen::Quaterniond::Identity(), of_body});
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, 2);
+    Derivatives derivatives{{}, &gradient, nullptr};
+    ball.system->evaluate(moved(state, of_point), {.from = state, .controls = controls},
+                          Curvature::exact, derivatives);
+    return Eigen::Vector3d(gradient.col(0));
+  };
+  const Eigen::Vector3d slip(1e-6, 0, 0), zero = Eigen::Vector3d::Zero();
+  EXPECT_TRUE(force_at(slip, zero).isApprox(force_at(zero, -slip), 1e-6));
+  EXPECT_TRUE(force_at(rise, rise).isApprox(force_at(zero, zero), 1e-9));
+}
+
+// Turned with its points, a body has turned forces and the same energy.
+TEST(ObstacleContact, OfABodyThatIsTurnedTurnsItsForcesAndStiffness) {
+  const Ball ball({0.4e-3});
+  const State state = ball.system->initial_state();
+  const Pose turn{Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())),
+                  {0.1, 0.2, 0.3}};
+  const Controls led = led_to(turn);
+  const auto evaluated = [&](const Configuration& at, const Controls& controls,
+                             Eigen::Matrix3Xd& gradient, Eigen::MatrixXd& stiffness) {
+    gradient = Eigen::Matrix3Xd::Zero(3, 1);
+    Hessian hessian = ball.system->make_hessian();
+    Derivatives derivatives{{}, &gradient, &hessian};
+    ball.system->evaluate(at, {.from = state, .controls = controls}, Curvature::exact, derivatives);
+    stiffness = dense(hessian.matrix);
+    return derivatives.energy.total();
+  };
+  const Configuration slid = moved(state, {0.7e-6, 1e-6, 0});
+  Configuration turned = slid;
+  turned.positions.col(0) = turn.apply(slid.positions.col(0));
+  Eigen::Matrix3Xd before, after;
+  Eigen::MatrixXd stiffness_before, stiffness_after;
+  const double energy = evaluated(slid, kNoControls, before, stiffness_before);
+  EXPECT_NEAR(evaluated(turned, led, after, stiffness_after), energy, 1e-9 * energy);
+  const Eigen::Matrix3d matrix = turn.rotation.toRotationMatrix();
+  EXPECT_TRUE(after.isApprox(matrix * before, 1e-6));
+  EXPECT_TRUE(stiffness_after.isApprox(matrix * stiffness_before * matrix.transpose(), 1e-6));
+}
+
 TEST(ObstacleContact, ForgetsFrictionWhereAPointHasLeft) {
   const Ball ball({0.5e-3});
   const State state = ball.system->initial_state();
@@ -184,7 +242,7 @@ TEST(ObstacleContact, ForgetsFrictionWhereAPointHasLeft) {
   EXPECT_EQ(energy.stored, 0);
   EXPECT_NEAR(energy.work, 0, 1e-12);
   EXPECT_TRUE(history.tail(5).isZero());
-  EXPECT_NEAR(ball.contact->least_distance(away.positions), 5.5e-3, 1e-12);
+  EXPECT_NEAR(ball.contact->least_distance(away.positions, kNoControls), 5.5e-3, 1e-12);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 
 const std::vector<ObstacleShape> kShapes{
     HalfSpace{{0.1, 0, -0.2}, Eigen::Vector3d(0.2, -0.1, 1).normalized()},
-    Sphere{{0.05, -0.1, 0.2}, 0.2}, Capsule{{-0.1, 0, 0}, {0.2, 0.1, -0.1}, 0.05}};
+    Sphere{{0.05, -0.1, 0.2}, 0.2}, Capsule{{-0.1, 0, 0}, {0.2, 0.1, -0.1}, 0.05},
+    Box{{0.05, 0, -0.1}, {0.2, 0.1, 0.15}}};
 
 Eigen::Vector3d random_point(RandomStream& random) {
   return {random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)};

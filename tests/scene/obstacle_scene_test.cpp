@@ -198,6 +198,52 @@ TEST(Drape, LosesInAnImpactWhatAnExactStepLoses) {
   EXPECT_LT(exact, 0.6 * kKinetic);
 }
 
+/// A square of 40 mm on a plate, beginning where the barrier carries its weight.
+Simulation on_plate(const std::string& friction, const std::string& keyframes) {
+  return simulated(fmt::format(
+      "cloth:\n"
+      "  - {{name: sheet, mesh: {{grid: 40 mm x 40 mm, nodes: 5x5}}, material: jersey.json}}\n"
+      "obstacles:\n"
+      "  - {{name: plate, box: {{centre: [0.02, 0.02, -0.050944], size: [0.5, 0.5, 0.1]}},\n"
+      "     friction: {}, motion: {{keyframes: [{}]}}}}\n"
+      "gravity: [0, 0, -9.80665]\n"
+      "time: {{step: 5 ms, duration: 10 s}}\n",
+      friction, keyframes));
+}
+
+// Slower than friction can hold it, the plate takes its cloth along; without friction it does not.
+TEST(LedObstacles, TakeAlongWhatSticksToThem) {
+  const char* slide =
+      "{time: 0 s}, {time: 1 s, translate: [0.1, 0, 0]}, {time: 2 s, translate: [0.1, 0, 0.05]}";
+  Simulation sticking = on_plate("0.5", slide);
+  const double before = sticking.now().state.configuration.positions.row(0).mean();
+  advance_to(sticking, 2);
+  const auto& carried = sticking.now().state.configuration.positions;
+  EXPECT_NEAR(carried.row(0).mean() - before, 0.1, 3e-3);
+  EXPECT_NEAR(carried.row(2).mean(), 0.05, 1e-3);
+  Simulation slipping = on_plate("0", slide);
+  advance_to(slipping, 1);
+  EXPECT_NEAR(slipping.now().state.configuration.positions.row(0).mean(), before, 1e-6);
+}
+
+// A plate that comes at 10 m/s, 50 mm a step, pushes the sheet before it and does not pass it.
+TEST(LedObstacles, DoNotPassWhatIsInTheirWay) {
+  Simulation hit = on_plate("0.3", "{time: 0 s}, {time: 0.1 s, translate: [0, 0, 1]}");
+  advance_to(hit, 0.1);
+  EXPECT_GT(*std::ranges::min_element(hit.now().records.distances), 0);
+  EXPECT_GT(hit.now().state.configuration.positions.row(2).minCoeff(), 1 - 0.001);
+}
+
+// The plate turns about the world's axis, and takes the sheet along.
+TEST(LedObstacles, TurnWithTheirPoints) {
+  Simulation turning =
+      on_plate("0.5", "{time: 0 s}, {time: 1 s, rotate: {axis: [0, 0, 1], angle: 90 deg}}");
+  advance_to(turning, 1);
+  const auto& positions = turning.now().state.configuration.positions;
+  const Eigen::Vector3d side = positions.col(4) - positions.col(0);
+  EXPECT_NEAR(std::atan2(side.y(), side.x()), std::numbers::pi / 2, 0.05);
+}
+
 TEST(SceneObstacles, RefuseClothThatBeginsInside) {
   const InputError error = test::input_error_of([] {
     simulated(fmt::format(

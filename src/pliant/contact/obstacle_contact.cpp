@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// What a point remembers of its last accepted step.
+/// What a point remembers of its last accepted step, in the body's frame.
 struct ObstacleContact::Memory {
   static constexpr Eigen::Index kSize = 8;
 
@@ -43,31 +43,57 @@ double stored_slip(const Eigen::Vector3d& slip, double largest_friction) {
 
 ObstacleContact::ObstacleContact(ObstacleShape shape, std::vector<int> points,
                                  Eigen::VectorXd stiffness, double thickness,
-                                 const CoulombFriction& friction)
+                                 const CoulombFriction& friction, int body)
     : shape_(std::move(shape)),
       points_(std::move(points)),
       stiffness_(std::move(stiffness)),
       thickness_(thickness),
-      friction_(friction) {}
+      friction_(friction),
+      body_(body) {}
+
+ObstacleContact::Memory ObstacleContact::memory_of(size_t i, const Evaluation& at) const {
+  return Memory::read(at.history + Memory::kSize * static_cast<Eigen::Index>(i));
+}
 
 void ObstacleContact::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  for (size_t i = 0; i < points_.size(); ++i) evaluate_point(i, at, derivatives);
+  const Pose body = at.controls.body(body_);
+  for (size_t i = 0; i < points_.size(); ++i) evaluate_point(i, body, at, derivatives);
+}
+
+// Who would be met on the way from the last step goes with the body for the rest of it.
+void ObstacleContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
+  if (body_ < 0) return;
+  const Pose body = at.controls.body(body_);
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const Eigen::Vector3d before = memory_of(i, at).position;
+    const Eigen::Vector3d way = body.local(positions.col(points_[i])) - before;
+    const double share = free_share_of(before, before + way);
+    if (share < 1) positions.col(points_[i]) = body.apply(before + share * way);
+  }
+}
+
+// Of a way in the body's frame.
+double ObstacleContact::free_share_of(const Eigen::Vector3d& from,
+                                      const Eigen::Vector3d& to) const {
+  constexpr double kKept = 0.2;
+  const double distance = distance_to(shape_, from);
+  if ((to - from).norm() < (1 - kKept) * distance) return 1;
+  return free_share(shape_, from, to, kKept * std::min(distance, thickness_ / 2));
 }
 
 void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
                             Eigen::VectorXd& shares) const {
-  constexpr double kKept = 0.2;
+  const Pose body = from.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const int point = points_[i];
-    const Eigen::Vector3d begin = from.configuration.positions.col(point), end = to.col(point);
-    const Memory memory = Memory::read(from.history + Memory::kSize * static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d begin = body.local(from.configuration.positions.col(point));
+    const Eigen::Vector3d end = body.local(to.col(point));
+    const Memory memory = memory_of(i, from);
+    double share = free_share_of(begin, end);
     if (memory.normal_force > 0) {
-      shares(point) = std::min(shares(point), share_to_standstill(memory, begin, end));
+      share = std::min(share, share_to_standstill(memory, begin, end));
     }
-    const double distance = distance_to(shape_, begin);
-    if ((end - begin).norm() < (1 - kKept) * distance) continue;
-    const double kept = kKept * std::min(distance, thickness_ / 2);
-    shares(point) = std::min(shares(point), free_share(shape_, begin, end, kept));
+    shares(point) = std::min(shares(point), share);
   }
 }
 
@@ -82,11 +108,11 @@ double ObstacleContact::share_to_standstill(const Memory& memory, const Eigen::V
   return stops ? std::min(share, 1.0) : 1;
 }
 
-void ObstacleContact::evaluate_point(size_t i, const Evaluation& at,
+void ObstacleContact::evaluate_point(size_t i, const Pose& body, const Evaluation& at,
                                      Derivatives& derivatives) const {
   const int point = points_[i];
-  const Eigen::Vector3d position = at.configuration.positions.col(point);
-  const Memory memory = Memory::read(at.history + Memory::kSize * static_cast<Eigen::Index>(i));
+  const Eigen::Vector3d position = body.local(at.configuration.positions.col(point));
+  const Memory memory = memory_of(i, at);
   const double distance = distance_to(shape_, position);
   if (distance >= thickness_ && memory.normal_force == 0) return;
   if (!(distance > 0)) {
@@ -94,20 +120,23 @@ void ObstacleContact::evaluate_point(size_t i, const Evaluation& at,
     return;
   }
   const SurfaceDistance surface = surface_distance(shape_, position);
-  const Barrier pushed = barrier(surface.distance, thickness_);
+  const Barrier pushed = barrier(distance, thickness_);
   const double stiffness = stiffness_(static_cast<Eigen::Index>(i));
   const SlipEnergy rubbed = rubbing(memory, position);
   derivatives.energy.stored += stiffness * pushed.energy;
   derivatives.energy.work += rubbed.energy - rubbing(memory, memory.position).energy;
   if (derivatives.gradient) {
-    derivatives.gradient->col(point) += stiffness * pushed.slope * surface.normal + rubbed.force;
+    derivatives.gradient->col(point) +=
+        body.rotation * (stiffness * pushed.slope * surface.normal + rubbed.force);
   }
   if (!derivatives.hessian) return;
   Eigen::Matrix3d hessian =
       stiffness * pushed.curvature * surface.normal * surface.normal.transpose() + rubbed.hessian;
   // The surface's own curvature makes the energy less convex.
   if (at.curvature == Curvature::exact) hessian += stiffness * pushed.slope * surface.curvature;
-  derivatives.hessian->coordinates.add_coupling(at.configuration, point, point, hessian,
+  const Eigen::Matrix3d turn = body.rotation.toRotationMatrix();
+  derivatives.hessian->coordinates.add_coupling(at.configuration, point, point,
+                                                turn * hessian * turn.transpose(),
                                                 derivatives.hessian->matrix);
 }
 
@@ -132,8 +161,9 @@ Eigen::Index ObstacleContact::history_size() const {
 
 Eigen::VectorXd ObstacleContact::initial_history(const Evaluation& at) const {
   Eigen::VectorXd history(history_size());
+  const Pose body = at.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
-    const Eigen::Vector3d position = at.configuration.positions.col(points_[i]);
+    const Eigen::Vector3d position = body.local(at.configuration.positions.col(points_[i]));
     const auto index = static_cast<Eigen::Index>(i);
     const double distance = std::max(distance_to(shape_, position), 1e-3 * thickness_);
     const double force = -stiffness_(index) * barrier(distance, thickness_).slope;
@@ -147,10 +177,11 @@ Eigen::VectorXd ObstacleContact::initial_history(const Evaluation& at) const {
 // friction took in this one is lost.
 Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
   Energy energy;
+  const Pose body = at.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
-    const Memory memory = Memory::read(at.history + Memory::kSize * index);
-    const Eigen::Vector3d position = at.configuration.positions.col(points_[i]);
+    const Memory memory = memory_of(i, at);
+    const Eigen::Vector3d position = body.local(at.configuration.positions.col(points_[i]));
     Memory now{position, Eigen::Vector3d::Zero(), 0, false};
     const double distance = distance_to(shape_, position);
     if (distance < thickness_) {
@@ -172,10 +203,12 @@ Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
   return energy;
 }
 
-double ObstacleContact::least_distance(const Eigen::Matrix3Xd& positions) const {
+double ObstacleContact::least_distance(const Eigen::Matrix3Xd& positions,
+                                       const Controls& controls) const {
+  const Pose body = controls.body(body_);
   double least = std::numeric_limits<double>::infinity();
   for (const int point : points_) {
-    least = std::min(least, distance_to(shape_, positions.col(point)));
+    least = std::min(least, distance_to(shape_, body.local(positions.col(point))));
   }
   return least;
 }

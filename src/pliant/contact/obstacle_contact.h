@@ -13,17 +13,20 @@ namespace pliant {
 /// A barrier acts on each point that is nearer to the surface than a thickness; no point reaches
 /// the surface, nor passes through the body on a way that `limit` leaves. Friction is Coulomb's,
 /// with the normal forces and normals that the step begins with: elastic up to `kSlipLength`, of
-/// which each point keeps its part from step to step, so that what rests does not creep.
+/// which each point keeps its part from step to step, so that what rests does not creep. A body
+/// that is led takes along what it meets; what it remembers of a point is in its own frame.
 class ObstacleContact : public HistoryPotential {
  public:
   /// @param points     of the system
   /// @param stiffness  of the barrier, one a point (N/m)
   /// @param thickness  distance at which the barrier begins (m)
+  /// @param body       its number among the bodies that are led; -1: it stands still
   ObstacleContact(ObstacleShape shape, std::vector<int> points, Eigen::VectorXd stiffness,
-                  double thickness, const CoulombFriction& friction);
+                  double thickness, const CoulombFriction& friction, int body = -1);
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
+  void make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const override;
   /// A point keeps a fifth of its distance, or of half the thickness; one that slides stops where
   /// it may come to rest.
   void limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
@@ -36,12 +39,15 @@ class ObstacleContact : public HistoryPotential {
   Energy advance(const Evaluation& at, double* next) const override;
 
   /// Of all its points (m); negative where one is inside.
-  double least_distance(const Eigen::Matrix3Xd& positions) const;
+  double least_distance(const Eigen::Matrix3Xd& positions, const Controls& controls) const;
 
  private:
   struct Memory;
 
-  void evaluate_point(size_t i, const Evaluation& at, Derivatives& derivatives) const;
+  Memory memory_of(size_t i, const Evaluation& at) const;
+  double free_share_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  void evaluate_point(size_t i, const Pose& body, const Evaluation& at,
+                      Derivatives& derivatives) const;
   double largest_friction(const Memory& memory) const;  // N
   Eigen::Vector3d slip_of(const Memory& memory, const Eigen::Vector3d& position) const;
   SlipEnergy rubbing(const Memory& memory, const Eigen::Vector3d& position) const;
@@ -53,6 +59,7 @@ class ObstacleContact : public HistoryPotential {
   Eigen::VectorXd stiffness_;
   double thickness_;
   CoulombFriction friction_;
+  int body_;
 };
 
 }  // namespace pliant

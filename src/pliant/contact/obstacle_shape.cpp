@@ -45,6 +45,29 @@ SurfaceDistance distance(const Capsule& body, const Eigen::Vector3d& point) {
   return round(point - core, along, body.radius);
 }
 
+// Where a point is beyond the faces of a box, along each axis; negative between two.
+Eigen::Vector3d beyond_faces(const Box& body, const Eigen::Vector3d& point) {
+  return (point - body.centre).cwiseAbs() - body.half;
+}
+
+SurfaceDistance distance(const Box& body, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d beyond = beyond_faces(body, point);
+  const Eigen::Vector3d sides =
+      (point - body.centre).unaryExpr([](double x) { return x < 0 ? -1.0 : 1.0; });
+  const Eigen::Vector3d out = beyond.cwiseMax(0);
+  const double length = out.norm();
+  if (length == 0) {
+    Eigen::Index face = 0;
+    const double depth = beyond.maxCoeff(&face);
+    return {depth, sides(face) * Eigen::Vector3d::Unit(face), Eigen::Matrix3d::Zero()};
+  }
+  const Eigen::Vector3d normal = out.cwiseProduct(sides) / length;
+  const Eigen::Vector3d reached = (out.array() > 0).cast<double>();
+  const Eigen::Matrix3d curvature =
+      (Eigen::Matrix3d(reached.asDiagonal()) - normal * normal.transpose()) / length;
+  return {length, normal, curvature};
+}
+
 double only(const HalfSpace& body, const Eigen::Vector3d& point) {
   return body.normal.dot(point - body.point);
 }
@@ -55,6 +78,11 @@ double only(const Sphere& body, const Eigen::Vector3d& point) {
 
 double only(const Capsule& body, const Eigen::Vector3d& point) {
   return distance_to_line(body.from, body.to, point) - body.radius;
+}
+
+double only(const Box& body, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d beyond = beyond_faces(body, point);
+  return beyond.maxCoeff() > 0 ? beyond.cwiseMax(0).norm() : beyond.maxCoeff();
 }
 
 }  // namespace

@@ -23,13 +23,19 @@ struct Capsule {
   double radius = 0;         ///< m, > 0
 };
 
-/// A convex body with a smooth surface.
-using ObstacleShape = std::variant<HalfSpace, Sphere, Capsule>;
+/// A box along the axes.
+struct Box {
+  Eigen::Vector3d centre;  ///< m
+  Eigen::Vector3d half;    ///< half of its sides, m, > 0
+};
+
+/// A convex body.
+using ObstacleShape = std::variant<HalfSpace, Sphere, Capsule, Box>;
 
 /// Where a point is to the surface of a body.
 struct SurfaceDistance {
   double distance = 0;        ///< m, negative inside
-  Eigen::Vector3d normal;     ///< its gradient: out of the body, of unit length
+  Eigen::Vector3d normal;     ///< its gradient: out of the body, of unit length; continuous outside
   Eigen::Matrix3d curvature;  ///< its second derivatives, 1/m; positive semidefinite outside
 };
 

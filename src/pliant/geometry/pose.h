@@ -12,6 +12,10 @@ struct Pose {
   Eigen::Vector3d apply(const Eigen::Vector3d& local) const {
     return rotation * local + translation;
   }
+  /// The place in the body.
+  Eigen::Vector3d local(const Eigen::Vector3d& world) const {
+    return rotation.conjugate() * (world - translation);
+  }
 };
 
 }  // namespace pliant

@@ -28,6 +28,9 @@ struct Controls {
   double time = 0;  ///< s
   std::vector<Place> places;
   std::vector<ClipPose> poses;
+  /// Of bodies that are led, by the numbers that potentials have for them, from where they were
+  /// built.
+  std::vector<Pose> bodies;
   /// Forces (N) and ends of cords (m), one column each, by the numbers that potentials have for
   /// them.
   Eigen::Matrix3Xd vectors;
@@ -35,6 +38,11 @@ struct Controls {
   /// Column `number`, or `otherwise` where that is not named.
   Eigen::Vector3d vector(int number, const Eigen::Vector3d& otherwise) const {
     return number >= 0 && number < vectors.cols() ? vectors.col(number).eval() : otherwise;
+  }
+  /// Of body `number`; where it was built if that is not named.
+  Pose body(int number) const {
+    return number >= 0 && number < std::ssize(bodies) ? bodies[static_cast<size_t>(number)]
+                                                      : Pose{};
   }
 };
 

@@ -69,6 +69,13 @@ class Potential {
   /// Learns where its part of the Hessian goes; called before any evaluation.
   virtual void bind(const Coordinates& coordinates, const BlockPattern& pattern) = 0;
 
+  /// Moves points out of the way of what is led from outside: to where the step may begin.
+  /// @param at         its configuration: of the last accepted step
+  /// @param positions  the same, to be moved (m)
+  virtual void make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
+    static_cast<void>(at), static_cast<void>(positions);
+  }
+
   /// Shortens the straight ways of points to what each may go at once: what is in the way stops it.
   /// @param to      where the points of `from` would go
   /// @param shares  of the ways, one a point, in [0, 1]; only ever lowered

@@ -85,6 +85,12 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
+Eigen::Matrix3Xd System::made_way(const Configuration& at, const Conditions& under) const {
+  Eigen::Matrix3Xd positions = at.positions;
+  for (const Part& part : parts_) part.potential->make_way(evaluation(part, at, under), positions);
+  return positions - at.positions;
+}
+
 Eigen::VectorXd System::free_shares(const Configuration& from, const Configuration& to,
                                     const Conditions& under) const {
   Eigen::VectorXd shares = Eigen::VectorXd::Ones(points());

@@ -64,6 +64,11 @@ std::filesystem::path SimulationFrames::file_of(const SimulationFrame& frame) co
   return directory / "frames" / fmt::format("{:06}.ply", frame.index);
 }
 
+std::filesystem::path SimulationFrames::obstacles_of(const SimulationFrame& frame) const {
+  if (!std::filesystem::is_directory(obstacles)) return obstacles;
+  return obstacles / fmt::format("{:06}.obj", frame.index);
+}
+
 SimulationFrames read_simulation_frames(const std::filesystem::path& directory) {
   if (!std::filesystem::is_directory(directory)) {
     throw InputError({directory.string()}, "is no directory", "the results of simulate");
@@ -103,7 +108,7 @@ TriangleMesh read_cloth(const std::filesystem::path& file) {
   return mesh;
 }
 
-StillMesh read_obstacles(const std::filesystem::path& file) {
+SolidMesh read_obstacles(const std::filesystem::path& file) {
   const ObjMesh obj = read_obj(file);
   if (obj.positions.empty() || obj.faces.size() == 0) {
     throw InputError({file.string()}, "has no faces", "the surfaces of obstacles");

@@ -21,10 +21,14 @@ struct SimulationFrames {
   std::filesystem::path directory;
   std::vector<SimulationFrame> frames;       ///< one or more, index and time increasing
   std::map<std::string, std::string> units;  ///< of fields, by name, where they are known
-  std::filesystem::path mesh = {};       ///< the cloth with its rest plane; empty where not written
-  std::filesystem::path obstacles = {};  ///< their surfaces; empty where there are none
+  std::filesystem::path mesh = {};  ///< the cloth with its rest plane; empty where not written
+  /// Surfaces of obstacles: a file, or a folder with one for each frame; empty where there are
+  /// none.
+  std::filesystem::path obstacles = {};
 
   std::filesystem::path file_of(const SimulationFrame& frame) const;
+  /// Empty where there are no obstacles.
+  std::filesystem::path obstacles_of(const SimulationFrame& frame) const;
 };
 
 /// Reads `directory`/simulation.json.
@@ -36,15 +40,15 @@ SimulationFrames read_simulation_frames(const std::filesystem::path& directory);
 /// @throws InputError
 TriangleMesh read_cloth(const std::filesystem::path& file);
 
-/// What stands still in all frames.
-struct StillMesh {
+/// Surfaces of solid bodies.
+struct SolidMesh {
   Eigen::Matrix3Xd positions;  ///< m
   Eigen::Matrix3Xi triangles;
 };
 
 /// @param file  OBJ
 /// @throws InputError
-StillMesh read_obstacles(const std::filesystem::path& file);
+SolidMesh read_obstacles(const std::filesystem::path& file);
 
 /// The cloth of one frame.
 struct FrameMesh {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -120,12 +121,14 @@ RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
     mesh.field = VertexField{std::move(frame.fields[options.field]), setting.legend->scale};
   }
   scene.meshes.push_back(std::move(mesh));
-  if (setting.obstacles) {
-    const Colour grey = colour_of_rgb(kObstacleGrey);
-    scene.meshes.push_back(
-        {setting.obstacles->positions, setting.obstacles->triangles, grey, grey});
-  }
   return scene;
+}
+
+void add_obstacles(const std::filesystem::path& file, RenderScene& scene) {
+  if (file.empty()) return;
+  SolidMesh solid = read_obstacles(file);
+  const Colour grey = colour_of_rgb(kObstacleGrey);
+  scene.meshes.push_back({std::move(solid.positions), std::move(solid.triangles), grey, grey});
 }
 
 Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& frame,
@@ -139,7 +142,8 @@ Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& f
                      fmt::format("{}, as in {}", setting.lines->rest_corners.cols() / 3,
                                  simulation.mesh.string()));
   }
-  const RenderScene scene = scene_of(std::move(mesh), setting, options);
+  RenderScene scene = scene_of(std::move(mesh), setting, options);
+  add_obstacles(simulation.obstacles_of(frame), scene);
   Image image = render(scene, setting.camera, options.size, options.quality, run);
   draw_time(image, frame.time, setting.time_decimals);
   if (setting.scale_bar) draw_scale_bar(image, *setting.scale_bar);
@@ -167,17 +171,28 @@ std::optional<ScaleBar> scale_bar_of(const PictureSetting& setting, double aspec
   return bar;
 }
 
+// Of all frames, which differ where obstacles are led.
+Eigen::AlignedBox3d extent_of_obstacles(const SimulationFrames& simulation) {
+  Eigen::AlignedBox3d box;
+  std::set<std::filesystem::path> files;
+  for (const SimulationFrame& frame : simulation.frames) {
+    files.insert(simulation.obstacles_of(frame));
+  }
+  files.erase("");
+  for (const std::filesystem::path& file : files) {
+    const Eigen::Matrix3Xd solid = read_obstacles(file).positions;
+    box.extend(Eigen::AlignedBox3d(solid.rowwise().minCoeff(), solid.rowwise().maxCoeff()));
+  }
+  return box;
+}
+
 }  // namespace
 
 PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptions& options,
                           LegendPlace legend, const RunContext& run) {
   Extent extent = extent_of(simulation, options.field, run);
   PictureSetting setting;
-  if (!simulation.obstacles.empty()) {
-    setting.obstacles = read_obstacles(simulation.obstacles);
-    const Eigen::Matrix3Xd& still = setting.obstacles->positions;
-    extent.box.extend(Eigen::AlignedBox3d(still.rowwise().minCoeff(), still.rowwise().maxCoeff()));
-  }
+  extent.box.extend(extent_of_obstacles(simulation));
   Margins margins;
   if (!options.field.empty()) setting.legend = legend_of(simulation, extent, options);
   if (setting.legend && legend == LegendPlace::in_picture) {

@@ -39,7 +39,6 @@ struct PictureSetting {
   std::optional<double> ground;       ///< height (m)
   std::optional<FieldLegend> legend;  ///< of the field shown
   std::optional<RestLines> lines;
-  std::optional<StillMesh> obstacles;
   std::optional<ScaleBar> scale_bar;
   int time_decimals = 0;
 };

@@ -147,6 +147,9 @@ std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
   if (simulation.scene().output.has(FrameFormat::vtu)) {
     files.emplace_back(fmt::format("frames/{:06}.vtu", index), vtu_bytes(simulation));
   }
+  if (has_led_obstacles(simulation.scene().obstacles)) {
+    files.emplace_back(fmt::format("obstacles/{:06}.obj", index), obstacles_obj(simulation));
+  }
   return files;
 }
 
@@ -175,7 +178,7 @@ std::string obstacles_obj(const Simulation& simulation) {
     box.extend(Eigen::AlignedBox3d(cloth.mesh.positions.rowwise().minCoeff(),
                                    cloth.mesh.positions.rowwise().maxCoeff()));
   }
-  return write_obj(obstacle_mesh(simulation.scene().obstacles, box));
+  return write_obj(obstacle_mesh(simulation.scene().obstacles, box, simulation.now().state.time));
 }
 
 }  // namespace pliant

@@ -13,7 +13,8 @@ namespace pliant {
 using NamedFile = std::pair<std::string, std::string>;
 
 /// The files of the present step as frame `index`, in the scene's formats: frames/NNNNNN.ply and
-/// .vtu with the cloths' vertices (m) and the fields that the scene asks for.
+/// .vtu with the cloths' vertices (m) and the fields that the scene asks for, and where obstacles
+/// are led obstacles/NNNNNN.obj.
 std::vector<NamedFile> frame_files(const Simulation& simulation, int index);
 
 /// Files about all frames so far: energy.csv, clips.csv where there are clips, simulation.pvd for
@@ -23,7 +24,7 @@ std::vector<NamedFile> series_files(const Simulation& simulation);
 /// The cloths as one OBJ mesh, with rest-plane coordinates (m) as texture coordinates; the PC2 file
 /// moves its vertices.
 std::string cloth_obj(const Simulation& simulation);
-/// The obstacles as one OBJ mesh (m).
+/// The obstacles as one OBJ mesh (m), where they are now.
 std::string obstacles_obj(const Simulation& simulation);
 /// The cloths' vertices, for a frame of the PC2 file.
 std::vector<Point3> cloth_points(const Simulation& simulation);

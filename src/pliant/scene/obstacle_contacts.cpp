@@ -1,7 +1,7 @@
 #include "pliant/scene/obstacle_contacts.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,10 +12,14 @@ namespace {
 
 constexpr double kStiffness = 4;  // times mass / step^2
 
-double radius_of(const ObstacleShape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  return std::numeric_limits<double>::infinity();
+// How much nearer to the inside an edge comes than its ends: on a round body of radius r by
+// l^2 / (8 r), over the edge of a box by l / sqrt(8).
+double sag_over(const ObstacleShape& shape, double edge) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return edge * edge / (8 * sphere->radius);
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+    return edge * edge / (8 * capsule->radius);
+  }
+  return std::holds_alternative<Box>(shape) ? edge / std::sqrt(8.0) : 0;
 }
 
 std::string millimetres(double length) { return format_number(1e3 * length, 3) + " mm"; }
@@ -61,11 +65,9 @@ void warn_of_led_points(const SceneObstacle& obstacle, const TouchingCloth& clot
                   inside, quoted_value(obstacle.name)));
 }
 
-// Between two vertices on a round surface an edge of length l comes nearer to its axis by
-// l^2 / (8 r).
 void warn_of_long_edges(const SceneObstacle& obstacle, const Scene& scene,
                         const TouchingCloth& cloth, std::vector<std::string>& warnings) {
-  const double sag = cloth.longest_edge * cloth.longest_edge / (8 * radius_of(obstacle.shape));
+  const double sag = sag_over(obstacle.shape, cloth.longest_edge);
   if (sag <= scene.contact.thickness / 2) return;
   warnings.push_back(fmt::format(
       "vertices keep off {}, faces between them may come {} nearer, which is more than half the "
@@ -79,6 +81,7 @@ std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
     const Scene& scene, const TouchingCloth& cloth, std::vector<std::string>& warnings) {
   std::vector<std::shared_ptr<ObstacleContact>> contacts;
   const double per_mass = kStiffness / (scene.time.step * scene.time.step);
+  int led = 0;
   for (const SceneObstacle& obstacle : scene.obstacles) {
     refuse_overlap(obstacle, cloth);
     warn_of_deep_starts(obstacle, scene.contact.thickness, cloth, warnings);
@@ -86,7 +89,7 @@ std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
     warn_of_long_edges(obstacle, scene, cloth, warnings);
     contacts.push_back(std::make_shared<ObstacleContact>(
         obstacle.shape, cloth.points, per_mass * cloth.masses(cloth.points),
-        scene.contact.thickness, obstacle.friction));
+        scene.contact.thickness, obstacle.friction, obstacle.motion ? led++ : -1));
   }
   return contacts;
 }

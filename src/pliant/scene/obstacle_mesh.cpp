@@ -71,12 +71,38 @@ void add_shape(const HalfSpace& body, const Eigen::AlignedBox3d& cloth, ObjMesh&
   mesh.faces.add(std::array{first, first + 2, first + 3});
 }
 
+// Corner i has the sign of axis k where bit k of i says so.
+void add_shape(const Box& body, const Eigen::AlignedBox3d&, ObjMesh& mesh) {
+  const int first = static_cast<int>(mesh.positions.size());
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    add_point(body.centre + body.half.cwiseProduct(signs), mesh);
+  }
+  constexpr std::array<std::array<int, 4>, 6> kFaces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& [a, b, c, d] : kFaces) {
+    mesh.faces.add(std::array{first + a, first + b, first + c});
+    mesh.faces.add(std::array{first + a, first + c, first + d});
+  }
+}
+
+void move_from(size_t first, const Pose& pose, ObjMesh& mesh) {
+  for (size_t i = first; i < mesh.positions.size(); ++i) {
+    auto& [x, y, z] = mesh.positions[i];
+    const Eigen::Vector3d moved = pose.apply({x, y, z});
+    mesh.positions[i] = {moved.x(), moved.y(), moved.z()};
+  }
+}
+
 }  // namespace
 
-ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles, const Eigen::AlignedBox3d& cloth) {
+ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles, const Eigen::AlignedBox3d& cloth,
+                      double time) {
   ObjMesh mesh;
   for (const SceneObstacle& obstacle : obstacles) {
+    const size_t first = mesh.positions.size();
     std::visit([&](const auto& body) { add_shape(body, cloth, mesh); }, obstacle.shape);
+    if (obstacle.motion) move_from(first, pose_at(*obstacle.motion, time), mesh);
   }
   return mesh;
 }

@@ -10,8 +10,9 @@
 namespace pliant {
 
 /// The surfaces of obstacles for pictures: round bodies in facets, a plane as a square around what
-/// is near it.
+/// is near it. Those that are led stand where they are at a time (s).
 /// @param cloth  that a plane's square reaches beyond (m)
-ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles, const Eigen::AlignedBox3d& cloth);
+ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles, const Eigen::AlignedBox3d& cloth,
+                      double time);
 
 }  // namespace pliant

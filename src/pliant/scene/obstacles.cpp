@@ -1,11 +1,13 @@
 #include "pliant/scene/obstacles.h"
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "pliant/io/result_name.h"
 #include "pliant/io/vector_fields.h"
+#include "pliant/scene/keyframe_fields.h"
 
 namespace pliant {
 namespace {
@@ -42,16 +44,28 @@ Capsule read_capsule(const Value& value) {
   return capsule;
 }
 
+Box read_box(const Value& value) {
+  Fields fields = value.fields();
+  Box box;
+  box.centre = read_vector(fields.require("centre"));
+  const Value size = fields.require("size");
+  box.half = read_vector(size) / 2;
+  if (!(box.half.minCoeff() > 0)) size.fail("has no extent", "three lengths above 0, in m");
+  fields.finish();
+  return box;
+}
+
 ObstacleShape read_shape(Fields& fields, const Value& value) {
   const auto plane = fields.optional("plane"), sphere = fields.optional("sphere");
-  const auto capsule = fields.optional("capsule");
-  const int given = (plane ? 1 : 0) + (sphere ? 1 : 0) + (capsule ? 1 : 0);
+  const auto capsule = fields.optional("capsule"), box = fields.optional("box");
+  const int given = (plane ? 1 : 0) + (sphere ? 1 : 0) + (capsule ? 1 : 0) + (box ? 1 : 0);
   if (given != 1) {
     value.fail(given == 0 ? "has no shape" : "has several shapes",
-               "one of `plane`, `sphere` and `capsule`");
+               "one of `plane`, `sphere`, `capsule` and `box`");
   }
   if (plane) return read_plane(*plane);
-  return sphere ? ObstacleShape(read_sphere(*sphere)) : read_capsule(*capsule);
+  if (sphere) return read_sphere(*sphere);
+  return capsule ? ObstacleShape(read_capsule(*capsule)) : read_box(*box);
 }
 
 double read_coefficient(const Value& value) {
@@ -81,6 +95,16 @@ CoulombFriction read_friction(const Value& value) {
   return friction;
 }
 
+Motion read_obstacle_motion(const Value& value) {
+  Motion motion = read_motion(value);
+  const Pose first = pose_at(motion, 0);
+  if (!first.translation.isZero(1e-9) || !first.rotation.isApprox(Pose{}.rotation, 1e-9)) {
+    value.fail("begins elsewhere than the obstacle stands",
+               "no translation and no rotation at the time 0");
+  }
+  return motion;
+}
+
 }  // namespace
 
 SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& taken) {
@@ -90,8 +114,14 @@ SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& tak
   obstacle.name = read_result_name(fields.require("name"), "an obstacle", taken);
   obstacle.shape = read_shape(fields, value);
   if (auto v = fields.optional("friction")) obstacle.friction = read_friction(*v);
+  if (auto v = fields.optional("motion")) obstacle.motion = read_obstacle_motion(*v);
   fields.finish();
   return obstacle;
+}
+
+bool has_led_obstacles(std::span<const SceneObstacle> obstacles) {
+  return std::ranges::any_of(obstacles,
+                             [](const SceneObstacle& o) { return o.motion.has_value(); });
 }
 
 SceneContact read_scene_contact(const Value& value) {

@@ -1,20 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "pliant/contact/coulomb.h"
 #include "pliant/contact/obstacle_shape.h"
 #include "pliant/io/fields.h"
+#include "pliant/scene/motion.h"
 
 namespace pliant {
 
-/// A solid body that stands still and keeps cloth out.
+/// A solid body that keeps cloth out.
 struct SceneObstacle {
   std::string name;
   ObstacleShape shape;
-  CoulombFriction friction;  ///< of cloth on it
+  CoulombFriction friction;           ///< of cloth on it
+  std::optional<Motion> motion = {};  ///< of a body that is led, from where it stands
   Location where;
 };
 
@@ -22,6 +26,8 @@ struct SceneObstacle {
 struct SceneContact {
   double thickness = 1e-3;  ///< distance at which surfaces begin to push each other (m)
 };
+
+bool has_led_obstacles(std::span<const SceneObstacle> obstacles);
 
 /// Reads an element of the list `obstacles`.
 /// @param taken  names of the obstacles so far; gets the new one

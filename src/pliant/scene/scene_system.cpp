@@ -294,6 +294,12 @@ class SceneBuilder {
     }
     result_.contacts = obstacle_contacts(scene_, cloth, result_.warnings);
     for (const auto& contact : result_.contacts) system().add(contact);
+    for (const SceneObstacle& obstacle : scene_.obstacles) {
+      if (!obstacle.motion) continue;
+      drives_.push_back([motion = *obstacle.motion](Controls& controls) {
+        controls.bodies.push_back(pose_at(motion, controls.time));
+      });
+    }
   }
 
   // Free clips start with their cloth; what is held, or moved from outside, starts at rest.

@@ -225,9 +225,10 @@ void Simulation::advance() {
 
 void Simulation::record_distance() {
   if (built_.contacts.empty()) return;
+  const Controls controls = built_.schedule(now_.state.time);
   double least = std::numeric_limits<double>::infinity();
   for (const auto& contact : built_.contacts) {
-    least = std::min(least, contact->least_distance(now_.state.configuration.positions));
+    least = std::min(least, contact->least_distance(now_.state.configuration.positions, controls));
   }
   now_.records.distances.push_back(least);
 }

@@ -65,6 +65,11 @@ Json crossing_pairs(const Simulation& simulation) {
   return pairs ? Json(pairs->size()) : Json(nullptr);
 }
 
+Json obstacles_path(const Scene& scene) {
+  if (scene.obstacles.empty()) return nullptr;
+  return has_led_obstacles(scene.obstacles) ? "obstacles" : "obstacles.obj";
+}
+
 Json least_distance(const StepRecords& records) {
   if (records.distances.empty()) return nullptr;
   return *std::ranges::min_element(records.distances);
@@ -103,7 +108,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"crossing_pairs", crossing_pairs(simulation)},
             {"min_contact_distance", least_distance(now.records)},
             {"mesh", "cloth.obj"},
-            {"obstacles", scene.obstacles.empty() ? Json(nullptr) : Json("obstacles.obj")},
+            {"obstacles", obstacles_path(scene)},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
             {"warnings", simulation.built().warnings}};

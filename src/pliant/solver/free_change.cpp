@@ -33,4 +33,21 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
   return {change.cwiseProduct(shares), least * change, false};
 }
 
+Eigen::VectorXd made_way(const Objective& objective, const Configuration& at) {
+  const Coordinates& coordinates = objective.system().coordinates();
+  const Eigen::Matrix3Xd ways = objective.system().made_way(at, objective.conditions());
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates.unknowns());
+  for (int i = 0; i < coordinates.points(); ++i) {
+    if (coordinates.is_free(i)) change.segment<3>(3 * coordinates.row(i)) = ways.col(i);
+  }
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (coordinates.clip_is_prescribed(k)) continue;
+    const Eigen::Matrix3Xd of_clip = ways(Eigen::all, coordinates.clip_points(k));
+    Eigen::Index furthest = 0;
+    of_clip.colwise().squaredNorm().maxCoeff(&furthest);
+    change.segment<3>(3 * coordinates.clip_row(k)) = of_clip.col(furthest);
+  }
+  return change;
+}
+
 }  // namespace pliant

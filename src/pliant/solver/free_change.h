@@ -14,4 +14,8 @@ struct FreeChange {
 FreeChange free_change(const Objective& objective, const Configuration& at,
                        const Eigen::VectorXd& change);
 
+/// The change that takes points out of the way of what is led from outside; a clip goes as far as
+/// its point that has to go furthest.
+Eigen::VectorXd made_way(const Objective& objective, const Configuration& at);
+
 }  // namespace pliant

@@ -23,10 +23,12 @@ Workspace iterative(const System& system, const TimeStepOptions& options) {
   return {std::move(hessian), std::move(solver)};
 }
 
-// The change of the unknowns if everything kept its velocity: where the search for the step begins.
-// Clips move on without turning; axes that are prescribed stay.
+// The change of the unknowns to where everything would be that kept its velocity: where the search
+// for the step begins. Clips move on without turning; axes that are prescribed stay.
+// @param gone  what they have changed by already
 Eigen::VectorXd coasting(const Coordinates& coordinates, const Configuration& at,
-                         const Eigen::Matrix3Xd& velocities, double step) {
+                         const Eigen::Matrix3Xd& velocities, double step,
+                         const Eigen::VectorXd& gone) {
   Eigen::Matrix3Xd way = step * velocities;
   for (int i = 0; i < coordinates.points(); ++i) {
     if (!coordinates.is_free(i)) way.col(i).setZero();
@@ -37,7 +39,7 @@ Eigen::VectorXd coasting(const Coordinates& coordinates, const Configuration& at
     change.segment<3>(3 * coordinates.clip_row(k)) =
         step * velocities(Eigen::all, coordinates.clip_points(k)).rowwise().mean();
   }
-  return change;
+  return change - gone;
 }
 
 double kinetic_energy(const System& system, const Eigen::Matrix3Xd& velocities) {
@@ -171,9 +173,11 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     objective.add(*drag);
   }
 
+  const Eigen::VectorXd way = made_way(objective, at);
+  if (!way.isZero(0)) at = system_.coordinates().moved(at, way);
   const Trial trial{
       from, under, objective,   inertia,
-      drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step)};
+      drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step, way)};
   const StepSummary summary = options_.solve == StepSolve::linearized
                                   ? linearized(trial, std::move(at), to)
                                   : searched(trial, std::move(at), to);

@@ -97,7 +97,7 @@ TEST(ObstacleContact, StopsEachPointByItselfBeforeTheSurface) {
   const Ball ball({0.5e-3, 20e-3, 0.1e-3});
   const State state = ball.system->initial_state();
   const auto shares = [&](const Eigen::Vector3d& by) {
-    return ball.system->free_shares(state.configuration, moved(state, by), {.from = state});
+    return ball.system->way_limits(state.configuration, moved(state, by), {.from = state}).shares;
   };
   EXPECT_EQ(shares(Eigen::Vector3d::Zero()), Eigen::Vector3d::Ones());
   EXPECT_EQ(shares({0, 0, 0.3}), Eigen::Vector3d::Ones());

@@ -244,6 +244,23 @@ TEST(LedObstacles, TurnWithTheirPoints) {
   EXPECT_NEAR(std::atan2(side.y(), side.x()), std::numbers::pi / 2, 0.05);
 }
 
+TEST(LedObstacles, AreToldThatTheyLeaveNoRoom) {
+  Simulation pressed = simulated(
+      "cloth:\n"
+      "  - {name: sheet, mesh: {grid: 40 mm x 40 mm, nodes: 3x3}, material: jersey.json}\n"
+      "obstacles:\n"
+      "  - {name: floor, plane: {point: [0, 0, -0.01], normal: [0, 0, 1]},\n"
+      "     motion: {keyframes: [{time: 0 s}, {time: 0.1 s, translate: [0, 0, 0.1]}]}}\n"
+      "  - {name: ceiling, plane: {point: [0, 0, 0.03], normal: [0, 0, -1]}}\n"
+      "time: {step: 5 ms, duration: 1 s}\n");
+  try {
+    advance_to(pressed, 0.1);
+    FAIL() << "the floor passed the ceiling";
+  } catch (const SolverError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("obstacles leave what is between them no room"));
+  }
+}
+
 TEST(SceneObstacles, RefuseClothThatBeginsInside) {
   const InputError error = test::input_error_of([] {
     simulated(fmt::format(

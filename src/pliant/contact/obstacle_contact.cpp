@@ -82,7 +82,7 @@ double ObstacleContact::free_share_of(const Eigen::Vector3d& from,
 }
 
 void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
-                            Eigen::VectorXd& shares) const {
+                            WayLimits& limits) const {
   const Pose body = from.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const int point = points_[i];
@@ -90,10 +90,11 @@ void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
     const Eigen::Vector3d end = body.local(to.col(point));
     const Memory memory = memory_of(i, from);
     double share = free_share_of(begin, end);
+    limits.obstructed |= share < 1;
     if (memory.normal_force > 0) {
       share = std::min(share, share_to_standstill(memory, begin, end));
     }
-    shares(point) = std::min(shares(point), share);
+    limits.shares(point) = std::min(limits.shares(point), share);
   }
 }
 

@@ -29,8 +29,7 @@ class ObstacleContact : public HistoryPotential {
   void make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const override;
   /// A point keeps a fifth of its distance, or of half the thickness; one that slides stops where
   /// it may come to rest.
-  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
-             Eigen::VectorXd& shares) const override;
+  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
   /// The energy is infinite inside the body.
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 

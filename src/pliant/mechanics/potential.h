@@ -55,6 +55,12 @@ struct Derivatives {
   Hessian* hessian = nullptr;
 };
 
+/// How much of their straight ways points may go at once.
+struct WayLimits {
+  Eigen::VectorXd shares;   ///< of the ways, one a point, in [0, 1]; only ever lowered
+  bool obstructed = false;  ///< something in the way keeps a point from where it would go
+};
+
 /// An energy of the points of a system: elasticity, friction, gravity, inertia of a time step, ...
 ///
 /// It may keep a history, numbers that change at accepted steps only; the system's State holds
@@ -76,12 +82,10 @@ class Potential {
     static_cast<void>(at), static_cast<void>(positions);
   }
 
-  /// Shortens the straight ways of points to what each may go at once: what is in the way stops it.
-  /// @param to      where the points of `from` would go
-  /// @param shares  of the ways, one a point, in [0, 1]; only ever lowered
-  virtual void limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
-                     Eigen::VectorXd& shares) const {
-    static_cast<void>(from), static_cast<void>(to), static_cast<void>(shares);
+  /// Shortens the straight ways of points to what each may go at once.
+  /// @param to  where the points of `from` would go
+  virtual void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const {
+    static_cast<void>(from), static_cast<void>(to), static_cast<void>(limits);
   }
 
   /// Adds to the energy and to the derivatives that are asked for. The energy is infinite where

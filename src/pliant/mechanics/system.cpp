@@ -91,13 +91,13 @@ Eigen::Matrix3Xd System::made_way(const Configuration& at, const Conditions& und
   return positions - at.positions;
 }
 
-Eigen::VectorXd System::free_shares(const Configuration& from, const Configuration& to,
-                                    const Conditions& under) const {
-  Eigen::VectorXd shares = Eigen::VectorXd::Ones(points());
+WayLimits System::way_limits(const Configuration& from, const Configuration& to,
+                             const Conditions& under) const {
+  WayLimits limits{Eigen::VectorXd::Ones(points())};
   for (const Part& part : parts_) {
-    part.potential->limit(evaluation(part, from, under), to.positions, shares);
+    part.potential->limit(evaluation(part, from, under), to.positions, limits);
   }
-  return shares;
+  return limits;
 }
 
 void System::evaluate(const Configuration& at, const Conditions& under, Curvature curvature,

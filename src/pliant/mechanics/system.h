@@ -65,9 +65,9 @@ class System {
   /// How far each point has to move before a step begins, so that nothing that is led from outside
   /// has passed it (m).
   Eigen::Matrix3Xd made_way(const Configuration& at, const Conditions& under) const;
-  /// How much of its straight way each point may go at once, in [0, 1].
-  Eigen::VectorXd free_shares(const Configuration& from, const Configuration& to,
-                              const Conditions& under) const;
+  /// How much of its straight way each point may go at once.
+  WayLimits way_limits(const Configuration& from, const Configuration& to,
+                       const Conditions& under) const;
   /// Adds the energy and the derivatives of all potentials.
   void evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                 Derivatives& derivatives) const;

@@ -94,7 +94,10 @@ class Simulation::TimeSteps : public Simulation::Stepper {
       return;
     }
     if (!adaptive_ || halvings == kMostHalvings) {
-      throw SolverError(fmt::format("the step to {:.6g} s", state.time + step),
+      throw SolverError(fmt::format("the step to {:.6g} s{}", state.time + step,
+                                    summary.has_room ? ""
+                                                     : ", in which obstacles leave what is "
+                                                       "between them no room,"),
                         summary.newton_iterations, summary.residual);
     }
     for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);

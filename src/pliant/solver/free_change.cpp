@@ -26,11 +26,11 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
   const System& system = objective.system();
   const Coordinates& coordinates = system.coordinates();
   const Configuration there = coordinates.moved(at, change);
-  const Eigen::VectorXd shares =
-      of_unknowns(coordinates, system.free_shares(at, there, objective.conditions()));
+  const WayLimits limits = system.way_limits(at, there, objective.conditions());
+  const Eigen::VectorXd shares = of_unknowns(coordinates, limits.shares);
   const double least = shares.size() > 0 ? shares.minCoeff() : 1;
-  if (least == 1) return {change, change, true};
-  return {change.cwiseProduct(shares), least * change, false};
+  if (least == 1) return {change, change};
+  return {change.cwiseProduct(shares), least * change, false, limits.obstructed};
 }
 
 Eigen::VectorXd made_way(const Objective& objective, const Configuration& at) {

@@ -8,7 +8,8 @@ namespace pliant {
 struct FreeChange {
   Eigen::VectorXd each;   ///< by itself for each free point; for each clip by its least free point
   Eigen::VectorXd alike;  ///< for all by the point that may go least
-  bool whole = true;      ///< nothing was in the way: both are what was asked for
+  bool whole = true;      ///< both are what was asked for
+  bool obstructed = false;  ///< something in the way has shortened it
 };
 
 FreeChange free_change(const Objective& objective, const Configuration& at,

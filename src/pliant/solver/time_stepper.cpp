@@ -51,7 +51,10 @@ Eigen::VectorXd no_change(const System& system) {
 }
 
 StepSummary summary_of(const DescentSummary& descent) {
-  return {descent.converged, descent.iterations, descent.linear_iterations, descent.residual};
+  return {.converged = descent.converged,
+          .newton_iterations = descent.iterations,
+          .linear_iterations = descent.linear_iterations,
+          .residual = descent.residual};
 }
 
 }  // namespace
@@ -136,7 +139,7 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State&
 StepSummary TimeStepper::searched(const Trial& trial, Configuration at, State& to) {
   const FreeChange guess = free_change(trial.objective, at, trial.guess);
   // A guess that something in the way has bent may hold more energy than there was.
-  const double most_energy = guess.whole ? INFINITY : trial.objective.energy(at).total();
+  const double most_energy = guess.obstructed ? trial.objective.energy(at).total() : INFINITY;
   at = system_.coordinates().moved(at, guess.each);
   StepSummary summary;
   if (options_.solve == StepSolve::iterated) {
@@ -146,7 +149,10 @@ StepSummary TimeStepper::searched(const Trial& trial, Configuration at, State& t
     NewtonOptions newton;
     newton.tolerance = options_.tolerance;
     const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
-    summary = {solved.converged, solved.iterations, solved.linear_iterations, solved.residual};
+    summary = {.converged = solved.converged,
+               .newton_iterations = solved.iterations,
+               .linear_iterations = solved.linear_iterations,
+               .residual = solved.residual};
   }
   settle(trial, std::move(at), to, summary);
   return summary;
@@ -174,7 +180,11 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   }
 
   const Eigen::VectorXd way = made_way(objective, at);
-  if (!way.isZero(0)) at = system_.coordinates().moved(at, way);
+  if (!way.isZero(0)) {
+    at = system_.coordinates().moved(at, way);
+    const bool has_room = std::isfinite(objective.energy(at).total());
+    if (!has_room) return {.converged = false, .has_room = false, .residual = INFINITY};
+  }
   const Trial trial{
       from, under, objective,   inertia,
       drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step, way)};

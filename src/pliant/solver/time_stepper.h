@@ -23,6 +23,7 @@ struct TimeStepOptions {
 /// How a time step went.
 struct StepSummary {
   bool converged = true;  ///< the linear solve, the search for less energy, or Newton's method
+  bool has_room = true;   ///< false: bodies that are led meet where points are; no step was taken
   int newton_iterations = 1;
   int linear_iterations = 0;
   double residual = 0;  ///< largest force left (N); unless converged, that of the linear system

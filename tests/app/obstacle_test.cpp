@@ -17,9 +17,12 @@ using nlohmann::json;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// The example with fewer vertices and steps.
+/// The example with fewer vertices and steps, on a ball that rises.
 void write_drape(const SceneFolder& folder, const std::string& duration) {
   folder.copy_example("drape-sphere", {{"nodes: 121x121", "nodes: 21x21"},
+                                       {"friction: 0.3}",
+                                        "friction: 0.3, motion: {keyframes: [{time: 0 s}, "
+                                        "{time: 300 ms, translate: [0, 0, 0.05]}]}}"},
                                        {"duration: 800 ms", "duration: " + duration},
                                        {"{thickness: 1 mm}", "{thickness: 4 mm}"}});
 }
@@ -38,8 +41,12 @@ TEST(SimulatedObstacles, StandInTheResults) {
   EXPECT_THAT(result["not_modelled"], Contains("contact of cloth with itself"));
   EXPECT_GT(result["min_contact_distance"], 0);
   EXPECT_LT(result["min_contact_distance"], 4e-3);
-  const ObjMesh ball = read_obj(folder.results() / result["obstacles"].get<std::string>());
-  for (const auto& [x, y, z] : ball.positions) {
+  // 0.3 s are six frames.
+  const std::filesystem::path obstacles = folder.results() / result["obstacles"].get<std::string>();
+  for (const auto& [x, y, z] : read_obj(obstacles / "000006.obj").positions) {
+    EXPECT_NEAR(std::hypot(x, y, z + 0.16), 0.2, 1e-9);
+  }
+  for (const auto& [x, y, z] : read_obj(folder.results() / "obstacles.obj").positions) {
     EXPECT_NEAR(std::hypot(x, y, z + 0.21), 0.2, 1e-9);
   }
 }
@@ -55,6 +62,8 @@ TEST(SimulatedObstacles, AreGoneOnWithToTheSameBits) {
   ASSERT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_EQ(content_of(folder.results() / "frames" / "000006.ply"),
             content_of(folder.results("whole") / "frames" / "000006.ply"));
+  EXPECT_EQ(content_of(folder.results() / "obstacles" / "000006.obj"),
+            content_of(folder.results("whole") / "obstacles" / "000006.obj"));
   EXPECT_EQ(summary_in(folder.results())["min_contact_distance"],
             summary_in(folder.results("whole"))["min_contact_distance"]);
 }

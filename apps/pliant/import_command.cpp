@@ -6,6 +6,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
 #include "pliant/exchange/u3m_import.h"
+#include "pliant/imaging/refused_photo.h"
 #include "pliant/io/result_directory.h"
 
 #include "apps/pliant/command.h"
@@ -65,6 +66,17 @@ void add_photo_options(CLI::App& command, PhotoArguments& photo) {
       ->group("Photographs of strips");
 }
 
+// Leaves a picture of what was seen where the study would stand.
+[[noreturn]] void refuse(const RefusedPhoto& photo, const std::string& output, Progress& progress) {
+  const std::string name = std::filesystem::path(photo.where().file).stem().string() + "-seen.png";
+  ResultDirectory(output, "import").set_aside(name, photo.as_seen());
+  progress.message(Level::info,
+                   fmt::format("{} shows what was seen: blue what stands out, orange what could be "
+                               "a strip",
+                               (std::filesystem::path(output) / name).string()));
+  throw photo;
+}
+
 ImportedStudy import_files(const ImportArguments& arguments) {
   const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
   if (photos == std::ssize(arguments.files))
@@ -74,6 +86,14 @@ ImportedStudy import_files(const ImportArguments& arguments) {
                      "one instrument's file, or photographs alone");
   }
   return import_u3m(arguments.files.front(), import_options(arguments.photo.width));
+}
+
+ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
+  try {
+    return import_files(arguments);
+  } catch (const RefusedPhoto& photo) {
+    refuse(photo, arguments.output, progress);
+  }
 }
 
 }  // namespace
@@ -91,7 +111,7 @@ void add_import(CommandRegistry& registry) {
                      "Strip width, if not the file's, e.g. 5 cm");
   add_photo_options(command, arguments->photo);
   registry.on(command, [arguments](CommandContext& context) {
-    const ImportedStudy study = import_files(*arguments);
+    const ImportedStudy study = imported(*arguments, context.run.progress);
     ResultDirectory results(arguments->output, "import");
     results.write("study.yaml", study.study_yaml);
     for (const auto& [name, content] : study.files) results.write(name, content);

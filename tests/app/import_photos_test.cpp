@@ -77,5 +77,40 @@ const RefusedOptions kRefused[] = {
 INSTANTIATE_TEST_SUITE_P(Of, RefusedPhotoImport, ::testing::ValuesIn(kRefused),
                          [](const auto& instance) { return instance.param.what; });
 
+// Two bright bands from the left border, as a PGM picture.
+std::string two_bands() {
+  constexpr int kWidth = 400, kHeight = 300;
+  std::string picture = "P5 400 300 255\n";
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const bool band = x < 300 && (y / 8 == 10 || y / 8 == 25);
+      picture += static_cast<char>(band ? 250 : 30);
+    }
+  }
+  return picture;
+}
+
+TEST(PhotoImport, LeavesAPictureOfWhatWasSeenWhereItRefuses) {
+  const TemporaryFolder folder;
+  const auto photo = folder.write("bands.png", two_bands());
+  const auto study = folder.path() / "study";
+  std::vector<std::string> arguments{"import", photo.string(), "-o",      study.string(), "--scale",
+                                     "0.1 mm", "--density",    "180 gsm", "--direction",  "warp"};
+  ProgramRun run = run_program(arguments);
+  if (run.err.find("built without OpenCV") != std::string::npos) GTEST_SKIP() << run.err;
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.last_line(), HasSubstr("2 things that could be the strip"));
+  EXPECT_THAT(run.err, HasSubstr((study / "bands-seen.png").string() + " shows what was seen"));
+  EXPECT_TRUE(std::filesystem::exists(study / "bands-seen.png"));
+  EXPECT_FALSE(std::filesystem::exists(study / "study.yaml"));
+
+  // The study takes its place.
+  arguments.insert(arguments.end(), {"--clamp", "0,84"});
+  run = run_program(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(study / "study.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(study / "bands-seen.png"));
+}
+
 }  // namespace
 }  // namespace pliant::test

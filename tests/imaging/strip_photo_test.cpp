@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/imaging/refused_photo.h"
+
 #include "imaging/drawn_strip.h"
 #include "io/input_error_of.h"
 #include "io/temporary_folder.h"
@@ -187,6 +189,33 @@ TEST(StripPhoto, RegionsAndPixelsLieWithinThePicture) {
   options.region.reset();
   options.clamp = Eigen::Vector2d(0, 850);
   EXPECT_THAT(folder.refusal(options).problem(), HasSubstr("clamp's pixel is not within"));
+}
+
+// A refused photograph comes back paler, with what was seen in it in colours.
+TEST(StripPhoto, ThatIsRefusedShowsWhatWasSeen) {
+  const PhotoFolder folder;
+  draw_strips(folder.photo(), {strip(), strip()}, {.clamp = {-1, 80}, .mirrored = true}, 200);
+  StripPhotoOptions options;
+  options.scale = kScale;
+  options.clamp_side = ClampSide::right;
+  options.region = PixelRegion{100, 20, 800, 820};
+  std::string picture;
+  try {
+    trace_strip(folder.photo(), options);
+  } catch (const RefusedPhoto& photo) {
+    picture = photo.as_seen();
+  }
+  const Photo seen = read_photo(folder.write("seen.png", picture));
+  const Photo taken = read_photo(folder.photo());
+  ASSERT_EQ(seen.cols(), 900);
+  ASSERT_EQ(seen.rows(), 850);
+  const auto is_marked = [&](int x, int y) {
+    return std::abs(seen(y, x) - (1 + taken(y, x)) / 2) > 0.1F;
+  };
+  EXPECT_TRUE(is_marked(885, 80)) << "the first strip";
+  EXPECT_TRUE(is_marked(885, 280)) << "the second";
+  EXPECT_FALSE(is_marked(885, 180)) << "between them";
+  EXPECT_TRUE(is_marked(100, 600)) << "the frame of the region";
 }
 
 TEST(StripPhoto, ReadsPicturesAlone) {

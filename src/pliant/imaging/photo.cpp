@@ -34,6 +34,23 @@ cv::Point in_sixteenths(const Eigen::Vector2d& point) {
           static_cast<int>(std::lround(16 * point.y()))};
 }
 
+int stroke_of(const cv::Mat& picture) {
+  return std::max(1, std::max(picture.cols, picture.rows) / 1000);
+}
+
+// Halfway to white, so that colours stand out from it.
+cv::Mat paler(const cv::Mat& picture) {
+  cv::Mat pale;
+  picture.convertTo(pale, -1, 0.5, kLevels / 2);
+  return pale;
+}
+
+std::string as_png(const cv::Mat& picture) {
+  std::vector<unsigned char> png;
+  cv::imencode(".png", picture, png);
+  return {png.begin(), png.end()};
+}
+
 }  // namespace
 
 Photo read_photo(const std::filesystem::path& file) {
@@ -48,7 +65,7 @@ std::string photo_with_line(const std::filesystem::path& file,
                             const std::vector<Eigen::Vector2d>& line) {
   constexpr int kSixteenths = 4;  // bits of a fraction
   cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
-  const int stroke = std::max(1, std::max(picture.cols, picture.rows) / 1000);
+  const int stroke = stroke_of(picture);
   const cv::Scalar line_colour(60, 110, 255), point_colour(60, 220, 255);  // blue, green, red
   std::vector<cv::Point> points;
   for (const Eigen::Vector2d& point : line) points.push_back(in_sixteenths(point));
@@ -56,9 +73,20 @@ std::string photo_with_line(const std::filesystem::path& file,
   for (const cv::Point& point : points) {
     cv::circle(picture, point, 16 * 3 * stroke, point_colour, stroke, cv::LINE_AA, kSixteenths);
   }
-  std::vector<unsigned char> png;
-  cv::imencode(".png", picture, png);
-  return {png.begin(), png.end()};
+  return as_png(picture);
+}
+
+std::string photo_as_seen(const std::filesystem::path& file, const SeenPixels& seen, int x, int y) {
+  cv::Mat picture = paler(read_picture(file, cv::IMREAD_COLOR));
+  const cv::Rect region(x, y, static_cast<int>(seen.cols()), static_cast<int>(seen.rows()));
+  cv::Mat part = picture(region);
+  part.forEach<cv::Vec3b>([&](cv::Vec3b& pixel, const int* at) {
+    const Seen what = seen(at[0], at[1]);
+    if (what == Seen::standing_out) pixel = {200, 120, 40};  // blue, green, red
+    if (what == Seen::long_and_thin) pixel = {0, 110, 255};
+  });
+  cv::rectangle(picture, region, cv::Scalar(200, 120, 40), stroke_of(picture));
+  return as_png(picture);
 }
 
 }  // namespace pliant

@@ -21,7 +21,7 @@ struct PhotoStudyOptions {
 /// The study of cantilevers in photographs, each a repeat: its table, and each photograph with the
 /// profile that was read off it, as NAME-profile.png.
 /// @param photos  at least one, all with one camera at one place
-/// @throws InputError as `trace_strip`
+/// @throws InputError, RefusedPhoto as `trace_strip`
 ImportedStudy import_photos(const std::vector<std::filesystem::path>& photos,
                             const PhotoStudyOptions& options);
 

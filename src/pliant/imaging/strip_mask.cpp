@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -229,6 +230,22 @@ StripMask find_strip(const Photo& photo, const StripSearch& search, const Locati
   mask.inside.setZero(photo.rows(), photo.cols());
   cv::Mat(inside.rows, inside.cols, CV_8U, mask.inside.data()).setTo(1, inside);
   return mask;
+}
+
+SeenPixels things_seen(const Photo& photo, StripTone tone) {
+  Photo copy = photo;
+  const Pieces pieces = pieces_of(as_matrix(copy), tone);
+  std::set<int> long_ones;
+  for (const Piece& piece : pieces.long_ones) long_ones.insert(piece.label);
+  SeenPixels seen(photo.rows(), photo.cols());
+  for (int y = 0; y < pieces.labels.rows; ++y) {
+    for (int x = 0; x < pieces.labels.cols; ++x) {
+      const int label = pieces.labels.at<int>(y, x);
+      const Seen thing = long_ones.count(label) > 0 ? Seen::long_and_thin : Seen::standing_out;
+      seen(y, x) = label > 0 ? thing : Seen::background;
+    }
+  }
+  return seen;
 }
 
 }  // namespace pliant

@@ -35,4 +35,8 @@ struct StripMask {
 ///         kind are seen, or the strip leaves the picture
 StripMask find_strip(const Photo& photo, const StripSearch& search, const Location& where);
 
+/// What of a picture stands out from its background, and what of that could be strips, as
+/// `find_strip` sees it.
+SeenPixels things_seen(const Photo& photo, StripTone tone);
+
 }  // namespace pliant

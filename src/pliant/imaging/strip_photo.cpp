@@ -8,6 +8,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/imaging/centre_line.h"
+#include "pliant/imaging/refused_photo.h"
 
 namespace pliant {
 namespace {
@@ -80,6 +81,28 @@ Part part_of(const Photo& photo, const StripPhotoOptions& options, const Locatio
   return part;
 }
 
+StripTrace trace_of(const StripMask& strip, const CentreLine& line, const Part& part,
+                    double scale) {
+  StripTrace trace;
+  for (const Eigen::Vector2d& point : line.points) {
+    const Eigen::Vector2d from_clamp = point - line.points.front();
+    trace.pixels.push_back(part.to_photo(point));
+    trace.profile.emplace_back(scale * from_clamp.x(), -scale * from_clamp.y());
+  }
+  trace.length = scale * line.length;
+  trace.thickness = scale * strip.thickness;
+  trace.scatter = scale * line.scatter;
+  trace.clamp_angle = line.clamp_angle;
+  trace.tone = strip.tone;
+  return trace;
+}
+
+std::string as_seen(const Part& part, StripTone tone, const std::filesystem::path& file) {
+  SeenPixels seen = things_seen(part.photo, tone);
+  if (part.mirrored) seen = seen.rowwise().reverse().eval();
+  return photo_as_seen(file, seen, part.region.x, part.region.y);
+}
+
 }  // namespace
 
 StripTrace trace_strip(const std::filesystem::path& file, const StripPhotoOptions& options) {
@@ -90,21 +113,12 @@ StripTrace trace_strip(const std::filesystem::path& file, const StripPhotoOption
   search.tone = options.tone;
   if (options.clamp) search.clamp_row = part.from_photo(*options.clamp).y();
   if (part.mirrored) std::swap(search.clamp_border, search.far_border);
-  const StripMask strip = find_strip(part.photo, search, where);
-  const CentreLine line = centre_line(strip, options.points, where);
-
-  StripTrace trace;
-  for (const Eigen::Vector2d& point : line.points) {
-    const Eigen::Vector2d from_clamp = point - line.points.front();
-    trace.pixels.push_back(part.to_photo(point));
-    trace.profile.emplace_back(options.scale * from_clamp.x(), -options.scale * from_clamp.y());
+  try {
+    const StripMask strip = find_strip(part.photo, search, where);
+    return trace_of(strip, centre_line(strip, options.points, where), part, options.scale);
+  } catch (const InputError& error) {
+    throw RefusedPhoto(error, as_seen(part, options.tone, file));
   }
-  trace.length = options.scale * line.length;
-  trace.thickness = options.scale * strip.thickness;
-  trace.scatter = options.scale * line.scatter;
-  trace.clamp_angle = line.clamp_angle;
-  trace.tone = strip.tone;
-  return trace;
 }
 
 }  // namespace pliant

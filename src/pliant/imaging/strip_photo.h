@@ -41,8 +41,8 @@ struct StripTrace {
   StripTone tone = StripTone::brighter;
 };
 
-/// @throws InputError for a file that is no picture, a region outside it, or a picture in which no
-///         single strip is seen (`find_strip`)
+/// @throws InputError for a file that is no picture, or a region outside it
+/// @throws RefusedPhoto for a picture in which no single strip is seen (`find_strip`)
 StripTrace trace_strip(const std::filesystem::path& file, const StripPhotoOptions& options);
 
 }  // namespace pliant

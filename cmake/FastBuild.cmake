@@ -9,9 +9,9 @@ set(PLIANT_SOURCES_AT_ONCE 8)
 
 # pliant_fast_build(TARGET): compiles the sources that TARGET has so far in groups.
 #
-# Files may name the helpers in their anonymous namespaces alike. A source that shares a name with
-# those before it in its group is compiled by itself, so nobody needs to think of it. This is decided
-# when CMake runs, as it does in every command of `./dev`.
+# Files may name the helpers in their anonymous namespaces alike. A source goes to the first group
+# that has room and shares no such name with it, so nobody needs to think of it. This is decided when
+# CMake runs, as it does in every command of `./dev`.
 function(pliant_fast_build target)
   if(NOT PLIANT_FAST_BUILD)
     return()
@@ -19,24 +19,33 @@ function(pliant_fast_build target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  set(count 0)
   foreach(source IN LISTS sources)
-    math(EXPR group "${count} / ${PLIANT_SOURCES_AT_ONCE}")
-    math(EXPR place "${count} % ${PLIANT_SOURCES_AT_ONCE}")
-    math(EXPR count "${count} + 1")
-    if(place EQUAL 0)
-      set(taken "")
-    endif()
     _pliant_helper_names(names "${source}")
-    set(free "${names}")
-    if(taken AND free)
-      list(REMOVE_ITEM free ${taken})
-    endif()
-    if("${free}" STREQUAL "${names}")
-      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${group})
-      list(APPEND taken ${names})
+    set(group 0)
+    _pliant_has_place(place "${names}" "${taken_${group}}" "${sources_${group}}")
+    while(NOT place)
+      math(EXPR group "${group} + 1")
+      _pliant_has_place(place "${names}" "${taken_${group}}" "${sources_${group}}")
+    endwhile()
+    list(APPEND taken_${group} ${names})
+    list(APPEND sources_${group} "${source}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
+# Whether a group of sources takes one more with these helpers.
+function(_pliant_has_place result names taken sources)
+  list(LENGTH sources count)
+  set(place TRUE)
+  if(count GREATER_EQUAL PLIANT_SOURCES_AT_ONCE)
+    set(place FALSE)
+  endif()
+  foreach(name IN LISTS names)
+    if(name IN_LIST taken)
+      set(place FALSE)
     endif()
   endforeach()
+  set(${result} ${place} PARENT_SCOPE)
 endfunction()
 
 # The types, functions and constants that a source defines in its anonymous namespace, told by the

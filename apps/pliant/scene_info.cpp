@@ -256,12 +256,16 @@ void describe_obstacles(const Scene& scene, FileInfo& info) {
                      ", " + friction_text(obstacle.friction) +
                      (obstacle.motion ? ", " + motion_text(obstacle.motion) : std::string())));
   }
-  info.json["contact_thickness"] =
-      scene.obstacles.empty() ? Json(nullptr) : Json(scene.contact.thickness);
-  if (scene.obstacles.empty()) return;
+  const std::optional<double>& of_cloth = scene.contact.friction;
+  const bool touches = !scene.obstacles.empty() || of_cloth;
+  info.json["contact_thickness"] = touches ? Json(scene.contact.thickness) : Json(nullptr);
+  info.json["contact_friction"] = of_cloth ? Json(*of_cloth) : Json(nullptr);
+  if (!touches) return;
   info.lines.push_back(labelled(
       "contact",
-      "from a distance of " + format_quantity(scene.contact.thickness, Dimension::length)));
+      "from a distance of " + format_quantity(scene.contact.thickness, Dimension::length) +
+          (of_cloth ? ", of cloth with cloth too, friction " + format_number(*of_cloth, kDigits)
+                    : std::string())));
 }
 
 void describe_surroundings(const Scene& scene, FileInfo& info) {

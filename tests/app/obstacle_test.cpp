@@ -14,8 +14,8 @@ namespace pliant::test {
 namespace {
 
 using nlohmann::json;
-using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// The example with fewer vertices and steps, on a ball that rises.
 void write_drape(const SceneFolder& folder, const std::string& duration) {
@@ -24,7 +24,7 @@ void write_drape(const SceneFolder& folder, const std::string& duration) {
                                         "friction: 0.3, motion: {keyframes: [{time: 0 s}, "
                                         "{time: 300 ms, translate: [0, 0, 0.05]}]}}"},
                                        {"duration: 800 ms", "duration: " + duration},
-                                       {"{thickness: 1 mm}", "{thickness: 4 mm}"}});
+                                       {"{thickness: 1 mm,", "{thickness: 4 mm,"}});
 }
 
 json summary_in(const std::filesystem::path& results) {
@@ -36,9 +36,8 @@ TEST(SimulatedObstacles, StandInTheResults) {
   write_drape(folder, "300 ms");
   const ProgramRun run = folder.simulate({"--no-report"});
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("Not modelled: contact of cloth with itself"));
   const json result = summary_in(folder.results());
-  EXPECT_THAT(result["not_modelled"], Contains("contact of cloth with itself"));
+  EXPECT_THAT(result["not_modelled"], IsEmpty());
   EXPECT_GT(result["min_contact_distance"], 0);
   EXPECT_LT(result["min_contact_distance"], 4e-3);
   // 0.3 s are six frames.

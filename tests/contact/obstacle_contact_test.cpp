@@ -97,7 +97,8 @@ TEST(ObstacleContact, StopsEachPointByItselfBeforeTheSurface) {
   const Ball ball({0.5e-3, 20e-3, 0.1e-3});
   const State state = ball.system->initial_state();
   const auto shares = [&](const Eigen::Vector3d& by) {
-    return ball.system->way_limits(state.configuration, moved(state, by), {.from = state}).shares;
+    return ball.system->way_limits(state.configuration, moved(state, by), {.from = state}, 0.2)
+        .shares;
   };
   EXPECT_EQ(shares(Eigen::Vector3d::Zero()), Eigen::Vector3d::Ones());
   EXPECT_EQ(shares({0, 0, 0.3}), Eigen::Vector3d::Ones());
@@ -188,7 +189,7 @@ TEST(ObstacleContact, OfABodyThatIsLedMakesWayAndGoesAlong) {
   const Eigen::Vector3d rise(0, 0, 0.01);
   const Controls led = led_to({Eigen::Quaterniond::Identity(), rise});
   const Conditions under{.from = state, .controls = led};
-  const Eigen::Matrix3Xd way = ball.system->made_way(state.configuration, under);
+  const Eigen::Matrix3Xd way = ball.system->made_way(state.configuration, under).value();
   EXPECT_GT(way(2, 0), 0.009);
   EXPECT_TRUE(way.col(1).isZero(0)) << "it is far enough away";
   // A slip of the body below a point at rest rubs as that of the point above it.

@@ -47,7 +47,19 @@ inline BlockMatrix cloth_matrix(RandomStream& random, int nodes_u, int nodes_v, 
   return matrix;
 }
 
-/// All entries, read block by block.
+/// Adds products that couple rows far from each other.
+inline void add_outer_products(RandomStream& random, int count, BlockMatrix& matrix) {
+  const int rows = matrix.pattern().size();
+  for (int p = 0; p < count; ++p) {
+    std::vector<RowVector> u;
+    for (int k = 0; k < 4; ++k) {
+      u.push_back({(p + k * (rows / 4)) % rows, random_block(random).col(0)});
+    }
+    matrix.add_outer_product(random.uniform(0, 100), u);
+  }
+}
+
+/// All entries, read block by block, with those of products beside the pattern.
 inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
   const BlockPattern& pattern = matrix.pattern();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * pattern.size(), 3 * pattern.size());
@@ -56,6 +68,14 @@ inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
       const int j = pattern.column(k);
       result.block<3, 3>(3 * i, 3 * j) = matrix.block(k);
       result.block<3, 3>(3 * j, 3 * i) = matrix.block(k).transpose();
+    }
+  }
+  for (int p = 0; p < matrix.outer_products(); ++p) {
+    for (const auto& [i, u] : matrix.vector(p)) {
+      for (const auto& [j, v] : matrix.vector(p)) {
+        if (i == j) continue;
+        result.block<3, 3>(3 * i, 3 * j) += matrix.factor(p) * u * v.transpose();
+      }
     }
   }
   return result;

@@ -42,6 +42,18 @@ struct Case {
 // Condition numbers from about 10 to about 1e4: a soft cloth at short steps, a stiff one at long.
 const Case kCases[] = {{1, 1}, {100, 1}, {1e4, 1}};
 
+TEST(SsorCg, SolvesWithProductsBesideThePattern) {
+  RandomStream random(5);
+  BlockMatrix matrix = cloth_matrix(random, kNodes, kNodes, 100, 1);
+  test::add_outer_products(random, 30, matrix);
+  SsorCg solver(matrix, {.tolerance = 1e-9});
+  ASSERT_TRUE(solver.factorize(matrix));
+  const Eigen::VectorXd truth = random_vector(random, kUnknowns);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(kUnknowns);
+  EXPECT_TRUE(solver.solve(dense(matrix) * truth, x).converged);
+  EXPECT_LT((x - truth).norm(), 1e-6 * truth.norm());
+}
+
 TEST(SsorCg, MeetsItsToleranceInOnePassOfSinglePrecision) {
   RandomStream random(1);
   for (const Case& c : kCases) {

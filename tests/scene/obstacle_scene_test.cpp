@@ -257,7 +257,7 @@ TEST(LedObstacles, AreToldThatTheyLeaveNoRoom) {
     advance_to(pressed, 0.1);
     FAIL() << "the floor passed the ceiling";
   } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("obstacles leave what is between them no room"));
+    EXPECT_THAT(error.what(), HasSubstr("what is led leaves what it meets no room"));
   }
 }
 

@@ -61,24 +61,25 @@ void ObstacleContact::evaluate(const Evaluation& at, Derivatives& derivatives) c
 }
 
 // Who would be met on the way from the last step goes with the body for the rest of it.
-void ObstacleContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
-  if (body_ < 0) return;
+bool ObstacleContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
+  constexpr double kKept = 0.2;
+  if (body_ < 0) return true;
   const Pose body = at.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const Eigen::Vector3d before = memory_of(i, at).position;
     const Eigen::Vector3d way = body.local(positions.col(points_[i])) - before;
-    const double share = free_share_of(before, before + way);
+    const double share = free_share_of(before, before + way, kKept);
     if (share < 1) positions.col(points_[i]) = body.apply(before + share * way);
   }
+  return true;
 }
 
 // Of a way in the body's frame.
-double ObstacleContact::free_share_of(const Eigen::Vector3d& from,
-                                      const Eigen::Vector3d& to) const {
-  constexpr double kKept = 0.2;
+double ObstacleContact::free_share_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                      double kept) const {
   const double distance = distance_to(shape_, from);
-  if ((to - from).norm() < (1 - kKept) * distance) return 1;
-  return free_share(shape_, from, to, kKept * std::min(distance, thickness_ / 2));
+  if ((to - from).norm() < (1 - kept) * distance) return 1;
+  return free_share(shape_, from, to, kept * std::min(distance, thickness_ / 2));
 }
 
 void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
@@ -89,7 +90,7 @@ void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
     const Eigen::Vector3d begin = body.local(from.configuration.positions.col(point));
     const Eigen::Vector3d end = body.local(to.col(point));
     const Memory memory = memory_of(i, from);
-    double share = free_share_of(begin, end);
+    double share = free_share_of(begin, end, limits.kept);
     limits.obstructed |= share < 1;
     if (memory.normal_force > 0) {
       share = std::min(share, share_to_standstill(memory, begin, end));
@@ -104,9 +105,10 @@ double ObstacleContact::share_to_standstill(const Memory& memory, const Eigen::V
                                             const Eigen::Vector3d& to) const {
   const Eigen::Vector3d before = slip_of(memory, from), way = slip_of(memory, to) - before;
   if (before.squaredNorm() <= kSlipLength * kSlipLength) return 1;
+  constexpr double kWhole = 1 - 1e-9;  // a way that ends where it stops
   const double share = -before.dot(way) / way.squaredNorm();
   const bool stops = share > 0 && (before + share * way).norm() < kSlipLength;
-  return stops ? std::min(share, 1.0) : 1;
+  return stops && share < kWhole ? share : 1;
 }
 
 void ObstacleContact::evaluate_point(size_t i, const Pose& body, const Evaluation& at,

@@ -26,8 +26,9 @@ class ObstacleContact : public HistoryPotential {
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
-  void make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const override;
-  /// A point keeps a fifth of its distance, or of half the thickness; one that slides stops where
+  bool make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const override;
+  bool obstructs() const override { return true; }
+  /// A point keeps a share of its distance, or of half the thickness; one that slides stops where
   /// it may come to rest.
   void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
   /// The energy is infinite inside the body.
@@ -44,7 +45,7 @@ class ObstacleContact : public HistoryPotential {
   struct Memory;
 
   Memory memory_of(size_t i, const Evaluation& at) const;
-  double free_share_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  double free_share_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double kept) const;
   void evaluate_point(size_t i, const Pose& body, const Evaluation& at,
                       Derivatives& derivatives) const;
   double largest_friction(const Memory& memory) const;  // N

@@ -37,7 +37,12 @@ BlockMatrix::BlockMatrix(std::shared_ptr<const BlockPattern> pattern)
     : pattern_(std::move(pattern)),
       values_(static_cast<size_t>(pattern_->block_count()) * 9, 0.0) {}
 
-void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+void BlockMatrix::set_zero() {
+  std::fill(values_.begin(), values_.end(), 0.0);
+  factors_.clear();
+  vector_begin_.assign(1, 0);
+  vectors_.clear();
+}
 
 void BlockMatrix::add(int i, int j, const Eigen::Matrix3d& value) {
   if (i <= j) {
@@ -49,6 +54,15 @@ void BlockMatrix::add(int i, int j, const Eigen::Matrix3d& value) {
 
 void BlockMatrix::add_to_diagonal(int row, double value) {
   block(pattern_->diagonal(row)).diagonal().array() += value;
+}
+
+void BlockMatrix::add_outer_product(double factor, std::span<const RowVector> u) {
+  for (const auto& [row, value] : u) {
+    block(pattern_->diagonal(row)) += factor * value * value.transpose();
+  }
+  factors_.push_back(factor);
+  vectors_.insert(vectors_.end(), u.begin(), u.end());
+  vector_begin_.push_back(vectors_.size());
 }
 
 bool BlockMatrix::all_finite() const {
@@ -67,11 +81,20 @@ Eigen::VectorXd BlockMatrix::operator*(const Eigen::VectorXd& x) const {
     }
     y.segment<3>(3 * i) += sum;
   }
+  for (int p = 0; p < outer_products(); ++p) {
+    double dot = 0;
+    for (const auto& [row, value] : vector(p)) dot += value.dot(x.segment<3>(3 * row));
+    for (const auto& [row, value] : vector(p)) {
+      const double others = dot - value.dot(x.segment<3>(3 * row));  // its own: in the diagonal
+      y.segment<3>(3 * row) += factor(p) * others * value;
+    }
+  }
   return y;
 }
 
 // Scalar column 3 i + a of the lower triangle holds row a of the blocks (i, j), j >= i.
 Eigen::SparseMatrix<double> BlockMatrix::lower_triangle() const {
+  PLIANT_ASSERT(factors_.empty(), "a matrix with all of it in its pattern");
   const int n = 3 * pattern_->size();
   Eigen::SparseMatrix<double> lower(n, n);
   Eigen::VectorXi sizes(n);
@@ -94,6 +117,7 @@ Eigen::SparseMatrix<double> BlockMatrix::lower_triangle() const {
 }
 
 void BlockMatrix::copy_to(Eigen::SparseMatrix<double>& lower) const {
+  PLIANT_ASSERT(factors_.empty(), "a matrix with all of it in its pattern");
   double* value = lower.valuePtr();
   for (int i = 0; i < pattern_->size(); ++i) {
     for (int a = 0; a < 3; ++a) {

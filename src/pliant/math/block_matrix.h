@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,15 @@ class BlockPattern {
   std::vector<int> columns_;
 };
 
-/// A sparse symmetric matrix of 3x3 blocks, of which the upper triangle is stored.
+/// Three entries of a vector, in a block row.
+struct RowVector {
+  int row = 0;
+  Eigen::Vector3d value;
+};
+
+/// A sparse symmetric matrix of 3x3 blocks, of which the upper triangle is stored, and beside the
+/// pattern a sum of products f u u^T of vectors u that are zero but in a few rows. The pattern
+/// holds the diagonal blocks of those, too.
 class BlockMatrix {
  public:
   using Block = Eigen::Map<Eigen::Matrix3d>;
@@ -54,11 +63,27 @@ class BlockMatrix {
   /// Adds `value` to every entry of the diagonal of row `row`.
   void add_to_diagonal(int row, double value);
 
+  /// Adds factor u u^T, which may couple any rows.
+  /// @param u  its rows, each once
+  void add_outer_product(double factor, std::span<const RowVector> u);
+
+  /// @name What stands beside the pattern
+  /// @{
+  int outer_products() const { return static_cast<int>(factors_.size()); }
+  double factor(int product) const { return factors_[static_cast<size_t>(product)]; }
+  std::span<const RowVector> vector(int product) const {
+    const size_t begin = vector_begin_[static_cast<size_t>(product)];
+    return std::span(vectors_).subspan(begin,
+                                       vector_begin_[static_cast<size_t>(product) + 1] - begin);
+  }
+  std::span<RowVector> vectors() { return vectors_; }
+  /// @}
+
   bool all_finite() const;
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
 
-  /// The lower triangle, entry by entry.
+  /// The lower triangle, entry by entry, of a matrix without anything beside its pattern.
   Eigen::SparseMatrix<double> lower_triangle() const;
   /// Overwrites the values of a matrix that `lower_triangle` made for the same pattern.
   void copy_to(Eigen::SparseMatrix<double>& lower) const;
@@ -66,6 +91,9 @@ class BlockMatrix {
  private:
   std::shared_ptr<const BlockPattern> pattern_;
   std::vector<double> values_;
+  std::vector<double> factors_;  // of the products beside the pattern
+  std::vector<size_t> vector_begin_{0};
+  std::vector<RowVector> vectors_;
 };
 
 }  // namespace pliant

@@ -93,6 +93,14 @@ struct SsorCg::Scaled {
   std::vector<QuadBlock> upper;            // U, blocks of the scaled matrix I + U + U^T
   std::vector<Eigen::Matrix3d> inverse_c;  // C^-1 of every row, lower triangular
 
+  // What couples rows beside the pattern: the sum of f u u^T without its diagonal blocks.
+  struct OuterProduct {
+    float factor = 0;
+    int begin = 0, end = 0;  // of u's rows
+  };
+  std::vector<OuterProduct> products;
+  std::vector<std::pair<int, Quad>> vectors;  // rows of all u
+
   int rows() const { return static_cast<int>(inverse_c.size()); }
 
   // (I + U)^-1 v
@@ -120,12 +128,42 @@ struct SsorCg::Scaled {
     }
   }
 
-  // (I + U^T)^-1 (I + U + U^T) (I + U)^-1 v; t is scratch.
+  void add_products(const Quads& t, Quads& result) const {
+    for (const OuterProduct& product : products) {
+      Quad parts{};
+      for (int k = product.begin; k < product.end; ++k) {
+        const auto& [row, u] = vectors[static_cast<size_t>(k)];
+        parts += u * t[static_cast<size_t>(row)];
+      }
+      const float dot = parts[0] + parts[1] + parts[2];
+      for (int k = product.begin; k < product.end; ++k) {
+        const auto& [row, u] = vectors[static_cast<size_t>(k)];
+        const Quad own = u * t[static_cast<size_t>(row)];
+        result[static_cast<size_t>(row)] += product.factor * (dot - (own[0] + own[1] + own[2])) * u;
+      }
+    }
+  }
+
+  // (I + U^T)^-1 (I + U + U^T + P) (I + U)^-1 v, P being the products; t is scratch.
   void apply(const Quads& v, Quads& t, Quads& result) const {
     solve_upper(v, t);
     for (size_t i = 0; i < v.size(); ++i) result[i] = v[i] - t[i];
+    add_products(t, result);
     solve_lower(result);
     for (size_t i = 0; i < v.size(); ++i) result[i] += t[i];
+  }
+
+  void take_products(const BlockMatrix& matrix) {
+    products.clear();
+    vectors.clear();
+    for (int p = 0; p < matrix.outer_products(); ++p) {
+      const int begin = static_cast<int>(vectors.size());
+      for (const auto& [row, value] : matrix.vector(p)) {
+        vectors.emplace_back(row, quad(inverse_c[static_cast<size_t>(row)] * value));
+      }
+      products.push_back(
+          {static_cast<float>(matrix.factor(p)), begin, static_cast<int>(vectors.size())});
+    }
   }
 
   Quads scaled(const Eigen::VectorXd& b) const {
@@ -219,6 +257,7 @@ bool SsorCg::factorize(const BlockMatrix& matrix) {
       *next++ = scaled_block(left, quad_block(matrix.block(k)), right);
     }
   }
+  scaled_->take_products(matrix);
   return true;
 }
 

@@ -207,6 +207,31 @@ void Coordinates::hold_neutral_rotations(const Configuration& at, BlockMatrix& h
   }
 }
 
+void Coordinates::add_outer_product(const Configuration& at, double factor,
+                                    const std::array<int, 4>& points,
+                                    const Eigen::Matrix<double, 3, 4>& u,
+                                    BlockMatrix& hessian) const {
+  std::array<RowVector, 8> rows;
+  size_t count = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Dependences own = dependences(at, points[static_cast<size_t>(k)]);
+    for (int d = 0; d < own.count; ++d) {
+      const auto& [row, matrix] = own.entry[d];
+      const Eigen::Vector3d value = matrix.transpose() * u.col(k);
+      const auto end = rows.begin() + static_cast<std::ptrdiff_t>(count);
+      // Points of one clip share their rows.
+      const auto same =
+          std::find_if(rows.begin(), end, [&](const RowVector& r) { return r.row == row; });
+      if (same != end) {
+        same->value += value;
+      } else {
+        rows[count++] = {row, value};
+      }
+    }
+  }
+  hessian.add_outer_product(factor, std::span(rows).first(count));
+}
+
 void Coordinates::decouple_prescribed_axes(BlockMatrix& hessian) const {
   if (held_axes_.empty()) return;
   std::vector<std::array<bool, 3>> held(static_cast<size_t>(block_rows_));
@@ -228,6 +253,11 @@ void Coordinates::decouple_prescribed_axes(BlockMatrix& hessian) const {
       for (int a = 0; a < 3; ++a) {
         if (held_row[static_cast<size_t>(a)]) block(a, a) = scale;
       }
+    }
+  }
+  for (RowVector& vector : hessian.vectors()) {
+    for (size_t a = 0; a < 3; ++a) {
+      if (held[static_cast<size_t>(vector.row)][a]) vector.value(static_cast<Eigen::Index>(a)) = 0;
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -72,6 +73,10 @@ class Coordinates {
   /// different points is added once, for both orders.
   void add_coupling(const Configuration& at, int i, int j, const Eigen::Matrix3d& value,
                     BlockMatrix& hessian) const;
+
+  /// Adds factor u u^T to a Hessian in the unknowns, u being zero but at four different points.
+  void add_outer_product(const Configuration& at, double factor, const std::array<int, 4>& points,
+                         const Eigen::Matrix<double, 3, 4>& u, BlockMatrix& hessian) const;
 
   /// Adds what the forces on the points of clips contribute to the Hessian because a rotation moves
   /// points along arcs.

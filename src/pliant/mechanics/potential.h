@@ -59,6 +59,7 @@ struct Derivatives {
 struct WayLimits {
   Eigen::VectorXd shares;   ///< of the ways, one a point, in [0, 1]; only ever lowered
   bool obstructed = false;  ///< something in the way keeps a point from where it would go
+  double kept = 0;          ///< share of its distance that what comes near something keeps
 };
 
 /// An energy of the points of a system: elasticity, friction, gravity, inertia of a time step, ...
@@ -77,10 +78,15 @@ class Potential {
 
   /// Moves points out of the way of what is led from outside: to where the step may begin.
   /// @param at         its configuration: of the last accepted step
-  /// @param positions  the same, to be moved (m)
-  virtual void make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
+  /// @param positions  to be moved; others may have moved them before (m)
+  /// @return false where it found no room
+  virtual bool make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
     static_cast<void>(at), static_cast<void>(positions);
+    return true;
   }
+
+  /// Whether it ever shortens ways.
+  virtual bool obstructs() const { return false; }
 
   /// Shortens the straight ways of points to what each may go at once.
   /// @param to  where the points of `from` would go

@@ -1,5 +1,6 @@
 #include "pliant/mechanics/system.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "pliant/base/assert.h"
@@ -85,15 +86,22 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
-Eigen::Matrix3Xd System::made_way(const Configuration& at, const Conditions& under) const {
+std::optional<Eigen::Matrix3Xd> System::made_way(const Configuration& at,
+                                                 const Conditions& under) const {
   Eigen::Matrix3Xd positions = at.positions;
-  for (const Part& part : parts_) part.potential->make_way(evaluation(part, at, under), positions);
+  for (const Part& part : parts_) {
+    if (!part.potential->make_way(evaluation(part, at, under), positions)) return std::nullopt;
+  }
   return positions - at.positions;
 }
 
+bool System::obstructs() const {
+  return std::ranges::any_of(parts_, [](const Part& part) { return part.potential->obstructs(); });
+}
+
 WayLimits System::way_limits(const Configuration& from, const Configuration& to,
-                             const Conditions& under) const {
-  WayLimits limits{Eigen::VectorXd::Ones(points())};
+                             const Conditions& under, double kept) const {
+  WayLimits limits{.shares = Eigen::VectorXd::Ones(points()), .kept = kept};
   for (const Part& part : parts_) {
     part.potential->limit(evaluation(part, from, under), to.positions, limits);
   }

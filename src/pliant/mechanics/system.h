@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,11 +64,14 @@ class System {
   Hessian make_hessian() const;
 
   /// How far each point has to move before a step begins, so that nothing that is led from outside
-  /// has passed it (m).
-  Eigen::Matrix3Xd made_way(const Configuration& at, const Conditions& under) const;
+  /// has passed it (m); nothing where there is no room.
+  std::optional<Eigen::Matrix3Xd> made_way(const Configuration& at, const Conditions& under) const;
+  /// Whether anything may be in a point's way.
+  bool obstructs() const;
   /// How much of its straight way each point may go at once.
-  WayLimits way_limits(const Configuration& from, const Configuration& to,
-                       const Conditions& under) const;
+  /// @param kept  share of its distance that what comes near something keeps
+  WayLimits way_limits(const Configuration& from, const Configuration& to, const Conditions& under,
+                       double kept) const;
   /// Adds the energy and the derivatives of all potentials.
   void evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                 Derivatives& derivatives) const;

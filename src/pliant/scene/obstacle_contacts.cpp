@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/scene/contact_stiffness.h"
 
 namespace pliant {
 namespace {
-
-constexpr double kStiffness = 4;  // times mass / step^2
 
 // How much nearer to the inside an edge comes than its ends: on a round body of radius r by
 // l^2 / (8 r), over the edge of a box by l / sqrt(8).
@@ -80,7 +79,7 @@ void warn_of_long_edges(const SceneObstacle& obstacle, const Scene& scene,
 std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
     const Scene& scene, const TouchingCloth& cloth, std::vector<std::string>& warnings) {
   std::vector<std::shared_ptr<ObstacleContact>> contacts;
-  const double per_mass = kStiffness / (scene.time.step * scene.time.step);
+  const double per_mass = contact_stiffness_per_mass(scene.time);
   int led = 0;
   for (const SceneObstacle& obstacle : scene.obstacles) {
     refuse_overlap(obstacle, cloth);

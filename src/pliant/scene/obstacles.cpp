@@ -127,6 +127,7 @@ bool has_led_obstacles(std::span<const SceneObstacle> obstacles) {
 SceneContact read_scene_contact(const Value& value) {
   Fields fields = value.fields();
   SceneContact contact;
+  contact.where = value.location();
   if (auto v = fields.optional("thickness")) {
     constexpr double kLeast = 1e-5, kMost = 0.1;
     contact.thickness = v->positive_quantity(Dimension::length);
@@ -134,6 +135,7 @@ SceneContact read_scene_contact(const Value& value) {
       v->fail("is no thickness of a contact", "10 um to 10 cm");
     }
   }
+  if (auto v = fields.optional("friction")) contact.friction = read_coefficient(*v);
   fields.finish();
   return contact;
 }

@@ -22,9 +22,11 @@ struct SceneObstacle {
   Location where;
 };
 
-/// How near cloth comes to what it touches.
+/// How cloth touches.
 struct SceneContact {
-  double thickness = 1e-3;  ///< distance at which surfaces begin to push each other (m)
+  double thickness = 1e-3;              ///< distance at which surfaces begin to push each other (m)
+  std::optional<double> friction = {};  ///< of cloth on cloth; nothing: cloth does not know itself
+  Location where = {};
 };
 
 bool has_led_obstacles(std::span<const SceneObstacle> obstacles);

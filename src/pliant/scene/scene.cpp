@@ -63,15 +63,20 @@ void read_obstacles(Fields& fields, Scene& scene) {
   if (auto v = fields.optional("contact")) scene.contact = read_scene_contact(*v);
 }
 
-/// Obstacles keep points out by a search for less energy, step by step.
+/// What touches is kept apart by a search for less energy, step by step.
 void require_search(const Scene& scene) {
-  if (scene.obstacles.empty()) return;
-  const Location where{scene.file, scene.obstacles.front().where.line, "obstacles"};
+  if (scene.obstacles.empty() && !scene.contact.friction) return;
+  Location where = scene.contact.where;
+  where.field = "contact.friction";
+  if (!scene.obstacles.empty()) {
+    where = {scene.file, scene.obstacles.front().where.line, "obstacles"};
+  }
   if (scene.time.kind == SimulationKind::quasi_static) {
-    throw InputError(where, "are not there yet in a quasi-static simulation", "`kind: dynamic`");
+    throw InputError(where, "contact is not there yet in a quasi-static simulation",
+                     "`kind: dynamic`");
   }
   if (scene.time.solution == StepSolve::linearized) {
-    throw InputError(where, "one linear system a step would carry cloth through them",
+    throw InputError(where, "one linear system a step would carry cloth through what it meets",
                      "`solve: iterated` or `converged`");
   }
 }

@@ -10,6 +10,7 @@
 #include "pliant/material/use_warnings.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
+#include "pliant/scene/cloth_contact.h"
 #include "pliant/scene/cloth_mesh.h"
 #include "pliant/scene/held_vertices.h"
 #include "pliant/scene/obstacle_contacts.h"
@@ -104,6 +105,7 @@ class SceneBuilder {
     add_materials();
     add_forces();
     add_obstacles();
+    add_cloth_contact();
     result_.system->finish();
     set_schedule();
     result_.start = result_.system->initial_state();
@@ -300,6 +302,45 @@ class SceneBuilder {
         controls.bodies.push_back(pose_at(motion, controls.time));
       });
     }
+  }
+
+  void add_cloth_contact() {
+    if (!scene_.contact.friction) return;
+    double shortest_edge = INFINITY;
+    for (const ClothPiece& piece : result_.cloths) {
+      shortest_edge = std::min(shortest_edge, mesh_quality(piece.mesh).shortest_edge);
+    }
+    std::vector<bool> moves;
+    for (int point = 0; point < system().points(); ++point) {
+      moves.push_back(!system().coordinates().is_prescribed(point));
+    }
+    result_.cloth_contact = cloth_contact(scene_,
+                                          {positions_, result_.faces, std::move(moves), masses_,
+                                           resistance_to_stretch(), shortest_edge},
+                                          result_.warnings);
+    system().add(result_.cloth_contact);
+  }
+
+  // Of the stiffest cloth at each point (N/m).
+  Eigen::VectorXd resistance_to_stretch() const {
+    Eigen::VectorXd resistance = Eigen::VectorXd::Zero(positions_.cols());
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
+      const ClothPiece& cloth = result_.cloths[c];
+      for (const Region& region : regions_[c]) {
+        double largest = 0;
+        for (const char* component : {"stretch.weft", "stretch.warp"}) {
+          const auto law = law_of(region.material, component);
+          if (law) largest = std::max(largest, law->elastic_tangent(0));
+        }
+        for (const int t : region.triangles) {
+          for (const int vertex : cloth.mesh.triangles.col(t)) {
+            double& own = resistance(cloth.first_point + vertex);
+            own = std::max(own, largest);
+          }
+        }
+      }
+    }
+    return resistance;
   }
 
   // Free clips start with their cloth; what is held, or moved from outside, starts at rest.

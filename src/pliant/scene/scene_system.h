@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/contact/obstacle_contact.h"
+#include "pliant/contact/surface_contact.h"
 #include "pliant/geometry/triangle_mesh.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/system.h"
@@ -29,6 +30,7 @@ struct SceneSystem {
   Eigen::Matrix3Xi faces;  ///< of all cloths, as points of the system
   int vertices = 0;        ///< of all cloths
   std::vector<std::shared_ptr<ObstacleContact>> contacts;  ///< one for each obstacle
+  std::shared_ptr<SurfaceContact> cloth_contact;           ///< of cloth with cloth; may be null
   Schedule schedule;                                       ///< what comes from outside
   State start;
   std::vector<std::string> warnings;  ///< for the user
@@ -42,7 +44,7 @@ struct SceneSystem {
 /// @param filler  takes the place of components that a material does not know
 /// @throws InputError for a mesh that cannot be used, a component that was not measured and is not
 ///         filled, a stiffness that is not positive, springs on a mesh that is no grid, cloth
-///         without mass, cloth that begins inside an obstacle
+///         without mass, cloth that begins inside an obstacle or passing through itself
 SceneSystem build_scene(const Scene& scene, const std::optional<Material>& filler);
 
 }  // namespace pliant

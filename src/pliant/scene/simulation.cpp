@@ -96,8 +96,8 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     if (!adaptive_ || halvings == kMostHalvings) {
       throw SolverError(fmt::format("the step to {:.6g} s{}", state.time + step,
                                     summary.has_room ? ""
-                                                     : ", in which obstacles leave what is "
-                                                       "between them no room,"),
+                                                     : ", in which what is led leaves what it "
+                                                       "meets no room,"),
                         summary.newton_iterations, summary.residual);
     }
     for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
@@ -227,11 +227,15 @@ void Simulation::advance() {
 }
 
 void Simulation::record_distance() {
-  if (built_.contacts.empty()) return;
+  if (built_.contacts.empty() && !built_.cloth_contact) return;
+  const Eigen::Matrix3Xd& positions = now_.state.configuration.positions;
   const Controls controls = built_.schedule(now_.state.time);
   double least = std::numeric_limits<double>::infinity();
   for (const auto& contact : built_.contacts) {
-    least = std::min(least, contact->least_distance(now_.state.configuration.positions, controls));
+    least = std::min(least, contact->least_distance(positions, controls));
+  }
+  if (built_.cloth_contact) {
+    least = std::min(least, built_.cloth_contact->touching(positions).least_distance);
   }
   now_.records.distances.push_back(least);
 }

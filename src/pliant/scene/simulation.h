@@ -37,7 +37,9 @@ struct StepRecords {
   std::vector<int> substeps;  ///< 1 but where a step was halved
   std::vector<int> newton_iterations;
   std::vector<int> linear_iterations;
-  std::vector<double> distances;  ///< least one from an obstacle at the end, m; none without them
+  /// Least one of contact at the end, m: from an obstacle, or of cloth from cloth where that is
+  /// nearer than the thickness; none without contact.
+  std::vector<double> distances;
 };
 
 /// Everything that a simulation is at the end of a step: what it takes to go on to the same bits.

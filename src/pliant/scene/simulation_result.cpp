@@ -53,7 +53,10 @@ Json method(const Stepping& time) {
 
 // What real cloth does and this simulation does not.
 Json not_modelled(const Scene& scene) {
-  Json list{scene.obstacles.empty() ? "contact" : "contact of cloth with itself"};
+  Json list = Json::array();
+  if (!scene.contact.friction) {
+    list.push_back(scene.obstacles.empty() ? "contact" : "contact of cloth with itself");
+  }
   if (!scene.time.friction) list.push_back("internal friction");
   if (!scene.air && scene.time.kind == SimulationKind::dynamic) list.push_back("drag of the air");
   return list;

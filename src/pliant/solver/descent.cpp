@@ -72,7 +72,7 @@ DescentSummary descend(const Objective& objective, const DescentOptions& options
     if (options.line_search) {
       const FreeChange free = free_change(objective, at, change);
       summary.converged = go_down(objective, force, free, energy, at);
-      settled = !free.obstructed && energy.total() <= options.most_energy;
+      settled = free.lost <= options.motion && energy.total() <= options.most_energy;
     } else {
       at = coordinates.moved(at, change);
       summary.converged = linear.converged;

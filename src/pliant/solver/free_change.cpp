@@ -1,5 +1,7 @@
 #include "pliant/solver/free_change.h"
 
+#include <algorithm>
+
 namespace pliant {
 namespace {
 
@@ -19,23 +21,70 @@ Eigen::VectorXd of_unknowns(const Coordinates& coordinates, const Eigen::VectorX
   return shares;
 }
 
-}  // namespace
-
-FreeChange free_change(const Objective& objective, const Configuration& at,
-                       const Eigen::VectorXd& change) {
-  const System& system = objective.system();
-  const Coordinates& coordinates = system.coordinates();
-  const Configuration there = coordinates.moved(at, change);
-  const WayLimits limits = system.way_limits(at, there, objective.conditions());
-  const Eigen::VectorXd shares = of_unknowns(coordinates, limits.shares);
-  const double least = shares.size() > 0 ? shares.minCoeff() : 1;
-  if (least == 1) return {change, change};
-  return {change.cwiseProduct(shares), least * change, false, limits.obstructed};
+// Of a free point, or of a clip that only shifts.
+double largest_way(const Coordinates& coordinates, const Eigen::VectorXd& change) {
+  double largest = 0;
+  for (int i = 0; i < coordinates.points(); ++i) {
+    if (!coordinates.is_free(i)) continue;
+    largest = std::max(largest, change.segment<3>(3 * coordinates.row(i)).norm());
+  }
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (coordinates.clip_is_prescribed(k)) continue;
+    largest = std::max(largest, change.segment<3>(3 * coordinates.clip_row(k)).norm());
+  }
+  return largest;
 }
 
-Eigen::VectorXd made_way(const Objective& objective, const Configuration& at) {
+double least_of_led(const Eigen::VectorXd& of_points, const Eigen::Matrix3Xd& led) {
+  double least = 1;
+  for (Eigen::Index i = 0; i < led.cols(); ++i) {
+    if (!led.col(i).isZero(0)) least = std::min(least, of_points(i));
+  }
+  return least;
+}
+
+}  // namespace
+
+// What points keep each other from changes as they are shortened: the shortened change is looked at
+// again, with a little less distance to keep, until nothing is in its way.
+FreeChange free_change(const Objective& objective, const Configuration& at,
+                       const Eigen::VectorXd& change, const Eigen::Matrix3Xd& led) {
+  constexpr int kRounds = 8;
+  constexpr double kKept = 0.2, kLess = 0.8;
+  const System& system = objective.system();
+  const Coordinates& coordinates = system.coordinates();
+  FreeChange free{change, change};
+  double alike = 1, kept = kKept;
+  bool obstructed = false;
+  for (int round = 0; round < kRounds; ++round, kept *= kLess) {
+    Configuration there = coordinates.moved(at, free.each);
+    if (led.size() > 0) there.positions += free.led * led;
+    const WayLimits limits = system.way_limits(at, there, objective.conditions(), kept);
+    const Eigen::VectorXd shares = of_unknowns(coordinates, limits.shares);
+    const double of_led = least_of_led(limits.shares, led);
+    const double least = std::min(of_led, shares.size() > 0 ? shares.minCoeff() : 1);
+    if (least == 1) return free;
+    if (round == 0) {
+      free.whole = false;
+      free.alike = least * change;
+      alike = least;
+    }
+    obstructed |= limits.obstructed;
+    free.each = free.each.cwiseProduct(shares);
+    free.led *= of_led;
+    free.lost = obstructed ? largest_way(coordinates, change - free.each) : 0;
+  }
+  free.each = free.alike;
+  free.led = alike;
+  free.lost = largest_way(coordinates, change - free.each);
+  return free;
+}
+
+std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& at) {
   const Coordinates& coordinates = objective.system().coordinates();
-  const Eigen::Matrix3Xd ways = objective.system().made_way(at, objective.conditions());
+  const auto found = objective.system().made_way(at, objective.conditions());
+  if (!found) return std::nullopt;
+  const Eigen::Matrix3Xd& ways = *found;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates.unknowns());
   for (int i = 0; i < coordinates.points(); ++i) {
     if (coordinates.is_free(i)) change.segment<3>(3 * coordinates.row(i)) = ways.col(i);

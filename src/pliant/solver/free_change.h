@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "pliant/solver/objective.h"
 
 namespace pliant {
@@ -9,14 +11,16 @@ struct FreeChange {
   Eigen::VectorXd each;   ///< by itself for each free point; for each clip by its least free point
   Eigen::VectorXd alike;  ///< for all by the point that may go least
   bool whole = true;      ///< both are what was asked for
-  bool obstructed = false;  ///< something in the way has shortened it
+  double lost = 0;        ///< furthest way that a point does not go for what is in its way (m)
+  double led = 1;         ///< share of their ways that what is led may go with `each`
 };
 
+/// @param led  ways of what is led from outside, one column a point (m); empty: none is
 FreeChange free_change(const Objective& objective, const Configuration& at,
-                       const Eigen::VectorXd& change);
+                       const Eigen::VectorXd& change, const Eigen::Matrix3Xd& led = {});
 
 /// The change that takes points out of the way of what is led from outside; a clip goes as far as
-/// its point that has to go furthest.
-Eigen::VectorXd made_way(const Objective& objective, const Configuration& at);
+/// its point that has to go furthest. Nothing where there is no room.
+std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& at);
 
 }  // namespace pliant

@@ -136,34 +136,59 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State&
   return summary;
 }
 
-StepSummary TimeStepper::searched(const Trial& trial, Configuration at, State& to) {
-  const FreeChange guess = free_change(trial.objective, at, trial.guess);
-  // A guess that something in the way has bent may hold more energy than there was.
-  const double most_energy = guess.obstructed ? trial.objective.energy(at).total() : INFINITY;
-  at = system_.coordinates().moved(at, guess.each);
-  StepSummary summary;
+// Goes down from where everything is led to.
+StepSummary TimeStepper::searched_at(const Trial& trial, double most_energy, Configuration& at) {
   if (options_.solve == StepSolve::iterated) {
     const DescentOptions few{.most_energy = most_energy, .motion = options_.motion_tolerance};
-    summary = summary_of(descend(trial.objective, few, no_change(system_), workspace_, at));
-  } else {
-    NewtonOptions newton;
-    newton.tolerance = options_.tolerance;
-    const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
-    summary = {.converged = solved.converged,
-               .newton_iterations = solved.iterations,
-               .linear_iterations = solved.linear_iterations,
-               .residual = solved.residual};
+    return summary_of(descend(trial.objective, few, no_change(system_), workspace_, at));
   }
-  settle(trial, std::move(at), to, summary);
+  NewtonOptions newton;
+  newton.tolerance = options_.tolerance;
+  const NewtonSummary solved = minimize(trial.objective, newton, workspace_, at);
+  return {.converged = solved.converged,
+          .newton_iterations = solved.iterations,
+          .linear_iterations = solved.linear_iterations,
+          .residual = solved.residual};
+}
+
+// What is led goes on as far as it may, and the rest after it, until it has arrived.
+StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configuration at, State& to) {
+  constexpr int kMostTimes = 30;
+  constexpr int kMostMore = 5;  // iterations while the total of all energies has grown
+  const FreeChange guess = free_change(trial.objective, at, trial.guess, led.way_left());
+  led.go(guess.led, at);
+  // Where something is in the way, the guess may hold more energy than there was.
+  const double most_energy = system_.obstructs() ? trial.objective.energy(at).total() : INFINITY;
+  const double total = most_energy - trial.inertia.energy(at.positions) +
+                       kinetic_energy(system_, trial.from.velocities);
+  at = system_.coordinates().moved(at, guess.each);
+  StepSummary summary = searched_at(trial, most_energy, at);
+  for (int times = 1; !led.has_arrived(); ++times) {
+    if (times == kMostTimes) return {.converged = false, .has_room = false, .residual = INFINITY};
+    led.go(free_change(trial.objective, at, no_change(system_), led.way_left()).led, at);
+    const StepSummary on = searched_at(trial, INFINITY, at);
+    summary.converged = on.converged;
+    summary.residual = on.residual;
+    summary.newton_iterations += on.newton_iterations;
+    summary.linear_iterations += on.linear_iterations;
+  }
+  for (int more = 0; settle(trial, at, to, summary) > total && more < kMostMore; ++more) {
+    const DescentSummary on =
+        descend(trial.objective, {.iterations = 1}, no_change(system_), workspace_, at);
+    summary.newton_iterations += on.iterations;
+    summary.linear_iterations += on.linear_iterations;
+  }
   return summary;
 }
 
 StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   const Scheme scheme(options_.integrator, step, from);
   const double time = from.time + step;
-  Configuration at = from.configuration;
   const Controls controls = options_.schedule ? options_.schedule(time) : kNoControls;
+  Configuration at = from.configuration;
   system_.coordinates().apply(controls, at);
+  LedMotion led(from.configuration, at);
+  at.positions = from.configuration.positions;
 
   const Eigen::Matrix3Xd start = scheme.mix(from.configuration.positions, from.last_positions);
   const Eigen::Matrix3Xd velocities = scheme.mix(from.velocities, from.last_velocities);
@@ -179,18 +204,25 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     objective.add(*drag);
   }
 
-  const Eigen::VectorXd way = made_way(objective, at);
+  const StepSummary no_room{.converged = false, .has_room = false, .residual = INFINITY};
+  const auto found = made_way(objective, at);
+  if (!found) return no_room;
+  const Eigen::VectorXd& way = *found;
   if (!way.isZero(0)) {
     at = system_.coordinates().moved(at, way);
-    const bool has_room = std::isfinite(objective.energy(at).total());
-    if (!has_room) return {.converged = false, .has_room = false, .residual = INFINITY};
+    if (!std::isfinite(objective.energy(at).total())) return no_room;
   }
   const Trial trial{
       from, under, objective,   inertia,
       drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step, way)};
-  const StepSummary summary = options_.solve == StepSolve::linearized
-                                  ? linearized(trial, std::move(at), to)
-                                  : searched(trial, std::move(at), to);
+  StepSummary summary;
+  if (options_.solve == StepSolve::linearized) {
+    led.go(1, at);
+    summary = linearized(trial, std::move(at), to);
+  } else {
+    summary = searched(trial, led, std::move(at), to);
+  }
+  if (!summary.has_room) return summary;
   if (!to.configuration.positions.allFinite() || !std::isfinite(summary.residual)) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
                       summary.newton_iterations, summary.residual);

@@ -4,6 +4,7 @@
 
 #include "pliant/mechanics/air_drag.h"
 #include "pliant/solver/integration.h"
+#include "pliant/solver/led_motion.h"
 #include "pliant/solver/newton.h"
 
 namespace pliant {
@@ -56,7 +57,8 @@ class TimeStepper {
   struct Trial;  // a step before it is accepted
 
   StepSummary linearized(const Trial& trial, Configuration at, State& to);
-  StepSummary searched(const Trial& trial, Configuration at, State& to);
+  StepSummary searched(const Trial& trial, LedMotion led, Configuration at, State& to);
+  StepSummary searched_at(const Trial& trial, double most_energy, Configuration& at);
   double settle(const Trial& trial, Configuration at, State& to, StepSummary& summary) const;
 
   const System& system_;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/contact/surface_pair.h"
+#include "pliant/contact/triangle_tree.h"
+
+namespace pliant {
+
+/// Triangles that may meet each other, and the search for what is near.
+///
+/// Each vertex and each edge belongs to one of its triangles, so that a pair of triangles that are
+/// near stands for pairs that no other stands for. Pairs that share a point, or of which no point
+/// moves freely, are left out.
+class ContactSurface {
+ public:
+  /// @param positions  of all points of the system, where those near each other are so always
+  /// @param faces      as points of the system, at least one
+  /// @param moves      whether a point may be moved by contact
+  ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces,
+                 std::vector<bool> moves);
+
+  const Eigen::Matrix3Xi& faces() const { return faces_; }
+
+  /// All pairs that come nearer than `reach` while all points go straight ways at once, and some
+  /// others, sorted.
+  std::vector<SurfacePair> near_pairs(const Eigen::Matrix3Xd& positions,
+                                      const Eigen::Matrix3Xd& ways, double reach) const;
+
+ private:
+  using Edge = std::array<int, 2>;
+
+  // The parts of a triangle that no other triangle before it has.
+  struct Parts {
+    std::vector<int> vertices;
+    std::vector<Edge> edges;
+  };
+
+  bool counts(const SurfacePair& pair) const;
+
+  Eigen::Matrix3Xi faces_;
+  std::vector<bool> moves_;
+  std::vector<Parts> parts_;
+  TriangleTree tree_;
+};
+
+/// Places of the points of a pair.
+template <class Points>
+PairPoints points_of(const SurfacePair& pair, const Points& all) {
+  PairPoints points;
+  for (int k = 0; k < 4; ++k) points.col(k) = all.col(pair.points[static_cast<size_t>(k)]);
+  return points;
+}
+
+}  // namespace pliant

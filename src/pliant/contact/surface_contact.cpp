@@ -1,0 +1,262 @@
+#include "pliant/contact/surface_contact.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "pliant/contact/barrier.h"
+#include "pliant/contact/coulomb.h"
+
+namespace pliant {
+
+/// A pair that pressed against each other when a step began.
+struct SurfaceContact::Rubbing {
+  SurfacePair pair;
+  Eigen::Vector4d weights;
+  Eigen::Vector3d normal;
+  double largest_friction = 0;  // N
+
+  Eigen::Matrix3d plane() const {
+    return Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  }
+};
+
+/// What a step begins with.
+struct SurfaceContact::Lagged {
+  Eigen::Matrix3Xd positions;
+  std::vector<Rubbing> rubbing;
+};
+
+/// The barrier of a pair, times how much its edges cross.
+struct SurfaceContact::Push {
+  double energy = 0;
+  double normal_force = 0;  // N
+  double curvature = 0;     // by the distance, N/m
+  Eigen::Vector4d weights = Eigen::Vector4d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  PairPoints gradient = PairPoints::Zero();  // N
+
+  bool acts() const { return energy > 0; }
+};
+
+namespace {
+
+constexpr double kKeptInWay = 0.1;  // of its distance, by what makes way
+
+// How much two edges cross, from 0 for parallel ones to 1: smoothly (Li et al., Incremental
+// Potential Contact, ACM TOG 39 (2020) 49, section 5.2).
+struct Crossing {
+  double share = 1;
+  PairPoints gradient;  // 1/m
+};
+
+Crossing crossing_of(const PairPoints& x, double built_one, double built_other) {
+  constexpr double kParallel = 1e-3;  // square of the sine up to which edges count as such
+  const Eigen::Vector3d one = x.col(1) - x.col(0), other = x.col(3) - x.col(2);
+  const double whole = kParallel * built_one * built_one * built_other * built_other;
+  const double sine = one.cross(other).squaredNorm() / whole;
+  if (sine >= 1) return {1, PairPoints::Zero()};
+  const double dot = one.dot(other), slope = 2 * (1 - sine) / whole;
+  const Eigen::Vector3d by_one = 2 * slope * (other.squaredNorm() * one - dot * other);
+  const Eigen::Vector3d by_other = 2 * slope * (one.squaredNorm() * other - dot * one);
+  Crossing crossing{sine * (2 - sine), {}};
+  crossing.gradient << -by_one, by_one, -by_other, by_other;
+  return crossing;
+}
+
+double length(const Eigen::Matrix3Xd& positions, int from, int to) {
+  return (positions.col(to) - positions.col(from)).norm();
+}
+
+}  // namespace
+
+SurfaceContact::SurfaceContact(std::shared_ptr<const ContactSurface> surface,
+                               Eigen::Matrix3Xd built, Eigen::VectorXd stiffness,
+                               const SurfaceContactLaw& law)
+    : near_(std::move(surface), law.thickness, 2 * law.thickness),
+      built_(std::move(built)),
+      stiffness_(std::move(stiffness)),
+      law_(law) {}
+
+SurfaceContact::~SurfaceContact() = default;
+
+double SurfaceContact::stiffness_of(const SurfacePair& pair) const {
+  const auto& [a, b, c, d] = pair.points;
+  return (stiffness_(a) + stiffness_(b) + stiffness_(c) + stiffness_(d)) / 4;
+}
+
+SurfaceContact::Push SurfaceContact::push_of(const SurfacePair& pair,
+                                             const Eigen::Matrix3Xd& positions) const {
+  const PairPoints x = points_of(pair, positions);
+  const Gap gap = gap_between(pair.kind, x);
+  const double distance = gap.distance();
+  if (distance >= law_.thickness) return {};
+  Push push;
+  if (!(distance > 0)) {
+    push.energy = INFINITY;
+    return push;
+  }
+  const double stiffness = stiffness_of(pair);
+  const Barrier pushed = barrier(distance, law_.thickness);
+  Crossing crossing{1, PairPoints::Zero()};
+  if (pair.kind == SurfacePair::Kind::edge_edge) {
+    crossing = crossing_of(x, length(built_, pair.points[0], pair.points[1]),
+                           length(built_, pair.points[2], pair.points[3]));
+  }
+  push.energy = stiffness * crossing.share * pushed.energy;
+  push.normal_force = -stiffness * crossing.share * pushed.slope;
+  push.curvature = stiffness * crossing.share * pushed.curvature;
+  push.weights = gap.weights;
+  push.normal = gap.line / distance;
+  push.gradient = -push.normal_force * push.normal * push.weights.transpose() +
+                  stiffness * pushed.energy * crossing.gradient;
+  return push;
+}
+
+bool SurfaceContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
+  constexpr int kLayers = 100;
+  const Eigen::Matrix3Xd& start = at.configuration.positions;
+  for (int layer = 0; layer < kLayers && positions != start; ++layer) {
+    const Eigen::Matrix3Xd ways = positions - start;
+    bool meets = false;
+    const NearPairs::Pairs near = near_.between(start, positions);
+    for (const SurfacePair& pair : *near) {
+      if (free_share_of(pair, start, ways, kKeptInWay) == 1) continue;
+      meets = true;
+      const PairPoints own = points_of(pair, ways);
+      Eigen::Index furthest = 0;
+      own.colwise().squaredNorm().maxCoeff(&furthest);
+      for (const int point : pair.points) {
+        positions.col(point) = start.col(point) + own.col(furthest);
+      }
+    }
+    if (!meets) return true;
+  }
+  return positions == start;
+}
+
+double SurfaceContact::free_share_of(const SurfacePair& pair, const Eigen::Matrix3Xd& from,
+                                     const Eigen::Matrix3Xd& ways, double kept) const {
+  const PairPoints x = points_of(pair, from);
+  const double distance = gap_between(pair.kind, x).distance();
+  return free_share(pair.kind, x, points_of(pair, ways),
+                    kept * std::min(distance, law_.thickness / 2));
+}
+
+void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                           WayLimits& limits) const {
+  const Eigen::Matrix3Xd& start = from.configuration.positions;
+  const Eigen::Matrix3Xd ways = to - start;
+  const NearPairs::Pairs near = near_.between(start, to);
+  for (const SurfacePair& pair : *near) {
+    const double share = free_share_of(pair, start, ways, limits.kept);
+    if (share == 1) continue;
+    limits.obstructed = true;
+    for (const int point : pair.points) {
+      limits.shares(point) = std::min(limits.shares(point), share);
+    }
+  }
+}
+
+void SurfaceContact::evaluate(const Evaluation& at, Derivatives& derivatives) const {
+  const NearPairs::Pairs near = near_.at(at.configuration.positions);
+  for (const SurfacePair& pair : *near) {
+    add_push(pair, at, derivatives);
+  }
+  const auto before = lagged(at.history);
+  for (const Rubbing& rubbing : before->rubbing) {
+    add_friction(rubbing, at, derivatives);
+  }
+}
+
+void SurfaceContact::add_push(const SurfacePair& pair, const Evaluation& at,
+                              Derivatives& derivatives) const {
+  const Push push = push_of(pair, at.configuration.positions);
+  if (!push.acts()) return;
+  derivatives.energy.stored += push.energy;
+  if (derivatives.gradient) {
+    for (int k = 0; k < 4; ++k) {
+      derivatives.gradient->col(pair.points[static_cast<size_t>(k)]) += push.gradient.col(k);
+    }
+  }
+  if (!derivatives.hessian) return;
+  // What the turning of the normal adds would make it less convex.
+  derivatives.hessian->coordinates.add_outer_product(at.configuration, push.curvature, pair.points,
+                                                     push.normal * push.weights.transpose(),
+                                                     derivatives.hessian->matrix);
+}
+
+void SurfaceContact::add_friction(const Rubbing& rubbing, const Evaluation& at,
+                                  Derivatives& derivatives) const {
+  const Eigen::Map<const Eigen::Matrix3Xd> before(at.history, 3, built_.cols());
+  const Eigen::Matrix3d plane = rubbing.plane();
+  const PairPoints ways =
+      points_of(rubbing.pair, at.configuration.positions) - points_of(rubbing.pair, before);
+  const Eigen::Vector3d slip = plane * ways * rubbing.weights;
+  const SlipEnergy rubbed = slip_energy(slip, rubbing.largest_friction, plane);
+  derivatives.energy.work += rubbed.energy;
+  if (derivatives.gradient) {
+    for (int k = 0; k < 4; ++k) {
+      derivatives.gradient->col(rubbing.pair.points[static_cast<size_t>(k)]) +=
+          rubbing.weights(k) * rubbed.force;
+    }
+  }
+  if (!derivatives.hessian) return;
+  // Along the slip and across it, wherever in the plane it goes.
+  const Eigen::Vector3d across = rubbing.normal.cross(slip).norm() > 0
+                                     ? rubbing.normal.cross(slip).normalized()
+                                     : rubbing.normal.unitOrthogonal();
+  for (const Eigen::Vector3d& direction : {across, rubbing.normal.cross(across).eval()}) {
+    derivatives.hessian->coordinates.add_outer_product(
+        at.configuration, direction.dot(rubbed.hessian * direction), rubbing.pair.points,
+        direction * rubbing.weights.transpose(), derivatives.hessian->matrix);
+  }
+}
+
+std::shared_ptr<const SurfaceContact::Lagged> SurfaceContact::lagged(const double* history) const {
+  const Eigen::Map<const Eigen::Matrix3Xd> positions(history, 3, built_.cols());
+  {
+    const std::lock_guard lock(mutex_);
+    if (lagged_ && lagged_->positions == positions) return lagged_;
+  }
+  auto made = std::make_shared<Lagged>();
+  made->positions = positions;
+  if (law_.friction > 0) {
+    const NearPairs::Pairs near = near_.at(made->positions);
+    for (const SurfacePair& pair : *near) {
+      const Push push = push_of(pair, made->positions);
+      if (!push.acts()) continue;
+      made->rubbing.push_back({pair, push.weights, push.normal, law_.friction * push.normal_force});
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  lagged_ = made;
+  return made;
+}
+
+Eigen::VectorXd SurfaceContact::initial_history(const Evaluation& at) const {
+  return at.configuration.positions.reshaped();
+}
+
+Energy SurfaceContact::advance(const Evaluation& at, double* next) const {
+  Derivatives none;
+  evaluate(at, none);
+  Eigen::Map<Eigen::Matrix3Xd>(next, 3, built_.cols()) = at.configuration.positions;
+  return none.energy;
+}
+
+SurfaceContact::Touching SurfaceContact::touching(const Eigen::Matrix3Xd& positions) const {
+  Touching touching{0, std::numeric_limits<double>::infinity()};
+  const NearPairs::Pairs near = near_.at(positions);
+  for (const SurfacePair& pair : *near) {
+    const double distance = gap_between(pair.kind, points_of(pair, positions)).distance();
+    if (distance >= law_.thickness) continue;
+    ++touching.pairs;
+    touching.least_distance = std::min(touching.least_distance, distance);
+  }
+  return touching;
+}
+
+}  // namespace pliant

@@ -1,0 +1,45 @@
+// Whatever sheets are made to do, they do not pass through each other: told by an exact test that
+// knows nothing of contact.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "pliant/geometry/crossings.h"
+#include "pliant/solver/free_change.h"
+
+#include "contact/touching_sheets.h"
+
+namespace pliant {
+namespace {
+
+using test::random_ways;
+using test::stacked_sheets;
+using test::TouchingSheets;
+
+// Sheets are thrown about at random, ever again from where they ended, into whatever tangles.
+TEST(Tangle, HasNoWayThroughASurface) {
+  const TouchingSheets sheets(stacked_sheets(3, 6, 4e-3), 0);
+  if (!crossing_triangles(sheets.sheets.positions, sheets.sheets.faces)) {
+    GTEST_SKIP() << "built without CGAL";
+  }
+  const Objective objective(*sheets.system, {.from = sheets.state});
+  RandomStream random(5);
+  Configuration at = sheets.state.configuration;
+  int shortened = 0;
+  for (int step = 0; step < 300; ++step) {
+    const double size = std::pow(10, random.uniform(-4, -1.5));
+    // Towards the middle, or they would fly apart.
+    const Eigen::Matrix3Xd ways =
+        random_ways(random, at.positions.cols(), size) - 0.1 * at.positions;
+    const FreeChange free = free_change(objective, at, ways.reshaped());
+    shortened += free.whole ? 0 : 1;
+    const Eigen::VectorXd& change = step % 3 == 0 ? free.alike : free.each;
+    at = sheets.system->coordinates().moved(at, random.uniform(0.5, 1) * change);
+    ASSERT_TRUE(crossing_triangles(at.positions, sheets.sheets.faces)->empty()) << step;
+  }
+  EXPECT_GT(shortened, 200);
+}
+
+}  // namespace
+}  // namespace pliant

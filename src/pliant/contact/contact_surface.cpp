@@ -5,34 +5,28 @@
 #include <utility>
 
 namespace pliant {
+
+/// The boxes of all vertices, edges and faces.
+struct ContactSurface::Boxes {
+  float reach = 0;
+  std::vector<SweptBox> vertices, edges, faces;
+};
+
 namespace {
 
-bool share_a_point(const SurfacePair& pair) {
-  const auto& [a, b, c, d] = pair.points;
-  if (pair.kind == SurfacePair::Kind::vertex_face) return a == b || a == c || a == d;
-  return a == c || a == d || b == c || b == d;
+Eigen::Matrix3Xd middles_of(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces) {
+  Eigen::Matrix3Xd middles(3, faces.cols());
+  for (Eigen::Index f = 0; f < faces.cols(); ++f) {
+    middles.col(f) = positions(Eigen::all, faces.col(f)).rowwise().mean();
+  }
+  return middles;
 }
 
-// What boxes of the parts say, which is quick.
-bool may_meet(const SurfacePair& pair, const Eigen::Matrix3Xd& positions,
-              const Eigen::Matrix3Xd& ways, double reach) {
-  const int split = pair.kind == SurfacePair::Kind::vertex_face ? 1 : 2;
-  const auto x = positions(Eigen::all, pair.points), w = ways(Eigen::all, pair.points);
-  for (int axis = 0; axis < 3; ++axis) {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
-    for (int k = 0; k < 4; ++k) {
-      const int part = k < split ? 0 : 1;
-      low[part] = std::min(low[part], x(axis, k));
-      high[part] = std::max(high[part], x(axis, k));
-      least[part] = std::min(least[part], w(axis, k));
-      most[part] = std::max(most[part], w(axis, k));
-    }
-    const double back = std::min(least[0] - most[1], 0.0),
-                 forth = std::max(most[0] - least[1], 0.0);
-    if (low[0] + back - reach > high[1] || high[0] + forth + reach < low[1]) return false;
-  }
-  return true;
+template <class Corners>
+SweptBox box_of(const Corners& corners, const std::vector<SweptBox>& vertices) {
+  SweptBox box = vertices[static_cast<size_t>(corners[0])];
+  for (const int corner : corners) box.include(vertices[static_cast<size_t>(corner)]);
+  return box;
 }
 
 }  // namespace
@@ -42,7 +36,7 @@ ContactSurface::ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::M
     : faces_(faces),
       moves_(std::move(moves)),
       parts_(static_cast<size_t>(faces.cols())),
-      tree_(positions, faces) {
+      tree_(middles_of(positions, faces)) {
   std::set<int> vertices;
   std::set<Edge> edges;
   for (Eigen::Index f = 0; f < faces.cols(); ++f) {
@@ -51,39 +45,66 @@ ContactSurface::ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::M
       const int from = faces(k, f), to = faces((k + 1) % 3, f);
       const Edge edge{std::min(from, to), std::max(from, to)};
       if (vertices.insert(from).second) parts.vertices.push_back(from);
-      if (edges.insert(edge).second) parts.edges.push_back(edge);
+      if (!edges.insert(edge).second) continue;
+      parts.edges.push_back(static_cast<int>(edges_.size()));
+      edges_.push_back(edge);
     }
   }
 }
 
-bool ContactSurface::counts(const SurfacePair& pair) const {
-  const bool moves = std::ranges::any_of(
-      pair.points, [&](int point) { return moves_[static_cast<size_t>(point)]; });
-  return moves && !share_a_point(pair);
+bool ContactSurface::is_held(const SurfacePair& pair) const {
+  return std::ranges::none_of(pair.points,
+                              [&](int point) { return moves_[static_cast<size_t>(point)]; });
+}
+
+void ContactSurface::add_vertices(int of, int face, const Boxes& boxes,
+                                  std::vector<SurfacePair>& pairs) const {
+  const int a = faces_(0, face), b = faces_(1, face), c = faces_(2, face);
+  for (const int vertex : parts_[static_cast<size_t>(of)].vertices) {
+    if (vertex == a || vertex == b || vertex == c) continue;
+    if (!SweptBox::may_meet(boxes.vertices[static_cast<size_t>(vertex)],
+                            boxes.faces[static_cast<size_t>(face)], boxes.reach)) {
+      continue;
+    }
+    const SurfacePair pair{SurfacePair::Kind::vertex_face, {vertex, a, b, c}};
+    if (!is_held(pair)) pairs.push_back(pair);
+  }
+}
+
+void ContactSurface::add_edges(int of, int and_of, const Boxes& boxes,
+                               std::vector<SurfacePair>& pairs) const {
+  for (const int one : parts_[static_cast<size_t>(of)].edges) {
+    for (const int other : parts_[static_cast<size_t>(and_of)].edges) {
+      const auto& [a, b] = edges_[static_cast<size_t>(one)];
+      const auto& [c, d] = edges_[static_cast<size_t>(other)];
+      if (a == c || a == d || b == c || b == d) continue;
+      if (!SweptBox::may_meet(boxes.edges[static_cast<size_t>(one)],
+                              boxes.edges[static_cast<size_t>(other)], boxes.reach)) {
+        continue;
+      }
+      SurfacePair pair{SurfacePair::Kind::edge_edge, {a, b, c, d}};
+      if (c < a) pair.points = {c, d, a, b};
+      if (!is_held(pair)) pairs.push_back(pair);
+    }
+  }
 }
 
 std::vector<SurfacePair> ContactSurface::near_pairs(const Eigen::Matrix3Xd& positions,
                                                     const Eigen::Matrix3Xd& ways,
                                                     double reach) const {
+  Boxes boxes;
+  boxes.reach = static_cast<float>(reach + rounding_of(positions, ways));
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    boxes.vertices.emplace_back(positions.col(i), ways.col(i));
+  }
+  for (const Edge& edge : edges_) boxes.edges.push_back(box_of(edge, boxes.vertices));
+  for (const auto& face : faces_.colwise()) boxes.faces.push_back(box_of(face, boxes.vertices));
+
   std::vector<SurfacePair> pairs;
-  const auto add = [&](const SurfacePair& pair) {
-    if (counts(pair) && may_meet(pair, positions, ways, reach)) pairs.push_back(pair);
-  };
-  const auto add_vertices = [&](int of, int face) {
-    for (const int vertex : parts_[static_cast<size_t>(of)].vertices) {
-      add({SurfacePair::Kind::vertex_face,
-           {vertex, faces_(0, face), faces_(1, face), faces_(2, face)}});
-    }
-  };
-  tree_.pairs(positions, ways, reach, [&](int one, int other) {
-    add_vertices(one, other);
-    add_vertices(other, one);
-    for (const Edge& a : parts_[static_cast<size_t>(one)].edges) {
-      for (const Edge& b : parts_[static_cast<size_t>(other)].edges) {
-        const auto& [first, second] = std::minmax(a, b);
-        add({SurfacePair::Kind::edge_edge, {first[0], first[1], second[0], second[1]}});
-      }
-    }
+  tree_.pairs(boxes.faces, boxes.reach, [&](int one, int other) {
+    add_vertices(one, other, boxes, pairs);
+    add_vertices(other, one, boxes, pairs);
+    add_edges(one, other, boxes, pairs);
   });
   std::sort(pairs.begin(), pairs.end());
   return pairs;

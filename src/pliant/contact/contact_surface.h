@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "pliant/contact/box_tree.h"
 #include "pliant/contact/surface_pair.h"
-#include "pliant/contact/triangle_tree.h"
 
 namespace pliant {
 
@@ -24,8 +24,6 @@ class ContactSurface {
   ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces,
                  std::vector<bool> moves);
 
-  const Eigen::Matrix3Xi& faces() const { return faces_; }
-
   /// All pairs that come nearer than `reach` while all points go straight ways at once, and some
   /// others, sorted.
   std::vector<SurfacePair> near_pairs(const Eigen::Matrix3Xd& positions,
@@ -34,18 +32,21 @@ class ContactSurface {
  private:
   using Edge = std::array<int, 2>;
 
-  // The parts of a triangle that no other triangle before it has.
+  // The parts of a triangle that no other triangle before it has: vertices, and numbers of edges.
   struct Parts {
-    std::vector<int> vertices;
-    std::vector<Edge> edges;
+    std::vector<int> vertices, edges;
   };
+  struct Boxes;
 
-  bool counts(const SurfacePair& pair) const;
+  void add_vertices(int of, int face, const Boxes& boxes, std::vector<SurfacePair>& pairs) const;
+  void add_edges(int of, int and_of, const Boxes& boxes, std::vector<SurfacePair>& pairs) const;
+  bool is_held(const SurfacePair& pair) const;
 
   Eigen::Matrix3Xi faces_;
+  std::vector<Edge> edges_;
   std::vector<bool> moves_;
   std::vector<Parts> parts_;
-  TriangleTree tree_;
+  BoxTree tree_;
 };
 
 /// Places of the points of a pair.

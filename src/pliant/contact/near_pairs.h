@@ -34,6 +34,8 @@ class NearPairs {
 
   bool serves(const List& list, const Eigen::Matrix3Xd& positions) const;
   std::shared_ptr<const List> last() const;
+  std::shared_ptr<const List> keep(const Eigen::Matrix3Xd& positions,
+                                   std::vector<SurfacePair> pairs) const;
 
   std::shared_ptr<const ContactSurface> surface_;
   double reach_, skin_;

@@ -139,10 +139,13 @@ bool SurfaceContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions)
 
 double SurfaceContact::free_share_of(const SurfacePair& pair, const Eigen::Matrix3Xd& from,
                                      const Eigen::Matrix3Xd& ways, double kept) const {
+  // What lies almost upon each other comes no nearer: rounding must not decide on which side it is.
+  constexpr double kLeast = 1e-4, kOfLeast = 0.9;  // of the thickness; of a distance below that
   const PairPoints x = points_of(pair, from);
   const double distance = gap_between(pair.kind, x).distance();
-  return free_share(pair.kind, x, points_of(pair, ways),
-                    kept * std::min(distance, law_.thickness / 2));
+  const double least = std::min(kLeast * law_.thickness, kOfLeast * distance);
+  const double keep = std::max(kept * std::min(distance, law_.thickness / 2), least);
+  return free_share(pair.kind, x, points_of(pair, ways), keep);
 }
 
 void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/exchange/tester_study.h"
@@ -94,6 +95,19 @@ void add_standard_figures(const TestType& type, const TesterFile& file, FileInfo
   for (const std::string& text : figures.texts) info.lines.push_back(labelled(figures.label, text));
 }
 
+/// Which sheet of a workbook is described.
+void add_sheet(const TesterFile& file, FileInfo& info) {
+  if (file.sheets.empty()) return;
+  const std::string& sheet = file.csv.sheet.empty() ? file.sheets.front() : file.csv.sheet;
+  info.json["sheet"] = sheet;
+  info.json["sheets"] = file.sheets;
+  const std::string others =
+      file.sheets.size() == 1
+          ? std::string()
+          : fmt::format(" (of {}; `--sheet NAME` takes another)", list_of_names(file.sheets));
+  info.lines.push_back(labelled("sheet", sheet + others));
+}
+
 /// What stands above the table, and how its rows go to and fro.
 void add_tester(const TesterFile& file, FileInfo& info) {
   if (!file.csv.encoding.empty()) info.lines.push_back(labelled("encoding", file.csv.encoding));
@@ -131,7 +145,8 @@ FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading) 
   const TesterFile file = read_tester_file(path, reading);
   const CsvTable table = read_csv(path, file.csv);
   const UnderstoodColumns understood = understood_columns(table);
-  FileInfo info = begin_info(path, "csv");
+  FileInfo info = begin_info(path, file.sheets.empty() ? "csv" : "workbook");
+  add_sheet(file, info);
   info.json["rows"] = table.rows();
   info.json["header_line"] = table.header_line();
   info.json["columns"] = Json::array();

@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pliant/io/workbook.h"
 #include "pliant/study/test_template.h"
 
 #include "app/run_program.h"
 #include "apps/pliant/file_info.h"
+#include "support/workbook.h"
 
 namespace pliant::test {
 namespace {
@@ -86,7 +88,24 @@ TEST(InfoOfATable, DrawsItsReadings) {
   // A program without its web bundle writes the facts alone.
   EXPECT_THAT(content_of(page), AllOf(HasSubstr("a.csv"), HasSubstr("Specimens")));
   const std::string other = folder.write("b.csv", "a,b\n1,2\n").string();
-  EXPECT_THAT(run_program({"info", other, "--plot", page}).err, HasSubstr("holds no readings"));
+  const ProgramRun without = run_program({"info", other, "--plot", page});
+  EXPECT_EQ(without.status, 0);
+  EXPECT_THAT(without.err, HasSubstr("holds no readings"));
+}
+
+TEST(InfoOfATable, TakesWorkbooks) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> rows{
+      {"Load (N)", "Ext (mm)"}, {"0", "0"}, {"4", "2"}};
+  const std::string file =
+      folder.write("warp.xlsx", test::workbook({{"A", rows}, {"B", rows}})).string();
+  const std::string page = (folder.path() / "a.html").string();
+  const ProgramRun run = run_program({"info", file, "--sheet", "B", "--plot", page});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("warp.xlsx: workbook"), HasSubstr("type: tensile-cycles"),
+                             HasSubstr("sheet: B ")));
+  EXPECT_THAT(content_of(page), HasSubstr("warp.xlsx"));
 }
 
 TEST(Commands, NameTheWayInForFilesOfAnotherKind) {

@@ -127,6 +127,26 @@ TEST(Workbooks, AreReadAsTheirTables) {
               HasSubstr("sheet: there is no sheet \"Dato\" (did you mean \"Data\"?)"));
 }
 
+TEST(Workbooks, MayKeepTheirTextsInCellsAndFormulas) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  using test::WorkbookTexts;
+  const TemporaryFolder folder;
+  for (const auto texts : {WorkbookTexts::in_cells, WorkbookTexts::of_formulas}) {
+    const auto file = folder.write(
+        "w.xlsx", test::workbook({{"A", {{"force_N", "note"}, {"1.5", "a &amp; b"}}}}, texts));
+    const CsvTable csv = read_csv(file, {.sheet = "A"});
+    EXPECT_THAT(csv.numbers("force_N"), ElementsAre(1.5));
+    EXPECT_THAT(csv.texts("note"), ElementsAre("a & b"));
+  }
+}
+
+TEST(Workbooks, NameTheirSheets) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const TemporaryFolder folder;
+  const auto file = folder.write("w.xlsx", test::workbook({{"Parameter", {}}, {"Probe 1", {}}}));
+  EXPECT_THAT(workbook_sheets(file), ElementsAre("Parameter", "Probe 1"));
+}
+
 TEST(Workbooks, ThatAreNoneAreRefused) {
   const TemporaryFolder folder;
   EXPECT_THAT(input_error_of([&] { read_csv(folder.write("w.xlsx", "force_N\n1\n")); }).problem(),

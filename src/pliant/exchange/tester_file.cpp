@@ -47,6 +47,32 @@ std::string found_encoding(const std::filesystem::path& path) {
   return decoded(bytes, "windows-1252") ? "windows-1252" : "";  // the reader says what is wrong
 }
 
+/// Whether a sheet of a workbook holds a table; and whether its columns are those of a test.
+enum class SheetContent { other, table, test };
+
+SheetContent content_of_sheet(const std::filesystem::path& path, const CsvOptions& csv) {
+  try {
+    const CsvTable table = read_csv(path, csv);
+    return usable_types(understood_columns(table)).empty() ? SheetContent::table
+                                                           : SheetContent::test;
+  } catch (const InputError&) {
+    return SheetContent::other;
+  }
+}
+
+/// The first sheet that holds a test, else the first that holds a table; empty where none does.
+std::string found_sheet(const std::filesystem::path& path, CsvOptions csv,
+                        const std::vector<std::string>& sheets) {
+  std::string table;
+  for (const std::string& sheet : sheets) {
+    csv.sheet = sheet;
+    const SheetContent content = content_of_sheet(path, csv);
+    if (content == SheetContent::test) return sheet;
+    if (content == SheetContent::table && table.empty()) table = sheet;
+  }
+  return table;
+}
+
 /// What drives a test along its path.
 std::vector<double> driver(const CsvTable& table, const UnderstoodColumns& columns) {
   for (const char* name : {"extension", "length", "strain", "angle", "curvature", "distance"}) {
@@ -106,12 +132,19 @@ TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
                             const TestType* type) {
   csv.synonyms = column_synonyms();
   csv.numbered_columns = true;
-  if (csv.encoding.empty() && !is_workbook(path)) csv.encoding = found_encoding(path);
+  std::vector<std::string> sheets;
+  if (is_workbook(path)) {
+    sheets = workbook_sheets(path);
+    if (csv.sheet.empty() && sheets.size() > 1) csv.sheet = found_sheet(path, csv, sheets);
+  } else if (csv.encoding.empty()) {
+    csv.encoding = found_encoding(path);
+  }
   const CsvTable table = read_csv(path, csv);
   const UnderstoodColumns columns = understood_columns(table);
 
   TesterFile file;
   file.path = path;
+  file.sheets = std::move(sheets);
   file.columns = csv.columns;
   file.csv = std::move(csv);
   file.rows = static_cast<int>(table.rows());

@@ -133,6 +133,8 @@ TEST(Commands, NameTheWayInForFilesOfAnotherKind) {
 }
 
 TEST(Usage, NamesTheNearestCommandAndOption) {
+  EXPECT_THAT(run_program({"fti"}).err, HasSubstr("did you mean \"fit\"?"));
+  EXPECT_THAT(run_program({"inof"}).err, HasSubstr("did you mean \"info\"?"));
   EXPECT_THAT(
       run_program({"simulte"}).err,
       HasSubstr("no command \"simulte\" (did you mean \"simulate\"?); see `pliant --help`"));

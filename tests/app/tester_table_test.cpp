@@ -128,8 +128,51 @@ TEST(Commands, NameTheWayInForFilesOfAnotherKind) {
   EXPECT_THAT(said("s.yaml", "pliant: study/1\n", "lab"), HasSubstr("`pliant fit"));
   EXPECT_THAT(said("arc.json", R"({"stretching": [], "bending": []})"), HasSubstr("ARCSim"));
   EXPECT_THAT(said("results/fit.json", R"({"pliant": "fit/1"})"), HasSubstr("`pliant report`"));
-  EXPECT_THAT(run_program({"fit", folder.path().string(), "-o", "o"}).err,
+  EXPECT_THAT(run_program({"fit", TemporaryFolder().path().string(), "-o", "o"}).err,
               HasSubstr("holds no study.yaml"));
+}
+
+TEST(Files, OfOtherKindsAreNamedWhereverATableIsMeant) {
+  const TemporaryFolder folder;
+  const std::string output = (folder.path() / "o").string();
+  for (const auto& [name, kind] : std::vector<std::pair<std::string, std::string>>{
+           {"a.jpg", "is a photograph"},
+           {"a.h5", "is an HDF5 file"},
+           {"a.xls", "is a workbook of another kind"}}) {
+    const std::string file = folder.write(name, "\xFF\xD8").string();
+    const std::string study = folder
+                                  .write("study.yaml",
+                                         "pliant: study/1\nname: a\nexperiments:\n  - {name: a, "
+                                         "type: tensile-cycles, direction: warp, length: 10 cm, "
+                                         "width: 5 cm, data: " +
+                                             name + "}\n")
+                                  .string();
+    EXPECT_THAT(run_program({"info", file}).err, HasSubstr(kind));
+    EXPECT_THAT(run_program({"init", "--from", file, "-o", output}).err, HasSubstr(kind));
+    EXPECT_THAT(run_program({"fit", study, "-o", output}).err, HasSubstr(kind));
+  }
+  const std::string mesh = folder.write("pants.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n").string();
+  EXPECT_THAT(run_program({"init", "--from", mesh, "-o", output}).err, HasSubstr("is a mesh"));
+  const std::string arcsim =
+      folder.write("arc.json", R"({"stretching": [], "bending": []})").string();
+  EXPECT_THAT(run_program({"info", arcsim}).err, HasSubstr("is a material of ARCSim"));
+}
+
+TEST(Folders, AreTakenForTheOnlyStudyInThem) {
+  const TemporaryFolder folder;
+  folder.write("warp.csv", kTable);
+  const ProgramRun tables = run_program({"fit", folder.path().string(), "-o", "o"});
+  EXPECT_EQ(tables.status, 2);
+  EXPECT_THAT(tables.err, HasSubstr("`pliant init --from " + (folder.path() / "warp.csv").string() +
+                                    " -o DIR`"));
+  folder.write("poplin.yaml",
+               "pliant: study/1\nname: a\nexperiments:\n  - {name: a, type: tensile-cycles, "
+               "direction: warp, length: 10 cm, width: 5 cm, data: warp.csv}\n");
+  folder.write("scene.yaml", "pliant: scene/1\n");
+  EXPECT_THAT(run_program({"info", folder.path().string()}).out, HasSubstr("poplin.yaml: study/1"));
+  folder.write("jersey.yaml", "pliant: study/1\nname: b\n");
+  EXPECT_THAT(run_program({"fit", folder.path().string(), "-o", "o"}).err,
+              HasSubstr("several documents of type study; expected \"jersey.yaml\" or"));
 }
 
 TEST(Usage, NamesTheNearestCommandAndOption) {

@@ -10,6 +10,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/io/csv.h"
 #include "pliant/io/csv_finder.h"
+#include "pliant/io/file_kind.h"
 #include "pliant/io/text_file.h"
 #include "pliant/io/workbook.h"
 
@@ -437,6 +438,7 @@ CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options
 }
 
 CsvTable read_csv(const std::filesystem::path& path, const CsvOptions& options) {
+  require_table(path);
   if (is_workbook(path))
     return parse_csv(workbook_text(path, options.sheet), path.string(), options);
   return parse_csv(read_text_file(path), path.string(), options);

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/letter_case.h"
 #include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
 
@@ -39,12 +40,6 @@ std::string unit_of_header(std::string_view header) {
 
 std::string problem_of_number(std::string_view cell) {
   return cell.empty() ? "the cell is empty" : quoted_value(cell) + " is not a finite number";
-}
-
-/// Letters' case aside; other letters than those of English are as they are.
-bool same_letters(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 /// The unit of a header that names the quantity `name`, as NAME_UNIT, NAME (UNIT), NAME [UNIT],
@@ -225,7 +220,7 @@ std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_vi
     }
     const std::string& row_unit = columns_[index].unit;
     const std::string told = row_unit.empty() ? unit_of_header(columns_[index].header) : row_unit;
-    if (!stated->empty() && is_unit(told) && told != *stated) {
+    if (!stated->empty() && is_unit(told) && !same_letters(told, *stated)) {
       fail(header_line_, index, fmt::format("its unit is {}, not {}", told, *stated));
     }
     found = QuantityColumn{index, stated->empty() ? told : *stated};

@@ -1,8 +1,7 @@
 #include "pliant/io/workbook.h"
 
-#include <cctype>
-
 #include "pliant/base/errors.h"
+#include "pliant/base/letter_case.h"
 
 #ifdef PLIANT_HAS_ORCUS
 
@@ -327,8 +326,7 @@ std::string workbook_text(const std::filesystem::path& path, const std::string&)
 #endif
 
 bool is_workbook(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower_case(path.extension().string());
   return ending == ".xlsx" || ending == ".xlsm";
 }
 

@@ -217,6 +217,12 @@ TEST(TesterStudy, LeavesBlankAllThatATestOfATemplateNeeds) {
   }
 }
 
+TEST(TesterStudy, TakesForcesOfAStripThatBucklesForThat) {
+  const TemporaryFolder folder;
+  const auto table = folder.write("a.csv", "Force (mN),Distance (mm)\n0,20\n-9,18\n-12,15\n");
+  EXPECT_EQ(read_tester_file(table, {}).type->name, "buckling-bend");
+}
+
 TEST(TesterStudy, RefusesATestThatTheColumnsAreNotOf) {
   const TemporaryFolder folder;
   const auto table = folder.write("pull.csv", "Extension (mm),Load (N)\n0,0\n2,4\n");

@@ -1,12 +1,14 @@
 #include "pliant/exchange/tester_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/experiment/understood_columns.h"
 #include "pliant/io/text_file.h"
@@ -113,6 +115,23 @@ std::string blank_column(const CsvTable& table, const std::vector<std::string>& 
   return std::string(kBlank);
 }
 
+/// Whether a table of forces and distances that could be a bent strip's pulls harder than one
+/// does: strips that buckle push with some mN.
+bool is_pull(const CsvTable& table, const TestType& type) {
+  constexpr double kLargestBend = 1;  // N
+  if (&type != &buckling_bend_type()) return false;
+  const std::vector<double> force = table.quantity("force", Dimension::force);
+  return std::ranges::any_of(force, [](double f) { return std::abs(f) > kLargestBend; });
+}
+
+/// Distances that begin near zero are counted from the gauge length.
+std::string name_of_distance(const CsvTable& table) {
+  constexpr double kNearZero = 0.1;  // of the largest
+  const std::vector<double> distance = table.quantity("distance", Dimension::length);
+  const auto [least, most] = std::ranges::minmax_element(distance);
+  return std::abs(*least) < kNearZero * *most ? "extension" : "length";
+}
+
 /// A strip that is pulled is what testers are used for most.
 void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, TesterFile& file) {
   const auto is_understood = [&](std::string_view name) {
@@ -122,6 +141,10 @@ void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, Te
   file.is_type_known = false;
   if (!is_understood("force")) file.columns["force"] = blank_column(table, {"force"});
   if (is_understood("extension") || is_understood("length") || is_understood("strain")) return;
+  if (is_understood("distance")) {
+    file.columns[name_of_distance(table)] = *table.quantity_column("distance", Dimension::length);
+    return;
+  }
   const bool is_length = !table.quantity_column("extension") && table.is_stated("length");
   file.columns[is_length ? "length" : "extension"] = blank_column(table, {"extension", "length"});
 }
@@ -161,7 +184,9 @@ TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
                      R"(these columns, told by "columns")");
   }
   file.type = is_usable || types.empty() ? type : type ? type : types.front();
-  if (!is_usable && (types.empty() || type)) take_as_tensile(table, columns, file);
+  const bool is_unusable = !is_usable && (types.empty() || type);
+  const bool is_misnamed = !type && !types.empty() && is_pull(table, *types.front());
+  if (is_unusable || is_misnamed) take_as_tensile(table, columns, file);
   count_passes(table, columns, file);
   return file;
 }

@@ -31,11 +31,12 @@ std::string range_text(const std::vector<double>& values, const std::string& uni
 
 /// The numbers of a column; none where a cell holds something else. Empty cells are left out:
 /// result tables use them for numbers that do not exist.
-std::optional<std::vector<double>> plain_numbers(const std::vector<std::string>& cells) {
+std::optional<std::vector<double>> plain_numbers(const CsvTable& table,
+                                                 const std::vector<std::string>& cells) {
   std::vector<double> numbers;
   for (const std::string& cell : cells) {
     if (trimmed(cell).empty()) continue;
-    const std::optional<double> number = parse_number(trimmed(cell));
+    const std::optional<double> number = table.number_of_cell(trimmed(cell));
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -72,7 +73,7 @@ void add_other(const CsvTable& table, const std::string& header, FileInfo& info)
   const std::vector<std::string> cells = table.texts(header);
   Json json{{"header", header}, {"quantity", nullptr}};
   std::string text;
-  if (const auto numbers = plain_numbers(cells)) {
+  if (const auto numbers = plain_numbers(table, cells)) {
     add_range(*numbers, json);
     text = "numbers, " + range_text(*numbers, "");
   } else {
@@ -127,6 +128,12 @@ void add_tester(const TesterFile& file, FileInfo& info) {
   }
 }
 
+void add_footer(const CsvTable& table, FileInfo& info) {
+  if (table.footer().empty()) return;
+  info.json["footer"] = table.footer();
+  info.lines.push_back(labelled("below the rows", one_line(table.footer(), 60) + " (left out)"));
+}
+
 /// The lines of a study that take the table; none where nothing of a test was recognised.
 void add_study_lines(const TesterFile& file, FileInfo& info) {
   const bool recognised =
@@ -172,6 +179,7 @@ FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading) 
     if (type->standard_figures) add_standard_figures(*type, file, info);
   }
   add_tester(file, info);
+  add_footer(table, info);
   add_study_lines(file, info);
   info.json["warnings"] = info.warnings;
   return info;

@@ -80,6 +80,15 @@ TEST(InfoOfATable, TakesWhatAStudySaysOfItsReading) {
   EXPECT_THAT(run_program({"info", table, "--columns", "force"}).err, HasSubstr("NAME=HEADER"));
 }
 
+TEST(InfoOfATable, TellsWhatIsBelowTheRowsAndReadsDecimalCommas) {
+  const TemporaryFolder folder;
+  const FileInfo info =
+      describe_file(folder.write("warp.csv", "Kanal 1;Kanal 2\n0,5;1\n1,5;2\nEnd of test\n"));
+  EXPECT_EQ(info.json["footer"], "End of test");
+  EXPECT_EQ(info.json["columns"][0]["min"], 0.5);
+  EXPECT_THAT(info.lines, Contains(HasSubstr("numbers, 0.5 to 1.5")));
+}
+
 TEST(InfoOfATable, DrawsItsReadings) {
   const TemporaryFolder folder;
   const std::string table = folder.write("a.csv", kTable).string();

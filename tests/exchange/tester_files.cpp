@@ -199,6 +199,7 @@ std::vector<MadeUpFile> plain_files() {
        "Primary load (N),Primary extension (mm)\n0,0\n4,2\n9,5\n2,1\n"},
       {"Ausdehnung", "pull.csv", "Last [N];Ausdehnung [mm]\n0;0\n4;2\n9;5\n2;1\n"},
       {"Traverse", "pull.csv", "Kraft [N];Traverse [mm]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"EndOfTest", "pull.csv", "Load (N),Stroke (mm)\n0,0\n4,2\n9,5\n2,1\nEnd of test\n"},
       {"DistanceOfAPull", "pull.csv", "Force (N),Distance (mm)\n0,0\n4,2\n9,5\n2,1\n"},
       {"DistanceOfTheClamps", "pull.csv", "Force (N),Distance (mm)\n0,100\n4,102\n9,105\n2,101\n"},
       {"NominalStrain", "pull.csv", "Load (N),Nominal strain (%)\n0,0\n4,2\n9,5\n2,1\n"},

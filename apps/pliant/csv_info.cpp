@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/exchange/tester_study.h"
@@ -30,11 +31,12 @@ std::string range_text(const std::vector<double>& values, const std::string& uni
 
 /// The numbers of a column; none where a cell holds something else. Empty cells are left out:
 /// result tables use them for numbers that do not exist.
-std::optional<std::vector<double>> plain_numbers(const std::vector<std::string>& cells) {
+std::optional<std::vector<double>> plain_numbers(const CsvTable& table,
+                                                 const std::vector<std::string>& cells) {
   std::vector<double> numbers;
   for (const std::string& cell : cells) {
     if (trimmed(cell).empty()) continue;
-    const std::optional<double> number = parse_number(trimmed(cell));
+    const std::optional<double> number = table.number_of_cell(trimmed(cell));
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -71,7 +73,7 @@ void add_other(const CsvTable& table, const std::string& header, FileInfo& info)
   const std::vector<std::string> cells = table.texts(header);
   Json json{{"header", header}, {"quantity", nullptr}};
   std::string text;
-  if (const auto numbers = plain_numbers(cells)) {
+  if (const auto numbers = plain_numbers(table, cells)) {
     add_range(*numbers, json);
     text = "numbers, " + range_text(*numbers, "");
   } else {
@@ -94,6 +96,19 @@ void add_standard_figures(const TestType& type, const TesterFile& file, FileInfo
   for (const std::string& text : figures.texts) info.lines.push_back(labelled(figures.label, text));
 }
 
+/// Which sheet of a workbook is described.
+void add_sheet(const TesterFile& file, FileInfo& info) {
+  if (file.sheets.empty()) return;
+  const std::string& sheet = file.csv.sheet.empty() ? file.sheets.front() : file.csv.sheet;
+  info.json["sheet"] = sheet;
+  info.json["sheets"] = file.sheets;
+  const std::string others =
+      file.sheets.size() == 1
+          ? std::string()
+          : fmt::format(" (of {}; `--sheet NAME` takes another)", list_of_names(file.sheets));
+  info.lines.push_back(labelled("sheet", sheet + others));
+}
+
 /// What stands above the table, and how its rows go to and fro.
 void add_tester(const TesterFile& file, FileInfo& info) {
   if (!file.csv.encoding.empty()) info.lines.push_back(labelled("encoding", file.csv.encoding));
@@ -111,6 +126,12 @@ void add_tester(const TesterFile& file, FileInfo& info) {
     info.lines.push_back(labelled(fact.field, fmt::format("{} (line {}: {})", fact.value, fact.line,
                                                           one_line(fact.written, 60))));
   }
+}
+
+void add_footer(const CsvTable& table, FileInfo& info) {
+  if (table.footer().empty()) return;
+  info.json["footer"] = table.footer();
+  info.lines.push_back(labelled("below the rows", one_line(table.footer(), 60) + " (left out)"));
 }
 
 /// The lines of a study that take the table; none where nothing of a test was recognised.
@@ -131,7 +152,8 @@ FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading) 
   const TesterFile file = read_tester_file(path, reading);
   const CsvTable table = read_csv(path, file.csv);
   const UnderstoodColumns understood = understood_columns(table);
-  FileInfo info = begin_info(path, "csv");
+  FileInfo info = begin_info(path, file.sheets.empty() ? "csv" : "workbook");
+  add_sheet(file, info);
   info.json["rows"] = table.rows();
   info.json["header_line"] = table.header_line();
   info.json["columns"] = Json::array();
@@ -157,6 +179,7 @@ FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading) 
     if (type->standard_figures) add_standard_figures(*type, file, info);
   }
   add_tester(file, info);
+  add_footer(table, info);
   add_study_lines(file, info);
   info.json["warnings"] = info.warnings;
   return info;

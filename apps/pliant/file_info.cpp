@@ -11,6 +11,7 @@
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/io/file_kind.h"
 #include "pliant/io/journal_file.h"
 #include "pliant/io/text_file.h"
 #include "pliant/io/workbook.h"
@@ -45,6 +46,8 @@ FileInfo document_info(const fs::path& path, const Document& document) {
   const std::string expected =
       "study/1, lab/1, scene/1, session/1, material/1, fit/1, evaluation/1 or simulation/1";
   const std::optional<std::string> type = document_type(document);
+  const auto foreign = type ? std::nullopt : kind_of_foreign_document(document);
+  if (foreign) throw InputError({document.file}, "is " + foreign->what, foreign->way_in);
   if (!type) {
     throw InputError({document.file, document.root.line, "pliant"}, "is missing",
                      "type and version of the document: " + expected);

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/nearest_name.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/io/file_kind.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -17,35 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file is called, and what may be done with it.
-struct Way {
-  std::string what;
-  std::string in;  ///< {} stands for the file
-};
-
-const Way* way_of_ending(const std::string& ending) {
-  static const Way table{"a table of measurements",
-                         "a study of it, which `pliant init --from {0} -o DIR` writes"};
-  static const Way photo{
-      "a photograph", "a study of its strip, which `pliant import {0} -o DIR --scale ...` makes"};
-  static const Way mesh{"a mesh", "a scene that names it (`mesh: {{file: {0}, unit: mm}}`)"};
-  static const Way hdf{"an HDF5 file, which no command reads",
-                       "its series saved as CSV, and `pliant init --from` that"};
-  static const Way old_workbook{
-      "a workbook of the old kind, which no command reads",
-      "the workbook saved as .xlsx or CSV, and `pliant init --from` that"};
-  static const std::map<std::string, const Way*> ways{
-      {".csv", &table},       {".tsv", &table},  {".txt", &table},  {".xlsx", &table},
-      {".xlsm", &table},      {".jpg", &photo},  {".jpeg", &photo}, {".png", &photo},
-      {".tif", &photo},       {".tiff", &photo}, {".bmp", &photo},  {".obj", &mesh},
-      {".ply", &mesh},        {".vtu", &mesh},   {".h5", &hdf},     {".hdf5", &hdf},
-      {".xls", &old_workbook}};
-  const auto found = ways.find(ending);
-  return found == ways.end() ? nullptr : found->second;
-}
-
-Way way_of_document(const std::string& type) {
-  static const std::map<std::string, Way> ways{
+FileKind kind_of_document(const std::string& type, const std::string& file) {
+  static const std::map<std::string, FileKind> kinds{
       {"study/1", {"a study", "`pliant fit {0} -o DIR`"}},
       {"lab/1", {"a lab", "`pliant lab {0} -o DIR`"}},
       {"scene/1", {"a scene", "`pliant simulate {0} -o DIR`"}},
@@ -55,44 +32,97 @@ Way way_of_document(const std::string& type) {
       {"fit/1", {"the result of a fit", "`pliant report` of its folder"}},
       {"evaluation/1", {"the result of an evaluation", "`pliant report` of its folder"}},
       {"simulation/1", {"the result of a simulation", "`pliant report` of its folder"}}};
-  const auto found = ways.find(type);
-  return found == ways.end() ? Way{"a document of type " + quoted_value(type), "{0}"}
-                             : found->second;
+  const auto found = kinds.find(type);
+  if (found == kinds.end()) return {"a document of type " + quoted_value(type), file};
+  return {found->second.what, fmt::format(fmt::runtime(found->second.way_in), file)};
 }
 
-[[noreturn]] void refuse(const fs::path& file, const Way& way, const std::string& type,
+[[noreturn]] void refuse(const fs::path& file, const FileKind& kind, const std::string& type,
                          int line = 0) {
   const std::string field = line > 0 ? "pliant" : "";
-  throw InputError({file.string(), line, field}, fmt::format("is {}, not a {}/1", way.what, type),
-                   fmt::format(fmt::runtime(way.in), file.string()));
+  throw InputError({file.string(), line, field}, fmt::format("is {}, not a {}/1", kind.what, type),
+                   kind.way_in);
 }
 
-/// ARCSim's materials are JSON without a type of document.
-bool is_arcsim_material(const Document& document) {
-  if (document.root.kind != Node::Kind::mapping) return false;
-  const auto has = [&](std::string_view key) {
-    return std::ranges::find(document.root.fields, key, &Node::Field::key) !=
-           document.root.fields.end();
-  };
-  return has("stretching") && has("bending");
+Document read_document(const fs::path& file) {
+  return lower_case_extension(file) == ".json" ? read_json(file) : read_yaml(file);
 }
 
-void refuse_other_document(const fs::path& file, const std::string& ending,
-                           const std::string& type) {
-  const Document document = ending == ".json" ? read_json(file) : read_yaml(file);
+bool may_be_document(const fs::path& file) {
+  const std::string ending = lower_case_extension(file);
+  return ending == ".json" || ending == ".yaml" || ending == ".yml";
+}
+
+void refuse_other_document(const fs::path& file, const std::string& type) {
+  const Document document = read_document(file);
   const std::optional<std::string> told = document_type(document);
-  if (!told && is_arcsim_material(document)) {
-    refuse(file, {"a material of ARCSim, which no command reads yet", "a " + type}, type);
-  }
+  const auto foreign = told ? std::nullopt : kind_of_foreign_document(document);
+  if (foreign) refuse(file, *foreign, type);
   if (told && !told->starts_with(type + "/")) {
-    refuse(file, way_of_document(*told), type, document.root.line);
+    refuse(file, kind_of_document(*told, file.string()), type, document.root.line);
   }
+}
+
+bool is_document_of(const fs::path& file, const std::string& type) {
+  if (!may_be_document(file)) return false;
+  try {
+    return document_type(read_document(file)).value_or("").starts_with(type + "/");
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The files of a folder that fit, by name.
+template <class Fits>
+std::vector<fs::path> files_of(const fs::path& folder, Fits fits) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && fits(entry.path())) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Files as a shell takes them: by a pattern, where it means no other kind of table.
+std::string shell_names(const std::vector<fs::path>& tables) {
+  const fs::path& first = tables.front();
+  const bool alike = std::ranges::all_of(
+      tables, [&](const fs::path& table) { return table.extension() == first.extension(); });
+  if (alike && tables.size() > 1) {
+    return (first.parent_path() / ("*" + first.extension().string())).string();
+  }
+  std::vector<std::string> names;
+  for (const fs::path& table : tables) names.push_back(table.string());
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+/// A folder of measurements that are in no study yet.
+[[noreturn]] void refuse_tables(const fs::path& folder, const std::vector<fs::path>& tables) {
+  throw InputError(
+      {folder.string()}, "is a directory of tables that holds no study",
+      fmt::format("a study, which `pliant init --from {} -o DIR` writes", shell_names(tables)));
 }
 
 fs::path document_of_folder(const fs::path& folder, const std::string& type) {
   const fs::path document = folder / (type + (type == "material" ? ".json" : ".yaml"));
   if (fs::exists(document)) return document;
-  if (fs::exists(folder / "session.yaml")) refuse(folder, way_of_document("session/1"), type);
+  if (fs::exists(folder / "session.yaml")) {
+    refuse(folder, kind_of_document("session/1", folder.string()), type);
+  }
+  const auto others = files_of(folder, [&](const fs::path& f) { return is_document_of(f, type); });
+  if (others.size() == 1) return others.front();
+  if (others.size() > 1) {
+    std::vector<std::string> names;
+    for (const fs::path& other : others) names.push_back(other.filename().string());
+    throw InputError({folder.string()},
+                     fmt::format("is a directory of several documents of type {}", type),
+                     list_of_names(names));
+  }
+  const auto tables = files_of(folder, [](const fs::path& file) {
+    const auto kind = kind_of_file(file);
+    return kind && kind->is_table;
+  });
+  if (type == "study" && !tables.empty()) refuse_tables(folder, tables);
   throw InputError({folder.string()},
                    fmt::format("is a directory that holds no {}", document.filename().string()),
                    fmt::format("a {}, or a folder that holds one", type));
@@ -103,11 +133,8 @@ fs::path document_of_folder(const fs::path& folder, const std::string& type) {
 fs::path given_document(const fs::path& file, const std::string& type) {
   if (fs::is_directory(file)) return document_of_folder(file, type);
   if (!fs::exists(file)) return file;  // its reader says so
-  const std::string ending = lower_case_extension(file);
-  if (const Way* way = way_of_ending(ending)) refuse(file, *way, type);
-  if (ending == ".json" || ending == ".yaml" || ending == ".yml") {
-    refuse_other_document(file, ending, type);
-  }
+  if (const auto kind = kind_of_file(file)) refuse(file, *kind, type);
+  if (may_be_document(file)) refuse_other_document(file, type);
   return file;
 }
 

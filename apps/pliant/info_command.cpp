@@ -22,13 +22,23 @@ struct InfoArguments {
   ReadingOptions reading;
 };
 
-void print_info(const CommandContext& context, const InfoArguments& arguments) {
-  const CsvOptions reading = arguments.reading.csv();
-  if (!arguments.plot.empty()) {
-    write_file_atomically(arguments.plot, table_preview(arguments.file, reading));
-    context.say("plot: " + arguments.plot);
+void draw_readings(const CommandContext& context, const InfoArguments& arguments) {
+  const auto page = table_preview(arguments.file, arguments.reading.csv());
+  if (!page) {
+    context.run.progress.message(
+        Level::warning,
+        fmt::format("no plot: {} holds no readings that could be drawn, columns of a force or "
+                    "moment and of what drives it (--columns tells them)",
+                    arguments.file));
+    return;
   }
-  const FileInfo info = describe_file(arguments.file, reading);
+  write_file_atomically(arguments.plot, *page);
+  context.say("plot: " + arguments.plot);
+}
+
+void print_info(const CommandContext& context, const InfoArguments& arguments) {
+  if (!arguments.plot.empty()) draw_readings(context, arguments);
+  const FileInfo info = describe_file(arguments.file, arguments.reading.csv());
   // File names and vendors' texts need not be UTF-8; what is not is replaced rather than refused.
   context.print_json(
       info.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

@@ -33,7 +33,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       ->check(CLI::Range(0, 100000))
       ->group(kGroup);
   command
-      .add_option("--sheet", options.sheet, "Of a workbook (default: the first that holds numbers)")
+      .add_option("--sheet", options.sheet, "Of a workbook (default: the first that holds a test)")
       ->group(kGroup);
 }
 

@@ -12,6 +12,7 @@
 #include "pliant/study/study.h"
 
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/given_document.h"
 
 namespace pliant {
 namespace {
@@ -165,15 +166,10 @@ FileInfo directory_info(const fs::path& path) {
   if (manifest) refuse_missing_files(path, *manifest);
   const bool simulated = fs::exists(path / "simulation.json");
   const bool measured = fs::exists(path / "session.yaml");
-  if (!results && !fitted && !simulated && !measured && !fs::exists(path / "study.yaml")) {
-    throw InputError(
-        {path.string(), 0, ""}, "a directory without study, session or results",
-        "one with study.yaml, session.yaml, fit.json, evaluation.json or simulation.json");
-  }
   FileInfo info = results || fitted ? results_directory_info(path)
                   : simulated       ? simulation_info(path)
                   : measured        ? session_info(path)
-                                    : study_info(path / "study.yaml");
+                                    : study_info(given_document(path, "study"));
   if (manifest) add_manifest(*manifest, info);
   info.json["warnings"] = info.warnings;
   return info;

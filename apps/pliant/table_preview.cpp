@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "pliant/base/errors.h"
 #include "pliant/exchange/tester_file.h"
 #include "pliant/experiment/understood_columns.h"
 #include "pliant/report/preview.h"
@@ -16,9 +15,9 @@ struct Drawn {
   std::vector<double> values;
 };
 
-/// The first of these quantities that the table has.
-Drawn first_of(const CsvTable& table, const UnderstoodColumns& columns,
-               std::initializer_list<const char*> names) {
+/// The first of these quantities that the table has; none where it has none of them.
+std::optional<Drawn> first_of(const CsvTable& table, const UnderstoodColumns& columns,
+                              std::initializer_list<const char*> names) {
   for (const std::string name : names) {
     for (const auto& [header, column] : columns) {
       if (column.quantity != name) continue;
@@ -29,19 +28,21 @@ Drawn first_of(const CsvTable& table, const UnderstoodColumns& columns,
       return drawn;
     }
   }
-  throw InputError({table.file(), table.header_line()}, "holds no readings that could be drawn",
-                   "columns of a force or moment and of what drives it, e.g. told by --columns");
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::string table_preview(const std::filesystem::path& path, const CsvOptions& reading) {
+std::optional<std::string> table_preview(const std::filesystem::path& path,
+                                         const CsvOptions& reading) {
   const TesterFile file = read_tester_file(path, reading);
   const CsvTable table = read_csv(path, file.csv);
   const UnderstoodColumns columns = understood_columns(table);
-  const Drawn driver = first_of(
+  const std::optional<Drawn> driver = first_of(
       table, columns, {"extension", "length", "strain", "angle", "curvature", "distance", "x"});
-  const Drawn measured = first_of(table, columns, {"force", "moment", "weight", "y"});
+  const std::optional<Drawn> measured =
+      first_of(table, columns, {"force", "moment", "weight", "y"});
+  if (!driver || !measured) return std::nullopt;
 
   Preview preview;
   preview.title = path.filename().string();
@@ -49,16 +50,16 @@ std::string table_preview(const std::filesystem::path& path, const CsvOptions& r
                    {"Specimens", fmt::format("{}", file.specimens)}};
   if (file.passes) preview.facts.emplace_back("Ways to and fro", fmt::format("{}", *file.passes));
   for (const TesterFact& fact : file.facts) preview.facts.emplace_back(fact.field, fact.value);
-  preview.driver = driver.label;
-  preview.measured = measured.label;
+  preview.driver = driver->label;
+  preview.measured = measured->label;
   const std::vector<std::string> specimens =
       table.has("specimen") ? table.texts("specimen") : std::vector<std::string>(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (row == 0 || specimens[row] != specimens[row - 1]) {
       preview.series.push_back({specimens[row], {}, {}});
     }
-    preview.series.back().driver.push_back(driver.values[row]);
-    preview.series.back().measured.push_back(measured.values[row]);
+    preview.series.back().driver.push_back(driver->values[row]);
+    preview.series.back().measured.push_back(measured->values[row]);
   }
   return preview_page(preview);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "pliant/io/csv.h"
@@ -8,7 +9,8 @@
 namespace pliant {
 
 /// A page that draws the readings of a table before any fit (report/preview.h).
-/// @throws InputError where the table tells no test whose readings could be drawn
-std::string table_preview(const std::filesystem::path& file, const CsvOptions& reading);
+/// @return none where the table tells no force or moment with what drives it
+std::optional<std::string> table_preview(const std::filesystem::path& file,
+                                         const CsvOptions& reading);
 
 }  // namespace pliant

@@ -323,7 +323,7 @@ TEST(Info, RefusesWhatIsNoneOfPliantsFiles) {
   EXPECT_THAT(problem(folder.write("c.json", "{\"pliant\": \"study/1\"")), testing::Not(IsEmpty()));
   EXPECT_THAT(problem(folder.write("d.yaml", "pliant: study/9\nname: x\n")), HasSubstr("version"));
   EXPECT_THAT(problem(folder.write("e.bin", "")), HasSubstr("empty"));
-  EXPECT_THAT(problem(folder.path()), HasSubstr("without study, session or results"));
+  EXPECT_THAT(problem(TemporaryFolder().path()), HasSubstr("holds no study.yaml"));
   EXPECT_THAT(problem(folder.path() / "none.yaml"), HasSubstr("cannot be read"));
 }
 

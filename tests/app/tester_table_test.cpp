@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pliant/io/workbook.h"
 #include "pliant/study/test_template.h"
 
 #include "app/run_program.h"
 #include "apps/pliant/file_info.h"
+#include "support/workbook.h"
 
 namespace pliant::test {
 namespace {
@@ -78,6 +80,15 @@ TEST(InfoOfATable, TakesWhatAStudySaysOfItsReading) {
   EXPECT_THAT(run_program({"info", table, "--columns", "force"}).err, HasSubstr("NAME=HEADER"));
 }
 
+TEST(InfoOfATable, TellsWhatIsBelowTheRowsAndReadsDecimalCommas) {
+  const TemporaryFolder folder;
+  const FileInfo info =
+      describe_file(folder.write("warp.csv", "Kanal 1;Kanal 2\n0,5;1\n1,5;2\nEnd of test\n"));
+  EXPECT_EQ(info.json["footer"], "End of test");
+  EXPECT_EQ(info.json["columns"][0]["min"], 0.5);
+  EXPECT_THAT(info.lines, Contains(HasSubstr("numbers, 0.5 to 1.5")));
+}
+
 TEST(InfoOfATable, DrawsItsReadings) {
   const TemporaryFolder folder;
   const std::string table = folder.write("a.csv", kTable).string();
@@ -86,7 +97,24 @@ TEST(InfoOfATable, DrawsItsReadings) {
   // A program without its web bundle writes the facts alone.
   EXPECT_THAT(content_of(page), AllOf(HasSubstr("a.csv"), HasSubstr("Specimens")));
   const std::string other = folder.write("b.csv", "a,b\n1,2\n").string();
-  EXPECT_THAT(run_program({"info", other, "--plot", page}).err, HasSubstr("holds no readings"));
+  const ProgramRun without = run_program({"info", other, "--plot", page});
+  EXPECT_EQ(without.status, 0);
+  EXPECT_THAT(without.err, HasSubstr("holds no readings"));
+}
+
+TEST(InfoOfATable, TakesWorkbooks) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> rows{
+      {"Load (N)", "Ext (mm)"}, {"0", "0"}, {"4", "2"}};
+  const std::string file =
+      folder.write("warp.xlsx", test::workbook({{"A", rows}, {"B", rows}})).string();
+  const std::string page = (folder.path() / "a.html").string();
+  const ProgramRun run = run_program({"info", file, "--sheet", "B", "--plot", page});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("warp.xlsx: workbook"), HasSubstr("type: tensile-cycles"),
+                             HasSubstr("sheet: B ")));
+  EXPECT_THAT(content_of(page), HasSubstr("warp.xlsx"));
 }
 
 TEST(Commands, NameTheWayInForFilesOfAnotherKind) {
@@ -109,11 +137,56 @@ TEST(Commands, NameTheWayInForFilesOfAnotherKind) {
   EXPECT_THAT(said("s.yaml", "pliant: study/1\n", "lab"), HasSubstr("`pliant fit"));
   EXPECT_THAT(said("arc.json", R"({"stretching": [], "bending": []})"), HasSubstr("ARCSim"));
   EXPECT_THAT(said("results/fit.json", R"({"pliant": "fit/1"})"), HasSubstr("`pliant report`"));
-  EXPECT_THAT(run_program({"fit", folder.path().string(), "-o", "o"}).err,
+  EXPECT_THAT(run_program({"fit", TemporaryFolder().path().string(), "-o", "o"}).err,
               HasSubstr("holds no study.yaml"));
 }
 
+TEST(Files, OfOtherKindsAreNamedWhereverATableIsMeant) {
+  const TemporaryFolder folder;
+  const std::string output = (folder.path() / "o").string();
+  for (const auto& [name, kind] : std::vector<std::pair<std::string, std::string>>{
+           {"a.jpg", "is a photograph"},
+           {"a.h5", "is an HDF5 file"},
+           {"a.xls", "is a workbook of another kind"}}) {
+    const std::string file = folder.write(name, "\xFF\xD8").string();
+    const std::string study = folder
+                                  .write("study.yaml",
+                                         "pliant: study/1\nname: a\nexperiments:\n  - {name: a, "
+                                         "type: tensile-cycles, direction: warp, length: 10 cm, "
+                                         "width: 5 cm, data: " +
+                                             name + "}\n")
+                                  .string();
+    EXPECT_THAT(run_program({"info", file}).err, HasSubstr(kind));
+    EXPECT_THAT(run_program({"init", "--from", file, "-o", output}).err, HasSubstr(kind));
+    EXPECT_THAT(run_program({"fit", study, "-o", output}).err, HasSubstr(kind));
+  }
+  const std::string mesh = folder.write("pants.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n").string();
+  EXPECT_THAT(run_program({"init", "--from", mesh, "-o", output}).err, HasSubstr("is a mesh"));
+  const std::string arcsim =
+      folder.write("arc.json", R"({"stretching": [], "bending": []})").string();
+  EXPECT_THAT(run_program({"info", arcsim}).err, HasSubstr("is a material of ARCSim"));
+}
+
+TEST(Folders, AreTakenForTheOnlyStudyInThem) {
+  const TemporaryFolder folder;
+  folder.write("warp.csv", kTable);
+  const ProgramRun tables = run_program({"fit", folder.path().string(), "-o", "o"});
+  EXPECT_EQ(tables.status, 2);
+  EXPECT_THAT(tables.err, HasSubstr("`pliant init --from " + (folder.path() / "warp.csv").string() +
+                                    " -o DIR`"));
+  folder.write("poplin.yaml",
+               "pliant: study/1\nname: a\nexperiments:\n  - {name: a, type: tensile-cycles, "
+               "direction: warp, length: 10 cm, width: 5 cm, data: warp.csv}\n");
+  folder.write("scene.yaml", "pliant: scene/1\n");
+  EXPECT_THAT(run_program({"info", folder.path().string()}).out, HasSubstr("poplin.yaml: study/1"));
+  folder.write("jersey.yaml", "pliant: study/1\nname: b\n");
+  EXPECT_THAT(run_program({"fit", folder.path().string(), "-o", "o"}).err,
+              HasSubstr("several documents of type study; expected \"jersey.yaml\" or"));
+}
+
 TEST(Usage, NamesTheNearestCommandAndOption) {
+  EXPECT_THAT(run_program({"fti"}).err, HasSubstr("did you mean \"fit\"?"));
+  EXPECT_THAT(run_program({"inof"}).err, HasSubstr("did you mean \"info\"?"));
   EXPECT_THAT(
       run_program({"simulte"}).err,
       HasSubstr("no command \"simulte\" (did you mean \"simulate\"?); see `pliant --help`"));

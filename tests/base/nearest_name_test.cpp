@@ -17,6 +17,13 @@ TEST(NearestName, FindsSlipsOfTheKeyboard) {
   EXPECT_EQ(nearest_name("date", kNames), "data");
 }
 
+TEST(NearestName, CountsExchangedNeighboursAsOneSlip) {
+  const std::vector<std::string> commands = {"init", "import", "fit", "info"};
+  EXPECT_EQ(nearest_name("fti", commands), "fit");
+  EXPECT_EQ(nearest_name("inof", commands), "info");
+  EXPECT_EQ(nearest_name("ftii", commands), "");
+}
+
 TEST(NearestName, IsEmptyForWordsThatAreFarFromAll) {
   EXPECT_EQ(nearest_name("temperature", kNames), "");
   EXPECT_EQ(nearest_name("", kNames), "");

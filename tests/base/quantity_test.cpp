@@ -85,6 +85,24 @@ TEST(UnitScale, KnowsTheSpellingsOfColumnNames) {
   EXPECT_EQ(unit_scale("furlong", Dimension::length), std::nullopt);
 }
 
+TEST(UnitScale, KnowsUnitsInLettersOfAnotherCase) {
+  EXPECT_EQ(unit_scale("MM", Dimension::length), 1e-3);
+  EXPECT_EQ(unit_scale("n", Dimension::force), 1.0);
+  EXPECT_EQ(unit_scale("KN", Dimension::force), 1e3);
+  EXPECT_EQ(unit_scale("N/MM", Dimension::force_per_length), 1e3);
+  EXPECT_EQ(unit_scale("mpa", Dimension::stress), 1e6);
+  EXPECT_EQ(unit_scale("Newton", Dimension::force), 1.0);
+  EXPECT_EQ(unit_scale("Millimetres", Dimension::length), 1e-3);
+}
+
+TEST(UnitScale, TellsMilliFromMegaByTheirCase) {
+  EXPECT_EQ(unit_scale("mn", Dimension::force), 1e-3);
+  EXPECT_EQ(unit_scale("MN", Dimension::force), std::nullopt);
+  EXPECT_EQ(unit_scale("MN/m", Dimension::force_per_length), std::nullopt);
+  EXPECT_EQ(unit_scale("mPa", Dimension::stress), std::nullopt);
+  EXPECT_FALSE(is_unit("M"));  // a moment's column
+}
+
 TEST(UnitScale, IsNoneForUnitsWithAnOffset) {
   EXPECT_EQ(unit_scale("degC", Dimension::temperature), std::nullopt);
   EXPECT_EQ(unit_scale("K", Dimension::temperature), 1.0);

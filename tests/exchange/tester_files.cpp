@@ -183,6 +183,26 @@ std::vector<MadeUpFile> plain_files() {
       {"Chinese", "pull.csv",
        "\xCA\xB1\xBC\xE4,\xCE\xBB\xD2\xC6,\xC1\xA6\n(s),(mm),(N)\n\"0.00\",\"0.0\",\"0.0\"\n"
        "\"0.02\",\"2.0\",\"4.0\"\n\"0.04\",\"5.0\",\"9.0\"\n\"0.06\",\"1.0\",\"2.0\"\n"},
+      {"CapitalUnits", "pull.csv", "EXTENSION_MM,FORCE_KN\n0,0\n2,0.004\n5,0.009\n1,0.002\n"},
+      {"CapitalUnitsInBrackets", "pull.csv", "KRAFT [N];WEG [MM]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"CapitalUmlaut", "pull.csv", "KRAFT [N];LÄNGENÄNDERUNG [MM]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"SmallUnit", "pull.csv", "Load (n),Stroke (mm)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"CapitalUnitsRow", "pull.csv", "Load,Stroke\nN,MM\n0,0\n4,2\n9,5\n2,1\n"},
+      {"UnitsInWords", "pull.csv", "Load (Newton),Stroke (Millimeters)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"Pounds", "pull.csv",
+       "Load (lbs),Extension (inches)\n0,0\n0.899235772398842,0.07874015748031496\n"
+       "2.0232804878973947,0.19685039370078741\n0.449617886199421,0.03937007874015748\n"},
+      {"CrossheadDisplacement", "pull.csv",
+       "Primary load (N),Crosshead displacement (mm)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"MachineExtension", "pull.csv", "Last (N);Machine extension (mm)\n0;0\n4;2\n9;5\n2;1\n"},
+      {"PrimaryExtension", "pull.csv",
+       "Primary load (N),Primary extension (mm)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"Ausdehnung", "pull.csv", "Last [N];Ausdehnung [mm]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"Traverse", "pull.csv", "Kraft [N];Traverse [mm]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"EndOfTest", "pull.csv", "Load (N),Stroke (mm)\n0,0\n4,2\n9,5\n2,1\nEnd of test\n"},
+      {"DistanceOfAPull", "pull.csv", "Force (N),Distance (mm)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"DistanceOfTheClamps", "pull.csv", "Force (N),Distance (mm)\n0,100\n4,102\n9,105\n2,101\n"},
+      {"NominalStrain", "pull.csv", "Load (N),Nominal strain (%)\n0,0\n4,2\n9,5\n2,1\n"},
       {"GripSeparation", "pull.csv", "FORCE_N,GRIP SEPARATION (mm)\n0,100\n4,102\n9,105\n2,101\n"}};
 }
 
@@ -212,6 +232,7 @@ std::vector<RefusedFile> refused_files() {
        "columns.force"},
       {"UnitThatThereIsNot", "pull.csv", "Kraft (kp);Weg (mm)\n0;0\n4;2\n9;5\n2;1\n",
        "columns.force"},
+      {"MegaOrMilli", "pull.csv", "FORCE_MN,WEG_MM\n0,0\n4,2\n9,5\n2,1\n", "columns.force"},
       {"ForceAlone", "pull.csv", "Time (s),Load (N)\n0,0\n1,4\n2,9\n3,2\n", "columns.extension"},
       {"LongPreamble", "pull.csv", remarks + "Load (N),Stroke (mm)\n0,0\n4,2\n9,5\n2,1\n",
        "skip_rows"}};

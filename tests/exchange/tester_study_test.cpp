@@ -19,6 +19,7 @@
 #include "exchange/tester_files.h"
 #include "io/input_error_of.h"
 #include "io/temporary_folder.h"
+#include "support/workbook.h"
 
 namespace pliant {
 namespace {
@@ -172,6 +173,26 @@ TEST(TesterStudy, MakesSpecimensOfFilesThatDifferInTheirNumber) {
   EXPECT_EQ(study.experiments[1].data.written, "weft-1.csv");
 }
 
+TEST(TesterStudy, TakesTheFirstSheetThatHoldsATestAndNamesThemAll) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> rows{
+      {"Weg [mm]", "Kraft [N]"}, {"0", "0"}, {"2", "4"}};
+  const auto file = folder.write(
+      "pull.xlsx", test::workbook({{"Parameter", {{"Vorkraft", "0.5", "N"}, {"x", "3", "4"}}},
+                                   {"Ergebnisse", {{"Probe", "Fmax [N]"}, {"1", "9"}, {"2", "8"}}},
+                                   {"Probe 1", rows},
+                                   {"Probe 2", rows}}));
+  const TesterFile table = read_tester_file(file, {});
+  EXPECT_EQ(table.csv.sheet, "Probe 1");
+  const ImportedStudy study = tester_study(std::span(&table, 1));
+  EXPECT_THAT(study.study_yaml, HasSubstr("sheet: \"Probe 1\""));
+  EXPECT_THAT(study.notes, ::testing::Contains(HasSubstr(
+                               "the sheet \"Probe 1\" of \"Parameter\", \"Ergebnisse\", \"Probe "
+                               "1\" or \"Probe 2\"; `--sheet NAME` takes another")));
+  EXPECT_EQ(read_tester_file(file, {.sheet = "Probe 2"}).csv.sheet, "Probe 2");
+}
+
 TEST(TesterStudy, NamesEveryBlankWithItsLine) {
   const TemporaryFolder folder;
   const auto study =
@@ -194,6 +215,12 @@ TEST(TesterStudy, LeavesBlankAllThatATestOfATemplateNeeds) {
     fill_in(yaml, {{"density", "150 g/m^2"}, {"side", "up"}});
     EXPECT_EQ(read_study(yaml).experiments.front().type, name);
   }
+}
+
+TEST(TesterStudy, TakesForcesOfAStripThatBucklesForThat) {
+  const TemporaryFolder folder;
+  const auto table = folder.write("a.csv", "Force (mN),Distance (mm)\n0,20\n-9,18\n-12,15\n");
+  EXPECT_EQ(read_tester_file(table, {}).type->name, "buckling-bend");
 }
 
 TEST(TesterStudy, RefusesATestThatTheColumnsAreNotOf) {

@@ -90,6 +90,29 @@ TEST(CsvLayouts, AWrongRowAmongSpecimensIsRefusedAtItsLine) {
   EXPECT_EQ(error.where().line, 4);
 }
 
+TEST(CsvLayouts, WordsBelowTheRowsAreLeftOut) {
+  const CsvTable csv = table("a;b\n1;2\n3;4\n\nEnd of test\nMean;3\n");
+  EXPECT_EQ(csv.rows(), 2u);
+  EXPECT_EQ(csv.footer(), "End of test\nMean;3");
+  EXPECT_EQ(table("a,b\n1,2\n").footer(), "");
+}
+
+TEST(CsvLayouts, WordsAmongTheRowsAreRefused) {
+  const InputError error = input_error_of([] { table("a;b\n1;2\npaused\n3;4\n"); });
+  EXPECT_STREQ(error.what(),
+               "w.csv:3: \"paused\" stands among the rows; expected rows alone, and words below "
+               "the last of them");
+  // What should be a number is no closing word.
+  input_error_of([] { table("a;b\n1;2\nNaN;\n").numbers("a"); });
+}
+
+TEST(CsvLayouts, SeparatorsOfThousandsAreNamed) {
+  for (const char* text : {"a,b\n1,2\n\"1,234.5\",4\n", "a;b\n1;2\n1.234,5;4\n"}) {
+    EXPECT_THAT(input_error_of([&] { table(text).numbers("a"); }).what(),
+                HasSubstr("has a thousands separator; expected numbers without"));
+  }
+}
+
 TEST(CsvLayouts, ColumnsGoByTheirNumbersWhereNoNamesStandAboveThem) {
   const CsvOptions options{.columns = {{"force", "2 (N)"}, {"length_mm", "1"}},
                            .numbered_columns = true};
@@ -125,6 +148,26 @@ TEST(Workbooks, AreReadAsTheirTables) {
   EXPECT_THAT(read_csv(file).numbers("y"), ElementsAre(2, 4));
   EXPECT_THAT(input_error_of([&] { read_csv(file, {.sheet = "Dato"}); }).what(),
               HasSubstr("sheet: there is no sheet \"Dato\" (did you mean \"Data\"?)"));
+}
+
+TEST(Workbooks, MayKeepTheirTextsInCellsAndFormulas) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  using test::WorkbookTexts;
+  const TemporaryFolder folder;
+  for (const auto texts : {WorkbookTexts::in_cells, WorkbookTexts::of_formulas}) {
+    const auto file = folder.write(
+        "w.xlsx", test::workbook({{"A", {{"force_N", "note"}, {"1.5", "a &amp; b"}}}}, texts));
+    const CsvTable csv = read_csv(file, {.sheet = "A"});
+    EXPECT_THAT(csv.numbers("force_N"), ElementsAre(1.5));
+    EXPECT_THAT(csv.texts("note"), ElementsAre("a & b"));
+  }
+}
+
+TEST(Workbooks, NameTheirSheets) {
+  if (!reads_workbooks()) GTEST_SKIP() << "no liborcus";
+  const TemporaryFolder folder;
+  const auto file = folder.write("w.xlsx", test::workbook({{"Parameter", {}}, {"Probe 1", {}}}));
+  EXPECT_THAT(workbook_sheets(file), ElementsAre("Parameter", "Probe 1"));
 }
 
 TEST(Workbooks, ThatAreNoneAreRefused) {

@@ -55,6 +55,15 @@ TEST(Value, ErrorNamesFileLineAndDottedPath) {
   EXPECT_EQ(error.where().line, 11);
 }
 
+TEST(Value, ThatIsMissingIsLookedForAmongKeysThatNobodyAskedFor) {
+  const Document document = parse_yaml("directon: warp\nwidth: 5 cm\n", "study.yaml");
+  Fields fields = Value(document).fields();
+  EXPECT_EQ(input_error_of([&] { fields.require("direction").text(); }).problem(),
+            "is missing (did you mean it by `directon`?)");
+  fields.optional("width");
+  EXPECT_EQ(input_error_of([&] { fields.require("widths").text(); }).problem(), "is missing");
+}
+
 TEST(Value, RefusesADimensionalFieldWithoutUnit) {
   const InputError error = input_error_of([] { value_of("bare").quantity(Dimension::length); });
   EXPECT_EQ(error.problem(), "\"12\" has no unit");

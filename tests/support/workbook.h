@@ -15,9 +15,13 @@ namespace pliant::test {
 /// A sheet of a workbook: its name, and its cells row by row.
 using WorkbookSheet = std::pair<std::string, std::vector<std::vector<std::string>>>;
 
-/// The bytes of a workbook (.xlsx) as spreadsheet programs write it: texts are shared, numbers are
-/// numbers.
-inline std::string workbook(const std::vector<WorkbookSheet>& sheets) {
+/// How a workbook keeps its texts: in a list of all, in each cell, or as what a formula came to.
+enum class WorkbookTexts { shared, in_cells, of_formulas };
+
+/// The bytes of a workbook (.xlsx): spreadsheet programs share its texts, instruments and scripts
+/// write them into the cells; numbers are numbers.
+inline std::string workbook(const std::vector<WorkbookSheet>& sheets,
+                            WorkbookTexts storage = WorkbookTexts::shared) {
   const std::string main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
   const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
   const std::string package = "http://schemas.openxmlformats.org/package/2006/";
@@ -43,6 +47,10 @@ inline std::string workbook(const std::vector<WorkbookSheet>& sheets) {
         const std::string at = static_cast<char>('A' + static_cast<char>(column)) + line;
         if (parse_number(cell)) {
           data += "<c r=\"" + at + "\"><v>" + cell + "</v></c>";
+        } else if (storage == WorkbookTexts::in_cells) {
+          data += "<c r=\"" + at + "\" t=\"inlineStr\"><is><t>" + cell + "</t></is></c>";
+        } else if (storage == WorkbookTexts::of_formulas) {
+          data += "<c r=\"" + at + "\" t=\"str\"><f>B1</f><v>" + cell + "</v></c>";
         } else {
           data += "<c r=\"" + at + "\" t=\"s\"><v>" + std::to_string(texts++) + "</v></c>";
           strings += "<si><t>" + cell + "</t></si>";

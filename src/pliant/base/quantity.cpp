@@ -12,6 +12,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/letter_case.h"
 #include "pliant/base/number_text.h"
 
 namespace pliant {
@@ -29,6 +30,8 @@ enum Use : unsigned {
   kAccepted = 0,
   kAlias = 1,   // another spelling: accepted, but not offered in messages
   kPretty = 2,  // format_quantity may choose it
+  // How testers' tables write a unit; documents write its symbol.
+  kInTables = 4,
 };
 
 struct Unit {
@@ -39,21 +42,59 @@ struct Unit {
 };
 
 // The first of each list is the SI unit, except for fractions.
-constexpr Unit kLengths[] = {{"m", 1, kPretty},     {"cm", 1e-2},  {"mm", 1e-3, kPretty},
-                             {"um", 1e-6, kPretty}, {"in", kInch}, {"inch", kInch, kAlias}};
+constexpr Unit kLengths[] = {{"m", 1, kPretty},
+                             {"cm", 1e-2},
+                             {"mm", 1e-3, kPretty},
+                             {"um", 1e-6, kPretty},
+                             {"in", kInch},
+                             {"inch", kInch, kAlias},
+                             {"inches", kInch, kInTables},
+                             {"millimeter", 1e-3, kInTables},
+                             {"millimeters", 1e-3, kInTables},
+                             {"millimetre", 1e-3, kInTables},
+                             {"millimetres", 1e-3, kInTables},
+                             {"centimeter", 1e-2, kInTables},
+                             {"centimeters", 1e-2, kInTables},
+                             {"centimetre", 1e-2, kInTables},
+                             {"centimetres", 1e-2, kInTables},
+                             {"meter", 1, kInTables},
+                             {"meters", 1, kInTables},
+                             {"metre", 1, kInTables},
+                             {"metres", 1, kInTables}};
 constexpr Unit kMasses[] = {{"kg", 1, kPretty},
                             {"g", 1e-3, kPretty},
                             {"mg", 1e-6, kPretty},
                             {"lb", kPound},
                             {"oz", kOunce}};
-constexpr Unit kForces[] = {{"N", 1, kPretty},         {"kN", 1e3},
-                            {"mN", 1e-3, kPretty},     {"cN", 1e-2},
-                            {"uN", 1e-6, kPretty},     {"gf", kGramForce},
-                            {"kgf", kStandardGravity}, {"lbf", kPoundForce},
-                            {"N m/m", 1, kAlias},      {"gf cm/cm", kGramForce, kAlias}};
-constexpr Unit kTimes[] = {{"s", 1, kPretty}, {"ms", 1e-3, kPretty}, {"us", 1e-6},      {"min", 60},
-                           {"h", 3600},       {"sec", 1, kAlias},    {"Sec", 1, kAlias}};
-constexpr Unit kAngles[] = {{"rad", 1}, {"deg", kDegree, kPretty}};
+constexpr Unit kForces[] = {{"N", 1, kPretty},
+                            {"kN", 1e3},
+                            {"mN", 1e-3, kPretty},
+                            {"cN", 1e-2},
+                            {"uN", 1e-6, kPretty},
+                            {"gf", kGramForce},
+                            {"kgf", kStandardGravity},
+                            {"lbf", kPoundForce},
+                            {"newton", 1, kInTables},
+                            {"newtons", 1, kInTables},
+                            {"kilonewton", 1e3, kInTables},
+                            {"lb", kPoundForce, kInTables},
+                            {"lbs", kPoundForce, kInTables},
+                            {"N m/m", 1, kAlias},
+                            {"gf cm/cm", kGramForce, kAlias}};
+constexpr Unit kTimes[] = {{"s", 1, kPretty},
+                           {"ms", 1e-3, kPretty},
+                           {"us", 1e-6},
+                           {"min", 60},
+                           {"h", 3600},
+                           {"sec", 1, kAlias},
+                           {"Sec", 1, kAlias},
+                           {"second", 1, kInTables},
+                           {"seconds", 1, kInTables},
+                           {"minutes", 60, kInTables}};
+constexpr Unit kAngles[] = {{"rad", 1},
+                            {"deg", kDegree, kPretty},
+                            {"degree", kDegree, kInTables},
+                            {"degrees", kDegree, kInTables}};
 constexpr Unit kAreas[] = {{"m^2", 1, kPretty}, {"cm^2", 1e-4, kPretty}, {"mm^2", 1e-6, kPretty}};
 constexpr Unit kAreaDensities[] = {{"kg/m^2", 1},
                                    {"g/m^2", 1e-3, kPretty},
@@ -162,11 +203,30 @@ std::string canonical(std::string_view unit) {
   return result;
 }
 
-std::optional<UnitConversion> find_unit(const std::string& canonical_unit, Dimension dimension) {
-  for (const Unit& unit : entry_of(dimension).units) {
-    if (canonical(unit.name) == canonical_unit) return UnitConversion{unit.scale, unit.offset};
-  }
-  return std::nullopt;
+/// Whether a text is a unit in letters of another case, which leave no doubt: MN is not mN, mPa not
+/// MPa, and M alone may be a moment.
+bool is_unit_in_other_case(std::string_view text, std::string_view unit) {
+  if (!same_letters(text, unit) || text == "M") return false;
+  const bool has_prefix =
+      unit.size() > 1 && (unit[0] == 'm' || unit[0] == 'M') && (unit[1] == 'N' || unit[1] == 'P');
+  return !has_prefix || text[0] == unit[0] || text == lower_case(text);
+}
+
+/// The first unit of a dimension of which `is_meant` holds.
+template <class IsMeant>
+std::optional<UnitConversion> find_unit(Dimension dimension, IsMeant is_meant) {
+  const auto units = entry_of(dimension).units;
+  const auto found = std::ranges::find_if(units, is_meant);
+  return found == units.end() ? std::nullopt
+                              : std::optional(UnitConversion{found->scale, found->offset});
+}
+
+/// As documents write units: by their symbols.
+std::optional<UnitConversion> unit_by_symbol(std::string_view text, Dimension dimension) {
+  const std::string spelling = canonical(text);
+  return find_unit(dimension, [&](const Unit& unit) {
+    return (unit.use & kInTables) == 0 && canonical(unit.name) == spelling;
+  });
 }
 
 /// Size of the number at the start of `text`.
@@ -226,7 +286,7 @@ double parse_quantity(std::string_view text, Dimension dimension) {
     throw QuantityError(quoted_value(text) + " has a decimal comma",
                         expected + " and a decimal point");
   }
-  const std::optional<UnitConversion> conversion = unit_conversion(unit, dimension);
+  const std::optional<UnitConversion> conversion = unit_by_symbol(unit, dimension);
   if (!conversion) {
     throw QuantityError(fmt::format("{}: {} is no unit of {}", quoted_value(text),
                                     quoted_value(unit), dimension_name(dimension)),
@@ -238,7 +298,11 @@ double parse_quantity(std::string_view text, Dimension dimension) {
 }
 
 std::optional<UnitConversion> unit_conversion(std::string_view unit, Dimension dimension) {
-  return find_unit(canonical(unit), dimension);
+  if (const auto by_symbol = unit_by_symbol(unit, dimension)) return by_symbol;
+  const std::string spelling = canonical(unit);
+  return find_unit(dimension, [&](const Unit& known) {
+    return is_unit_in_other_case(spelling, canonical(known.name));
+  });
 }
 
 std::optional<double> unit_scale(std::string_view unit, Dimension dimension) {
@@ -248,9 +312,8 @@ std::optional<double> unit_scale(std::string_view unit, Dimension dimension) {
 }
 
 bool is_unit(std::string_view unit) {
-  const std::string name = canonical(unit);
   for (int i = 0; i <= static_cast<int>(Dimension::fraction); ++i) {
-    if (find_unit(name, static_cast<Dimension>(i))) return true;
+    if (unit_conversion(unit, static_cast<Dimension>(i))) return true;
   }
   return false;
 }
@@ -262,7 +325,7 @@ std::string si_unit(Dimension dimension) { return entry_of(dimension).si_unit; }
 std::vector<std::string> units_of(Dimension dimension) {
   std::vector<std::string> names;
   for (const Unit& unit : entry_of(dimension).units) {
-    if ((unit.use & kAlias) == 0) names.emplace_back(unit.name);
+    if ((unit.use & (kAlias | kInTables)) == 0) names.emplace_back(unit.name);
   }
   return names;
 }

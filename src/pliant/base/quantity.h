@@ -55,7 +55,7 @@ struct UnitConversion {
 /// @throws QuantityError naming the units accepted
 double parse_quantity(std::string_view text, Dimension dimension);
 
-/// The conversion of a unit, in any of its spellings: "N/m", "N_per_m", "kg/m^2", "kg/m2".
+/// The conversion of a unit in any spelling: "N/m", "N_per_m", "kg/m2", "MM"; MN is never mN.
 std::optional<UnitConversion> unit_conversion(std::string_view unit, Dimension dimension);
 
 /// The factor to SI of a unit; none for an unknown unit and for one with an offset (degC).

@@ -1,12 +1,14 @@
 #include "pliant/exchange/tester_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/experiment/understood_columns.h"
 #include "pliant/io/text_file.h"
@@ -45,6 +47,32 @@ std::string found_encoding(const std::filesystem::path& path) {
   const std::optional<std::string> chinese = decoded(bytes, "gbk");
   if (chinese && names_in_chinese(*chinese)) return "gbk";
   return decoded(bytes, "windows-1252") ? "windows-1252" : "";  // the reader says what is wrong
+}
+
+/// Whether a sheet of a workbook holds a table; and whether its columns are those of a test.
+enum class SheetContent { other, table, test };
+
+SheetContent content_of_sheet(const std::filesystem::path& path, const CsvOptions& csv) {
+  try {
+    const CsvTable table = read_csv(path, csv);
+    return usable_types(understood_columns(table)).empty() ? SheetContent::table
+                                                           : SheetContent::test;
+  } catch (const InputError&) {
+    return SheetContent::other;
+  }
+}
+
+/// The first sheet that holds a test, else the first that holds a table; empty where none does.
+std::string found_sheet(const std::filesystem::path& path, CsvOptions csv,
+                        const std::vector<std::string>& sheets) {
+  std::string table;
+  for (const std::string& sheet : sheets) {
+    csv.sheet = sheet;
+    const SheetContent content = content_of_sheet(path, csv);
+    if (content == SheetContent::test) return sheet;
+    if (content == SheetContent::table && table.empty()) table = sheet;
+  }
+  return table;
 }
 
 /// What drives a test along its path.
@@ -87,6 +115,23 @@ std::string blank_column(const CsvTable& table, const std::vector<std::string>& 
   return std::string(kBlank);
 }
 
+/// Whether a table of forces and distances that could be a bent strip's pulls harder than one
+/// does: strips that buckle push with some mN.
+bool is_pull(const CsvTable& table, const TestType& type) {
+  constexpr double kLargestBend = 1;  // N
+  if (&type != &buckling_bend_type()) return false;
+  const std::vector<double> force = table.quantity("force", Dimension::force);
+  return std::ranges::any_of(force, [](double f) { return std::abs(f) > kLargestBend; });
+}
+
+/// Distances that begin near zero are counted from the gauge length.
+std::string name_of_distance(const CsvTable& table) {
+  constexpr double kNearZero = 0.1;  // of the largest
+  const std::vector<double> distance = table.quantity("distance", Dimension::length);
+  const auto [least, most] = std::ranges::minmax_element(distance);
+  return std::abs(*least) < kNearZero * *most ? "extension" : "length";
+}
+
 /// A strip that is pulled is what testers are used for most.
 void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, TesterFile& file) {
   const auto is_understood = [&](std::string_view name) {
@@ -96,6 +141,10 @@ void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, Te
   file.is_type_known = false;
   if (!is_understood("force")) file.columns["force"] = blank_column(table, {"force"});
   if (is_understood("extension") || is_understood("length") || is_understood("strain")) return;
+  if (is_understood("distance")) {
+    file.columns[name_of_distance(table)] = *table.quantity_column("distance", Dimension::length);
+    return;
+  }
   const bool is_length = !table.quantity_column("extension") && table.is_stated("length");
   file.columns[is_length ? "length" : "extension"] = blank_column(table, {"extension", "length"});
 }
@@ -106,12 +155,19 @@ TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
                             const TestType* type) {
   csv.synonyms = column_synonyms();
   csv.numbered_columns = true;
-  if (csv.encoding.empty() && !is_workbook(path)) csv.encoding = found_encoding(path);
+  std::vector<std::string> sheets;
+  if (is_workbook(path)) {
+    sheets = workbook_sheets(path);
+    if (csv.sheet.empty() && sheets.size() > 1) csv.sheet = found_sheet(path, csv, sheets);
+  } else if (csv.encoding.empty()) {
+    csv.encoding = found_encoding(path);
+  }
   const CsvTable table = read_csv(path, csv);
   const UnderstoodColumns columns = understood_columns(table);
 
   TesterFile file;
   file.path = path;
+  file.sheets = std::move(sheets);
   file.columns = csv.columns;
   file.csv = std::move(csv);
   file.rows = static_cast<int>(table.rows());
@@ -128,7 +184,9 @@ TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
                      R"(these columns, told by "columns")");
   }
   file.type = is_usable || types.empty() ? type : type ? type : types.front();
-  if (!is_usable && (types.empty() || type)) take_as_tensile(table, columns, file);
+  const bool is_unusable = !is_usable && (types.empty() || type);
+  const bool is_misnamed = !type && !types.empty() && is_pull(table, *types.front());
+  if (is_unusable || is_misnamed) take_as_tensile(table, columns, file);
   count_passes(table, columns, file);
   return file;
 }

@@ -19,6 +19,7 @@ struct TesterFile {
   const TestType* type = nullptr;  ///< the test whose data it holds
   bool is_type_known = true;       ///< by its columns, or as asked
   std::map<std::string, std::string> columns;  ///< what a study must say of them, blanks included
+  std::vector<std::string> sheets;             ///< of a workbook, all of them; else none
   std::vector<TesterFact> facts;               ///< what stands above the table
   std::string direction;  ///< by the preamble or the file's name; empty: not told
   int rows = 0;
@@ -29,7 +30,8 @@ struct TesterFile {
 };
 
 /// Reads and understands a table.
-/// @param csv   how to read it, as far as it is known; columns that it names are taken as they are
+/// @param csv   how to read it, as far as it is known; columns that it names are taken as they are;
+///              of a workbook whose sheet is not told the first that holds a test is taken
 /// @param type  of the test; null: found by the columns
 /// @throws InputError when it is no table, or one that a given type cannot use
 TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,

@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/nearest_name.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/io/text_file.h"
 #include "pliant/study/blank_fields.h"
@@ -143,7 +144,9 @@ std::string data_lines(const Group& group) {
     text += line(6, "encoding: " + yaml_text(csv.encoding), "as it seems");
   }
   if (csv.skip_rows > 0) text += line(6, fmt::format("skip_rows: {}", csv.skip_rows));
-  if (!csv.sheet.empty()) text += line(6, "sheet: " + yaml_text(csv.sheet));
+  if (!csv.sheet.empty()) {
+    text += line(6, "sheet: " + yaml_text(csv.sheet), "of " + list_of_names(file.sheets));
+  }
   if (!file.columns.empty()) text += line(6, "columns:");
   for (const auto& [ours, theirs] : file.columns) {
     const bool blank = theirs.find(kBlank) != std::string::npos;
@@ -211,6 +214,18 @@ std::string density_line(std::span<const TesterFile> files) {
                 : line(0, "# density: 150 g/m^2", "mass of a piece of the fabric per area");
 }
 
+/// Which sheets were taken of workbooks that have several.
+std::vector<std::string> sheet_notes(std::span<const TesterFile> files) {
+  std::vector<std::string> notes;
+  for (const TesterFile& file : files) {
+    if (file.csv.sheet.empty()) continue;
+    notes.push_back(fmt::format("{}: the sheet {} of {}; `--sheet NAME` takes another",
+                                name_of(file), quoted_value(file.csv.sheet),
+                                list_of_names(file.sheets)));
+  }
+  return notes;
+}
+
 /// Each line of a study that is left blank, for the user.
 std::vector<std::string> blank_notes(const std::string& study) {
   std::vector<std::string> notes;
@@ -248,6 +263,7 @@ ImportedStudy tester_study(std::span<const TesterFile> files) {
     study.notes.push_back(
         fmt::format("{}: {}, {}", name_of(file), file.type->name, passes_text(file)));
   }
+  std::ranges::move(sheet_notes(files), std::back_inserter(study.notes));
   std::string material = value_of(files.front(), "material");
   if (material.empty()) material = without_number(files.front());
   if (material.empty()) material = files.front().path.stem().string();

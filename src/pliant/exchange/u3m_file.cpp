@@ -11,6 +11,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/io/text_file.h"
+#include "pliant/io/workbook.h"
 #include "pliant/io/zip_file.h"
 
 namespace pliant {
@@ -130,6 +131,7 @@ std::optional<Value> find_material(const U3mFile& file) {
 }
 
 bool is_u3m(const fs::path& path) {
+  if (is_workbook(path)) return false;  // a zip archive too
   const std::string extension = lower_case_extension(path);
   const std::string bytes = read_text_file(path);
   if (extension == ".u3m" || extension == ".u3ma" || is_zip(bytes)) return true;

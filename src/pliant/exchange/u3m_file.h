@@ -29,9 +29,9 @@ std::optional<Value> find_material(const U3mFile& file);
 std::optional<Value> find_value(const std::optional<Value>& root,
                                 std::initializer_list<std::string_view> path);
 
-/// Whether a file is U3M, by its name (.u3m, .u3ma) or by its content: a zip archive, or JSON with
-/// the keys of a physics file or of a material. Whether it is sound only `read_u3m_file` tells: a
-/// physics file that breaks off counts as one.
+/// Whether a file is U3M, by its name (.u3m, .u3ma) or by its content: a zip archive that is no
+/// workbook, or JSON with the keys of a physics file or of a material. Whether it is sound only
+/// `read_u3m_file` tells: a physics file that breaks off counts as one.
 /// @throws InputError when the file cannot be read
 bool is_u3m(const std::filesystem::path& path);
 

@@ -52,6 +52,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   data.optional_integers("cycle");
   info.handled = spec.told;
   std::ranges::copy(data.columns_by_synonym(), std::back_inserter(info.handled));
+  std::ranges::copy(data.lines_left_out(), std::back_inserter(info.handled));
   for (const ExcludedRows& range : spec.excluded) {
     info.handled.push_back(
         fmt::format("rows {}-{} are left out: {}", range.first, range.last, range.reason));

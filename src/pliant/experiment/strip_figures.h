@@ -16,6 +16,7 @@ struct PulledRows {
   std::string column, unit;    ///< that its stretch was read from: length, extension or strain
   std::vector<double> length;  ///< between the clamps (m)
   std::vector<double> force;   ///< N
+  bool is_turned = false;      ///< the file counts a pull negative
 };
 
 /// The figures of a strip, by which its units and sizes are judged: what it measures and weighs, as

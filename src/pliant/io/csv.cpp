@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/letter_case.h"
 #include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
 
@@ -37,14 +38,18 @@ std::string unit_of_header(std::string_view header) {
   return {};
 }
 
-std::string problem_of_number(std::string_view cell) {
-  return cell.empty() ? "the cell is empty" : quoted_value(cell) + " is not a finite number";
+/// "1,234.5" and "1.234,5": a separator of thousands, and another one of decimals.
+bool has_thousands_separator(std::string_view cell) {
+  const auto commas = std::ranges::count(cell, ',');
+  const auto points = std::ranges::count(cell, '.');
+  if (cell.find_first_not_of("+-.,0123456789") != std::string_view::npos) return false;
+  return (commas > 0 && points > 0) || commas > 1 || points > 1;
 }
 
-/// Letters' case aside; other letters than those of English are as they are.
-bool same_letters(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
+std::string problem_of_number(std::string_view cell) {
+  if (cell.empty()) return "the cell is empty";
+  return quoted_value(cell) +
+         (has_thousands_separator(cell) ? " has a thousands separator" : " is not a finite number");
 }
 
 /// The unit of a header that names the quantity `name`, as NAME_UNIT, NAME (UNIT), NAME [UNIT],
@@ -68,12 +73,6 @@ std::optional<std::string> unit_of_quantity(std::string_view header, std::string
     if (is_unit(unit)) return std::string(unit);
   }
   return std::nullopt;
-}
-
-std::optional<double> parse_comma_number(std::string_view text, std::size_t comma) {
-  std::string with_point(text);
-  with_point[comma] = '.';
-  return parse_number(with_point);
 }
 
 }  // namespace
@@ -225,7 +224,7 @@ std::optional<CsvTable::QuantityColumn> CsvTable::mapped_quantity(std::string_vi
     }
     const std::string& row_unit = columns_[index].unit;
     const std::string told = row_unit.empty() ? unit_of_header(columns_[index].header) : row_unit;
-    if (!stated->empty() && is_unit(told) && told != *stated) {
+    if (!stated->empty() && is_unit(told) && !same_letters(told, *stated)) {
       fail(header_line_, index, fmt::format("its unit is {}, not {}", told, *stated));
     }
     found = QuantityColumn{index, stated->empty() ? told : *stated};
@@ -287,6 +286,14 @@ UnitConversion CsvTable::conversion_of(const QuantityColumn& column, Dimension d
   fail(header_line_, column.index, problem, expected_quantity(dimension));
 }
 
+std::optional<double> CsvTable::number_of_cell(std::string_view cell) const {
+  const std::size_t comma = decimal_comma_allowed_ ? cell.find(',') : std::string_view::npos;
+  if (comma == std::string_view::npos) return parse_number(cell);
+  std::string with_point(cell);
+  with_point[comma] = '.';
+  return parse_number(with_point);
+}
+
 std::vector<double> CsvTable::read_numbers(std::size_t column) const {
   used_.insert(column);
   std::vector<double> values;
@@ -295,12 +302,13 @@ std::vector<double> CsvTable::read_numbers(std::size_t column) const {
   int point_line = 0;
   for (std::size_t row = 0; row < rows(); ++row) {
     const std::string_view text = trimmed(cell(row, column));
-    const std::size_t comma = decimal_comma_allowed_ ? text.find(',') : std::string_view::npos;
-    if (comma != std::string_view::npos) comma_line = lines_[row];
+    if (text.find(',') != std::string_view::npos) comma_line = lines_[row];
     if (text.find('.') != std::string_view::npos) point_line = lines_[row];
-    const std::optional<double> value =
-        comma == std::string_view::npos ? parse_number(text) : parse_comma_number(text, comma);
-    if (!value) fail(lines_[row], column, problem_of_number(text), "a number");
+    const std::optional<double> value = number_of_cell(text);
+    if (!value) {
+      fail(lines_[row], column, problem_of_number(text),
+           has_thousands_separator(text) ? "numbers without separators of thousands" : "a number");
+    }
     if (comma_line > 0 && point_line > 0) {
       fail(
           lines_[row], column,

@@ -34,6 +34,7 @@ struct CsvOptions {
 /// Columns are separated by tab, `;` or `,`, whichever fits the header and the row after it. Cells
 /// may be quoted (RFC 4180). Lines that start with `#` and empty rows are left out, and so is what
 /// an instrument writes above: the header is the first row of names with a row of numbers under it.
+/// Lines of words below the last row are left out, too.
 /// A row of units under the header, "(s);(mm);(N)" or "s;mm;N", gives the units of its columns.
 /// Specimens side by side (a header that repeats its names) or one below the other (a header that
 /// comes again) are told apart by a column `specimen`.
@@ -50,6 +51,10 @@ class CsvTable {
   int line(std::size_t row) const { return lines_.at(row); }
   /// What stands above the header, an instrument's preamble.
   std::string_view preamble() const { return std::string_view(text_).substr(0, preamble_size_); }
+  /// What stands below the last row, a machine's closing words.
+  std::string_view footer() const {
+    return std::string_view(text_).substr(footer_.begin, footer_.size);
+  }
   /// The line of the header row; 0 where the columns are numbered.
   int header_line() const { return header_line_; }
   /// The headers as they stand in the file, in its order.
@@ -81,6 +86,9 @@ class CsvTable {
   std::vector<double> numbers(std::string_view name) const;
   std::vector<long> integers(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
+
+  /// The number that a cell is, with a decimal comma too where the table may have it.
+  std::optional<double> number_of_cell(std::string_view cell) const;
 
   /// Our names of the columns that were found by a synonym, with their headers.
   const std::map<std::string, std::string>& found_by_synonym() const { return found_; }
@@ -129,6 +137,7 @@ class CsvTable {
   std::string text_;
   bool decimal_comma_allowed_ = false;
   std::size_t preamble_size_ = 0;
+  Cell footer_;
   int header_line_ = 0;
   std::vector<Column> columns_;
   std::vector<Cell> cells_;  // row by row

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/letter_case.h"
 #include "pliant/base/number_text.h"
 #include "pliant/io/csv.h"
 #include "pliant/io/csv_finder.h"
+#include "pliant/io/file_kind.h"
 #include "pliant/io/text_file.h"
 #include "pliant/io/workbook.h"
 
@@ -59,6 +61,9 @@ class CsvParser {
     while (more) {
       if (begins_next_specimen()) {
         more = skip_to_next_specimen();
+      } else if (begins_footer()) {
+        take_footer();
+        more = false;
       } else {
         add_row();
         more = next_record();
@@ -274,18 +279,64 @@ class CsvParser {
     const std::size_t columns = table_.columns_.size();
     drop_empty_cells_beyond(columns);
     if (groups_.count > 0 && record_.size() < columns) record_.resize(columns);
-    if (record_.size() != columns) {
-      fail(record_line_, fmt::format("the row has {} cells", record_.size()),
-           table_.header_line_ == 0 ? fmt::format("{} as in the first row", columns)
-                                    : fmt::format("{} as in the header in line {} ({})", columns,
-                                                  table_.header_line_, kSkipRowsHint));
-    }
+    if (record_.size() != columns) fail_row();
     table_.lines_.push_back(record_line_);
     table_.cells_.insert(table_.cells_.end(), record_.begin(), record_.end());
     if (table_.lines_.size() > kMaxCsvRows || table_.cells_.size() > kMaxCsvCells) {
       fail(record_line_, "the table is too large",
            fmt::format("at most {} rows and {} cells", kMaxCsvRows, kMaxCsvCells));
     }
+  }
+
+  /// Whether rows were read, and begin with a number.
+  bool has_readings() const {
+    return !table_.lines_.empty() && is_csv_number(view(table_.cells_.front()), separator_);
+  }
+
+  /// A row of another length than its header. Unless readings stand between them, it may be the
+  /// header that is wrong.
+  [[noreturn]] void fail_row() const {
+    const std::size_t columns = table_.columns_.size();
+    if (is_remark(view(record_.front()))) {
+      fail(record_line_,
+           fmt::format("{} stands among the rows", quoted_value(view(record_.front()))),
+           "rows alone, and words below the last of them");
+    }
+    std::string expected = table_.header_line_ == 0 ? fmt::format("{} as in the first row", columns)
+                                                    : fmt::format("{} as in the header in line {}",
+                                                                  columns, table_.header_line_);
+    if (table_.header_line_ > 0 && !has_readings()) {
+      expected += fmt::format(" ({})", kSkipRowsHint);
+    }
+    fail(record_line_, fmt::format("the row has {} cells", record_.size()), expected);
+  }
+
+  /// Whether the first cell of a line is words, where rows begin with a number.
+  bool is_remark(std::string_view first_cell) const {
+    if (!has_readings()) return false;
+    const std::string word = lower_case(first_cell);
+    const bool is_letter =
+        !word.empty() && ((word[0] >= 'a' && word[0] <= 'z') || (word[0] & 0x80) != 0);
+    return is_letter && word != "nan" && word != "inf" && word != "infinity";
+  }
+
+  /// Whether lines without numbers begin, and no row follows them.
+  bool begins_footer() const {
+    if (!is_remark(view(record_.front()))) return false;
+    const auto is_number = [&](std::string_view cell) { return is_csv_number(cell, separator_); };
+    if (std::ranges::any_of(record_, [&](const Cell& cell) { return is_number(view(cell)); })) {
+      return false;
+    }
+    for (std::size_t at = at_; at < text().size(); at = next_csv_line(text(), at)) {
+      const std::vector<std::string_view> cells = csv_cells(text(), at, separator_);
+      if (!cells.empty() && is_number(cells.front())) return false;
+    }
+    return true;
+  }
+
+  void take_footer() {
+    const std::string_view words = trimmed(text_between(record_begin_, text().size()));
+    table_.footer_ = make_cell(record_begin_, record_begin_ + words.size());
   }
 
   /// Whether cells are those of a row: one a column, and numbers where the first row has them.
@@ -437,6 +488,7 @@ CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options
 }
 
 CsvTable read_csv(const std::filesystem::path& path, const CsvOptions& options) {
+  require_table(path);
   if (is_workbook(path))
     return parse_csv(workbook_text(path, options.sheet), path.string(), options);
   return parse_csv(read_text_file(path), path.string(), options);

@@ -44,7 +44,7 @@ void Value::fail(const std::string& problem, const std::string& expected) const 
 }
 
 void Value::fail_kind(const std::string& expected) const {
-  fail(missing_ ? "is missing" : kind_text(kind()), expected);
+  fail(missing_ ? *missing_ : kind_text(kind()), expected);
 }
 
 const std::string& Value::scalar(const std::string& expected) const {
@@ -146,8 +146,17 @@ Value Fields::require(std::string_view key) {
   const Node* node = find_field(*mapping_.node_, key);
   if (node != nullptr) return Value(*mapping_.document_, *node, path_of(key));
   Value missing(*mapping_.document_, *mapping_.node_, path_of(key));
-  missing.missing_ = true;
+  missing.missing_ = "is missing" + did_you_mean_by(key);
   return missing;
+}
+
+std::string Fields::did_you_mean_by(std::string_view key) const {
+  std::vector<std::string> others;
+  for (const auto& [other, node] : mapping_.node_->fields) {
+    if (!asked_.contains(other)) others.push_back(other);
+  }
+  const std::string near = nearest_name(key, others);
+  return near.empty() ? near : fmt::format(" (did you mean it by `{}`?)", near);
 }
 
 std::optional<Value> Fields::optional(std::string_view key) {
@@ -192,21 +201,17 @@ void Fields::finish() const {
 
 void require_document(Fields& fields, std::string_view type, int version) {
   const std::string expected = fmt::format("\"{}/{}\"", type, version);
-  const std::optional<Value> value = fields.optional("pliant");
-  if (!value) {
-    throw InputError({fields.location().file, fields.location().line, "pliant"}, "is missing",
-                     expected);
-  }
-  const std::string found = value->text();
+  const Value value = fields.require("pliant");
+  const std::string found = value.text(expected);
   const std::size_t slash = found.find('/');
   const std::string_view found_type = std::string_view(found).substr(0, slash);
   const std::string_view found_version =
       slash == std::string::npos ? std::string_view() : std::string_view(found).substr(slash + 1);
   if (found_type != type) {
-    value->fail(fmt::format("this is a {} document", quoted_value(found)), expected);
+    value.fail(fmt::format("this is a {} document", quoted_value(found)), expected);
   }
   if (found_version != std::to_string(version)) {
-    value->fail(fmt::format("unknown version {}", quoted_value(found_version)), expected);
+    value.fail(fmt::format("unknown version {}", quoted_value(found_version)), expected);
   }
 }
 

@@ -72,7 +72,8 @@ class Value {
   const Document* document_;
   const Node* node_;  // of a missing value: the mapping that lacks it
   std::string path_;
-  bool missing_ = false;
+  /// What is said of a value that is not there.
+  std::optional<std::string> missing_;
 };
 
 /// The fields of a mapping. It remembers which keys were asked for, so that `finish` can refuse
@@ -103,6 +104,8 @@ class Fields {
   explicit Fields(Value mapping) : mapping_(std::move(mapping)) {}
 
   std::string path_of(std::string_view key) const;
+  /// The nearest of the keys that are there and that nobody has asked for, in words.
+  std::string did_you_mean_by(std::string_view key) const;
 
   Value mapping_;
   std::set<std::string, std::less<>> asked_;

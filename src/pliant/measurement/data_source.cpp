@@ -187,6 +187,17 @@ std::vector<std::string> DataRows::columns_by_synonym() const {
   return {found.begin(), found.end()};
 }
 
+std::vector<std::string> DataRows::lines_left_out() const {
+  constexpr std::size_t kLongest = 60;
+  std::vector<std::string> texts;
+  for (const CsvTable& table : tables_) {
+    if (table.footer().empty()) continue;
+    texts.push_back(quoted_value(one_line(table.footer(), kLongest)) +
+                    " below the rows is left out");
+  }
+  return texts;
+}
+
 std::vector<std::string> DataRows::unused_columns() const {
   std::set<std::string> unused;
   for (const CsvTable& table : tables_) {

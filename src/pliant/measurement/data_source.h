@@ -64,6 +64,8 @@ class DataRows {
   std::vector<OwnColumn> own_columns() const;
   /// What was found under another name than ours: `force: the column "Load (N)"`.
   std::vector<std::string> columns_by_synonym() const;
+  /// What stands below the rows of a file and is none of them: `"End of test" below the rows ...`.
+  std::vector<std::string> lines_left_out() const;
   /// Columns that nothing has asked for.
   std::vector<std::string> unused_columns() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "pliant/base/letter_case.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 
@@ -66,18 +67,6 @@ const std::vector<Label>& labels() {
   return labels;
 }
 
-/// Lower case, also of the umlauts that labels have.
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    char& c = result[i];
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    const bool umlaut = i > 0 && result[i - 1] == '\xC3' && static_cast<unsigned char>(c) <= 0x9E;
-    if (umlaut) c = static_cast<char>(c + 32);
-  }
-  return result;
-}
-
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -97,19 +86,34 @@ std::string leading_unit(std::string_view text) {
   return std::string(trimmed(text.substr(0, end)));
 }
 
+/// What stands behind the number of a label, as that of a ramp in `Rate 1";"20 mm/min"`.
+std::string_view without_ordinal(std::string_view text) {
+  const std::size_t end = text.find_first_not_of("0123456789");
+  if (end == 0 || end > 2 || end == std::string_view::npos) return text;
+  const std::string_view rest = without_separators(text.substr(end));
+  const std::string_view between = text.substr(end, text.size() - end - rest.size());
+  const bool is_next_cell = between.find_first_of("\";:=\t|") != std::string_view::npos;
+  const bool is_number = !rest.empty() && rest.front() >= '0' && rest.front() <= '9';
+  return is_next_cell && is_number ? rest : text;
+}
+
 /// What follows a label at the beginning of a line; none where another word does.
 std::optional<std::string_view> after_label(std::string_view line, std::string_view label) {
-  if (!lower(line.substr(0, label.size())).starts_with(label)) return std::nullopt;
+  if (!lower_case(line.substr(0, label.size())).starts_with(label)) return std::nullopt;
   const std::string_view rest = line.substr(label.size());
   const std::string_view words = trimmed(rest);
   if (words.empty() || is_letter(rest.front())) return std::nullopt;
   const bool goes_on = is_letter(words.front()) && !words.starts_with("in ");
-  return goes_on ? std::nullopt : std::optional(words);
+  return goes_on ? std::nullopt : std::optional(without_ordinal(words));
 }
 
-/// "100 mm" of `;100,0;mm` or `(mm);100`; none where no number or no unit of the dimension stands
-/// there.
-std::optional<std::string> told_quantity(std::string_view text, Dimension dimension) {
+struct NumberAndUnit {
+  double number;
+  std::string unit;
+};
+
+/// 100 and "mm" of `;100,0;mm` or `(mm);100`; none where no number stands there.
+std::optional<NumberAndUnit> number_and_unit(std::string_view text) {
   std::string unit;
   if (text.front() == '(' || text.front() == '[' || text.starts_with("in ")) {
     unit = leading_unit(text);
@@ -124,8 +128,14 @@ std::optional<std::string> told_quantity(std::string_view text, Dimension dimens
   const std::optional<double> value = parse_number(number);
   if (!value) return std::nullopt;
   if (unit.empty()) unit = leading_unit(without_separators(text.substr(number.size())));
-  if (!unit_conversion(unit, dimension)) return std::nullopt;
-  return format_number(*value) + " " + unit;
+  return NumberAndUnit{*value, unit};
+}
+
+/// "100 mm" of `;100,0;mm`; none where no number or no unit of the dimension stands there.
+std::optional<std::string> told_quantity(std::string_view text, Dimension dimension) {
+  const std::optional<NumberAndUnit> told = number_and_unit(text);
+  if (!told || !unit_conversion(told->unit, dimension)) return std::nullopt;
+  return format_number(told->number) + " " + told->unit;
 }
 
 /// The words of a line after its label, quotes and separators aside.
@@ -143,12 +153,20 @@ std::string told_text(std::string_view text) {
   return std::string(trim.substr(0, trim.find_last_not_of(" ,") + 1));
 }
 
+/// "20 mm/min" of `"20.00","mm/min"`; speeds are told, not computed with, so any unit will do.
+std::string told_speed(std::string_view text) {
+  const std::optional<NumberAndUnit> told = number_and_unit(text);
+  return told ? std::string(trimmed(format_number(told->number) + " " + told->unit))
+              : told_text(text);
+}
+
 std::optional<std::string> told_value(const Label& label, std::string_view line) {
   for (const std::string_view word : label.words) {
     const auto rest = after_label(line, word);
     if (!rest) continue;
     std::string value = label.dimension ? told_quantity(*rest, *label.dimension).value_or("")
                         : label.field == "direction" ? told_direction(*rest)
+                        : label.field == "speed"     ? told_speed(*rest)
                                                      : told_text(*rest);
     if (!value.empty()) return value;
   }
@@ -193,7 +211,7 @@ std::string told_direction(std::string_view text) {
       {"bias", {"bias", "diagonal", "diag"}}};
   std::set<std::string> found;
   std::string word;
-  for (const char c : lower(text) + " ") {
+  for (const char c : lower_case(text) + " ") {
     if (is_letter(c)) {
       word += c;
       continue;

@@ -10,6 +10,7 @@
 #include "pliant/base/random.h"
 #include "pliant/math/check_derivatives.h"
 
+#include "io/input_error_of.h"
 #include "support/random_laws.h"
 #include "support/study_folder.h"
 
@@ -52,6 +53,23 @@ std::vector<std::string> nuisance_names(const ComponentExperiment& experiment) {
 
 Eigen::VectorXd no_nuisance(const ComponentExperiment& experiment) {
   return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(experiment.nuisance().size()));
+}
+
+TEST(TensileCycles, TurnsRoundAPullThatIsCountedNegative) {
+  const StudyFolder folder;
+  folder.write("t.csv", "force_N,extension_mm\n0.01,0\n-1,-4\n-2,-8\n-0.5,-3\n");
+  const auto experiment = folder.experiment(entry());
+  EXPECT_EQ(experiment->measured()(2), 2);
+  EXPECT_DOUBLE_EQ(experiment->loop(experiment->measured())->abscissa(2), 0.088);
+  EXPECT_THAT(experiment->info().handled, Contains(HasSubstr("count a pull negative")));
+  EXPECT_THAT(experiment->info().questions, IsEmpty());
+}
+
+TEST(TensileCycles, RefusesAnExtensionAloneThatIsCountedNegative) {
+  const StudyFolder folder;
+  folder.write("t.csv", "force_N,extension_mm\n0,0\n1,-4\n2,-8\n0.5,-3\n");
+  EXPECT_THAT(test::input_error_of([&] { folder.experiment(entry()); }).what(),
+              HasSubstr("t.csv:4: extension: a pull is counted negative, and its force is not"));
 }
 
 TEST(TensileCycles, ReadsTheDocumentedColumns) {

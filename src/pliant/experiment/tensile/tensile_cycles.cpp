@@ -15,6 +15,7 @@ namespace {
 constexpr double kSlackShare = 0.995;  // clamps nearer than this share of the gauge length: slack
 constexpr int kSlackRows = 5;          // rows needed to read the force offset off
 constexpr double kForceOffsetShare = 0.1;  // bounds of nuisance parameters: of the peak force
+constexpr double kSettlingShare = 0.01;    // of the way, that clamps may go the other way round
 constexpr double kRestLengthShare = 0.1;   // and of the gauge length
 
 }  // namespace
@@ -48,6 +49,29 @@ std::vector<double> forces_of(const DataRows& data, double width) {
   return force;
 }
 
+bool is_counted_negative(const std::vector<double>& values) {
+  const auto [least, most] = std::ranges::minmax_element(values);
+  return *least < 0 && *most < -kSettlingShare * *least;
+}
+
+/// Some machines count a pull negative: where its way and its force both are, they are turned
+/// round. Of a way alone it stays open what was meant.
+void turn_round(std::vector<double>& way, const DataRows& data, PulledRows& rows) {
+  if (!is_counted_negative(way)) return;
+  if (!is_counted_negative(rows.force)) {
+    const auto furthest = std::ranges::min_element(way) - way.begin();
+    throw InputError(data.location(static_cast<int>(furthest), rows.column),
+                     "a pull is counted negative, and its force is not",
+                     fmt::format("`{}` that grows while the strip is stretched (the column with "
+                                 "the other sign)",
+                                 rows.column));
+  }
+  for (auto* values : {&way, &rows.force}) {
+    for (double& value : *values) value = -value;
+  }
+  rows.is_turned = true;
+}
+
 /// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
 /// taken last, unless it is called as we call it.
 PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) {
@@ -56,23 +80,25 @@ PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) 
     const std::string unit = data.quantity_unit("extension");
     return unit.empty() || !unit_conversion(unit, Dimension::fraction);
   };
-  std::vector<double> lengths;
-  std::string column = "length";
+  PulledRows rows{"length", {}, {}, forces_of(data, width)};
   if (data.is_stated("length")) {
-    lengths = data.quantity("length", Dimension::length);
+    rows.length = data.quantity("length", Dimension::length);
   } else if (auto extension = is_extension()
                                   ? data.optional_quantity("extension", Dimension::length)
                                   : std::nullopt) {
-    column = "extension";
-    for (const double e : *extension) lengths.push_back(gauge_length + e);
+    rows.column = "extension";
+    turn_round(*extension, data, rows);
+    for (const double e : *extension) rows.length.push_back(gauge_length + e);
   } else if (auto strain = data.optional_quantity("strain", Dimension::fraction)) {
-    column = "strain";
-    for (const double e : *strain) lengths.push_back(gauge_length * (1 + e));
+    rows.column = "strain";
+    turn_round(*strain, data, rows);
+    for (const double e : *strain) rows.length.push_back(gauge_length * (1 + e));
   } else {
-    lengths = data.quantity("length", Dimension::length);
+    rows.length = data.quantity("length", Dimension::length);
   }
-  require_positive(lengths, data, column);
-  return {column, data.quantity_unit(column), std::move(lengths), forces_of(data, width)};
+  require_positive(rows.length, data, rows.column);
+  rows.unit = data.quantity_unit(rows.column);
+  return rows;
 }
 
 std::vector<std::string> questions_of(const TensileCycles& cycles, const ExperimentSpec& spec,
@@ -101,6 +127,10 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
 
   measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
   info_ = describe_experiment(spec, data, {"force_N", "force", "N", 1});
+  if (rows.is_turned) {
+    info_.handled.push_back(
+        fmt::format("`{}` and `force` count a pull negative: both are turned round", rows.column));
+  }
   for (const SpecimenRows& specimen : data.specimens()) add_specimen(specimen, spec);
   describe(spec);
   info_.questions = questions_of(*this, spec, data, rows, cloth.density);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/strip_figures.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 
@@ -72,12 +73,16 @@ PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) 
     lengths = data.quantity("length", Dimension::length);
   }
   require_positive(lengths, data, column);
-  return {column, data.quantity_unit(column), std::move(lengths), forces_of(data, width)};
+  return {.column = column,
+          .unit = data.quantity_unit(column),
+          .length = std::move(lengths),
+          .force = forces_of(data, width)};
 }
 
 std::vector<std::string> questions_of(const TensileCycles& cycles, const ExperimentSpec& spec,
-                                      const DataRows& data, const PulledRows& rows,
-                                      double density) {
+                                      const DataRows& data, PulledRows rows, double density) {
+  rows.is_driven = true;
+  rows.comes_back = unloads(cycles.path());
   StripFigures strip(*spec.test, density);
   const auto other_slip = strip.add_pull(
       rows, strip.column("force", force_dimension(data), data.quantity_unit("force")));

@@ -247,6 +247,15 @@ TEST_P(UnitSlip, IsNamed) {
 INSTANTIATE_TEST_SUITE_P(Of, UnitSlip, ::testing::ValuesIn(kSlips),
                          [](const auto& instance) { return instance.param.name; });
 
+TEST(SlipOfASize, OtherwiseThanInTheTestersFileIsNamed) {
+  const std::string csv = "Length;100.00;mm\n" + pull(kCotton);
+  EXPECT_THAT(questions(study_of(kCotton, "tensile-cycles", kStrip), csv),
+              ElementsAre(HasSubstr("one: the study states a length of 200 mm, the data 100 mm "
+                                    "from line 1 of one.csv (Length;100.00;mm): which is right?")));
+  EXPECT_THAT(questions(study_of(kCotton, "tensile-cycles", ", length: 101 mm, width: 50 mm"), csv),
+              IsEmpty());
+}
+
 /// What is asked of the example of a test whose files were changed.
 std::vector<std::string> questions_of_example(
     const std::string& type,

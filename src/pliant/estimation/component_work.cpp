@@ -44,11 +44,6 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
   }
 }
 
-std::string unfitted_note(const ExperimentInfo& info) {
-  const std::string note = "predicted, the material not fitted to it";
-  return info.test.unfitted.empty() ? note : fmt::format("{}: {}", note, info.test.unfitted);
-}
-
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
@@ -66,7 +61,7 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const Eigen::VectorXd nuisance = experiment->unfitted_nuisance(fit.fit.law);
     try {
       ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
-      row.handled.push_back(unfitted_note(experiment->info()));
+      row.handled.push_back(unfitted_note(experiment->info(), "the material not fitted to it"));
       if (fit.elastic) add_elastic(row, *experiment, fit.elastic->law, nuisance);
       result.experiments.push_back(std::move(row));
     } catch (const SolverError& error) {

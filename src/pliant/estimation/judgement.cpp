@@ -147,6 +147,14 @@ std::string where_unfit(const StudyResult& result, const Judgement& judgement) {
   return fmt::format(" in {}", fmt::join(unfit, ", "));
 }
 
+/// " Left out, for no fit tells them: force offset, initial friction."
+std::string left_out_sentence(const StudyResult& result) {
+  std::set<std::string> numbers;
+  for (const LeftOut& e : result.left_out) numbers.insert(e.numbers.begin(), e.numbers.end());
+  if (numbers.empty()) return {};
+  return fmt::format(" Left out, for no fit tells them: {}.", fmt::join(numbers, ", "));
+}
+
 std::string headline_of(const StudyResult& result, const Judgement& judgement, bool validated,
                         bool evaluation) {
   if (judgement.experiments.empty()) return "There is no experiment to judge the material by.";
@@ -168,6 +176,7 @@ std::string headline_of(const StudyResult& result, const Judgement& judgement, b
   if (!result.converged) text += " The fit did not converge.";
   if (!result.questions.empty()) text += " Units, sizes or the fabric are in question.";
   if (!result.skipped.empty()) text += " Not all experiments are predicted.";
+  text += left_out_sentence(result);
   if (!validated && !evaluation) text += " No experiment was kept to validate it.";
   return text;
 }

@@ -85,6 +85,9 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
     }
   }
   context.say(result.judgement.headline);
+  for (const CriterionJudgement& criterion : result.judgement.criteria) {
+    context.say("  " + criterion.text());
+  }
 }
 
 void say_fit(const CommandContext& context, const StudyResult& result) {

@@ -7,6 +7,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/strain_words.h"
 #include "pliant/material/material_file.h"
 
 #include "apps/pliant/component_facts.h"
@@ -22,7 +23,9 @@ constexpr int kDigits = 4;
 
 /// Units of a component and its numbers as texts: bending and membrane differ in all of them.
 struct ComponentUnits {
-  bool bending = false;
+  std::string component;
+  MembraneMeasure measure;
+  bool bending = is_bending(component);
 
   std::string stiffness_unit() const { return bending ? "N m" : "N/m"; }
   std::string stress_unit() const { return bending ? "N" : "N/m"; }
@@ -36,21 +39,19 @@ struct ComponentUnits {
     return format_quantity(value, bending ? Dimension::force : Dimension::force_per_length,
                            kDigits);
   }
-  /// Bending strain is three times the curvature ([T] 5.2.1), which is what people know.
-  std::string strain(double value) const {
-    std::string number = format_number(value, kDigits);
-    if (!bending) return number;
-    return fmt::format("{} 1/m (curvature {} 1/m)", number, format_number(value / 3, kDigits));
+  std::string strain(double value) const { return strain_in_words(component, value, measure); }
+  std::string strains(double low, double high) const {
+    if (low == high) return "at " + strain(high);
+    return low == 0 ? "up to " + strain(high)
+                    : fmt::format("from {} to {}", strain(low), strain(high));
   }
 };
 
 std::string interval_text(const StrainInterval& interval, const ComponentUnits& units) {
   const bool open = std::isinf(interval.to);
-  if (interval.from == 0)
-    return open ? "at every strain" : "below strain " + units.strain(interval.to);
-  if (open) return "above strain " + units.strain(interval.from);
-  return fmt::format("from strain {} to {}", units.strain(interval.from),
-                     units.strain(interval.to));
+  if (interval.from == 0) return open ? "at every strain" : "below " + units.strain(interval.to);
+  if (open) return "above " + units.strain(interval.from);
+  return units.strains(interval.from, interval.to);
 }
 
 std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
@@ -64,9 +65,8 @@ std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
       return fmt::format("affine, k1 = {}, k2 = {} {}", units.stiffness(values[0]),
                          format_number(values[1], kDigits), units.bending ? "N m^2" : "N/m");
     case CurveKind::hermite:
-      return fmt::format("hermite, {} control points at strains from {} to {}{}", values.size(),
-                         format_number(curve.knots().front(), kDigits),
-                         units.strain(curve.knots().back()),
+      return fmt::format("hermite, {} control points {}{}", values.size(),
+                         units.strains(curve.knots().front(), curve.knots().back()),
                          curve.even() ? ", mirrored for negative strains" : "");
   }
   return "";
@@ -166,9 +166,8 @@ void add_addends(const MaterialComponent& component, const ComponentUnits& units
   }
 }
 
-void add_measured(const std::string& name, const MaterialComponent& component, FileInfo& info,
-                  Json& json) {
-  const ComponentUnits units{is_bending(name)};
+void add_measured(const std::string& name, const MaterialComponent& component,
+                  const ComponentUnits& units, FileInfo& info, Json& json) {
   const ComponentFacts facts = facts_of(component);
   json["units"] = {{"stiffness", units.stiffness_unit()},
                    {"friction", units.stress_unit()},
@@ -180,7 +179,7 @@ void add_measured(const std::string& name, const MaterialComponent& component, F
   lines.push_back(labelled("stiffness", curve_text(*component.stiffness, units), 1));
   lines.push_back(labelled("at zero strain", units.stiffness(facts.at_zero.secant), 2));
   if (facts.at_end) {
-    lines.push_back(labelled("at strain " + format_number(facts.at_end->strain, kDigits),
+    lines.push_back(labelled("at " + units.strain(facts.at_end->strain),
                              stiffness_text(*facts.at_end, units), 2));
   }
   if (!facts.friction) {
@@ -200,18 +199,17 @@ void add_measured(const std::string& name, const MaterialComponent& component, F
 
 Json component_info(const Material& material, const std::string& name, FileInfo& info) {
   const MaterialComponent& component = material.components.at(name);
-  const ComponentUnits units{is_bending(name)};
+  const ComponentUnits units{name, material.membrane};
   Json json{{"status", name_of(component.status)}, {"range", nullptr}};
   std::string text(name_of(component.status));
   if (component.range) {
     json["range"] = {component.range->first, component.range->second};
-    text += fmt::format(", strains from {} to {}", format_number(component.range->first, kDigits),
-                        units.strain(component.range->second));
+    text += ", " + units.strains(component.range->first, component.range->second);
   } else if (component.stiffness) {
     text += ", no range of strains stated";
   }
   info.lines.push_back(labelled(name, text));
-  if (component.stiffness) add_measured(name, component, info, json);
+  if (component.stiffness) add_measured(name, component, units, info, json);
   add_addends(component, units, info.lines, json);
   if (component.stiffness && (!units.bending || material.bending_of == "sheet")) {
     json["textile"] = textile_info(material, name, info);

@@ -6,18 +6,39 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/number_text.h"
+#include "pliant/base/number_with_error.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/report/readable_unit.h"
 
 namespace pliant {
 namespace {
 
-std::string uncertainty_text(const ParameterEstimate& p) {
-  if (p.fixed) return "fixed";
-  if (p.at_bound) return "at its bound";
-  if (!p.identified) return "not determined";
-  return fmt::format("+- {:.2g}", *p.std_error);
+/// "3640 +- 170 N/m" in a unit in which it reads well; without an error that would make it look
+/// known.
+std::string value_text(const ParameterEstimate& p) {
+  const bool uncertain = !p.fixed && !p.at_bound && p.identified && p.std_error.value_or(0) > 0;
+  const report::ReadableUnit unit = report::readable_unit(p.unit, std::abs(p.value));
+  const double value = unit.factor * p.value;
+  std::string text =
+      uncertain ? number_with_error(value, unit.factor * *p.std_error) : format_number(value, 3);
+  if (p.unit != "1") text += " " + unit.name;
+  if (p.fixed) return text + ", fixed";
+  if (p.at_bound) return text + ", at its bound";
+  return p.identified ? text : text + ", not determined";
+}
+
+/// How far a sheet was moved or stretched, in the terms of its test.
+std::string way_text(const ExperimentResult& e) {
+  const Session& measured = e.sheet->measured;
+  if (measured.kind == SessionKind::strip) {
+    return fmt::format("extension to {:.3g} %", 100 * e.strain_range.second);
+  }
+  const double way =
+      e.strain_range.second * std::max(measured.sample.width, measured.sample.height);
+  return fmt::format("{} {:.3g} mm", measured.table ? "overhang to" : "clips moved by", way * 1e3);
 }
 
 /// Of strips and sheets whose shapes are measured: there is no force, and bending has two sides.
@@ -29,12 +50,7 @@ std::string distance_text(const ExperimentResult& e) {
 }
 
 std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
-  if (e.sheet && e.quantity.kind == "distance") {
-    const SessionSample& sample = e.sheet->measured.sample;
-    const double way = e.strain_range.second * std::max(sample.width, sample.height);
-    return fmt::format("{} {:.3g} mm", e.sheet->measured.table ? "overhang to" : "clips moved by",
-                       way * 1e3);
-  }
+  if (e.sheet && e.quantity.kind == "distance") return way_text(e);
   if (e.quantity.kind == "distance") {
     const auto [low, high] = e.strain_range;
     return fmt::format("curvature to {:.3g} 1/m",
@@ -44,9 +60,7 @@ std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
     return fmt::format("span {:.3g} mN, curvature to {:.3g} 1/m", e.peak_force * 1e3,
                        e.strain_range.second / kStrainPerCurvature);
   }
-  if (e.sheet) {
-    return fmt::format("peak {:.3g} N, strain to {:.3g}", e.peak_force, e.strain_range.second);
-  }
+  if (e.sheet) return fmt::format("peak {:.3g} N, {}", e.peak_force, way_text(e));
   return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N",
                      strain_in_words(e.component, e.strain_range.second, measure));
@@ -85,13 +99,15 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
     }
   }
   context.say(result.judgement.headline);
+  for (const CriterionJudgement& criterion : result.judgement.criteria) {
+    context.say("  " + criterion.text());
+  }
 }
 
 void say_fit(const CommandContext& context, const StudyResult& result) {
   say_experiments(context, result);
   for (const ParameterEstimate& p : result.parameters) {
-    context.say(fmt::format("{:<32} {:>10.5g} {:<4} {}", p.name, p.value,
-                            p.unit == "1" ? "" : p.unit, uncertainty_text(p)));
+    context.say(fmt::format("{:<32} {}", p.name, value_text(p)));
   }
   for (const ModelRank& m : result.models) {
     context.say(fmt::format("{:<14} {:<32} {:.2f} % of peak, {} parameters, BIC {:+.1f}",

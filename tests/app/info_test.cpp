@@ -206,9 +206,10 @@ TEST(Info, OfAMaterialWarnsOfSnapping) {
   const auto& bend = info.json["components"]["bend.warp"];
   EXPECT_EQ(bend["units"]["stiffness"], "N m");
   EXPECT_NEAR(bend["friction"]["snaps_while_unloading"][0][1].get<double>() / 3, 57, 0.5);
-  EXPECT_THAT(info.warnings,
-              ElementsAre(AllOf(StartsWith("bend.warp is not monotone on unloading below strain"),
-                                HasSubstr("curvature 56.8"))));
+  EXPECT_THAT(
+      info.warnings,
+      ElementsAre(AllOf(StartsWith("bend.warp is not monotone on unloading below curvature"),
+                        HasSubstr("curvature 56.8"))));
 }
 
 TEST(Info, OfAMaterialTellsWhatTextileInstrumentsWouldRead) {
@@ -243,10 +244,21 @@ TEST(Info, OfAMaterialTellsTheSecantModuliOfATester) {
   EXPECT_NEAR(figures[0]["value"].get<double>(), 57.75, 1e-9);
 }
 
+TEST(Info, OfAMaterialTellsStrainsInTheTermsOfATester) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("knit.json", R"({"pliant": "material/1", "name": "knit",
+      "kind": "cloth", "components": {"stretch.warp": {"stiffness": {"curve": "constant", "value": 50},
+      "range": [0, 0.22]}, "bend.warp": {"stiffness": {"curve": "constant", "value": 5e-6},
+      "range": [0, 300]}}})");
+  const FileInfo info = describe_file(file);
+  EXPECT_THAT(info.lines, Contains(HasSubstr("up to 20 % extension (Green strain 22 %)")));
+  EXPECT_THAT(info.lines, Contains(HasSubstr("up to curvature 100 1/m")));
+}
+
 TEST(Info, OfAMaterialTellsWhereBendingSnaps) {
   const FileInfo info = describe_file(kSource / "materials" / "felt.json");
-  EXPECT_THAT(info.lines, Contains(AllOf(HasSubstr("snaps on unloading"), HasSubstr("below strain"),
-                                         HasSubstr("curvature 5.2"))));
+  EXPECT_THAT(info.lines,
+              Contains(AllOf(HasSubstr("snaps on unloading"), HasSubstr("below curvature 5.2"))));
 }
 
 TEST(Info, OfHingesTellsNoTextileNumbers) {

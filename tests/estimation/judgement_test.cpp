@@ -59,6 +59,25 @@ TEST(Judgement, AMissIsToldByTheScaleOfWhatWasMeasured) {
                     HasSubstr("the measured span of 5.18 N is predicted as 0.1 N")));
 }
 
+TEST(Judgement, SaysOfEachLimitWhetherItIsKeptAndByWhichExperiment) {
+  const StudyResult result = result_of({pulled("good", 3, 3.02), pulled("worse", 5, 5.2)});
+  const Judgement judgement = judge(result, {.rms = 0.03, .span = 0.02}, false);
+  ASSERT_EQ(judgement.criteria.size(), 4u);
+  EXPECT_EQ(judgement.criteria[0].text(), "RMS error 1.4 % (worse; limit 3 %): pass");
+  EXPECT_TRUE(judgement.criteria[0].passed());
+  EXPECT_EQ(judgement.criteria[1].text(), "error of the span 4 % (worse; limit 2 %): fail");
+  EXPECT_FALSE(judgement.criteria[1].passed());
+  EXPECT_EQ(judgement.criteria[2].text(),
+            "error of the loop's loss (limit 30 %): no experiment tells it");
+}
+
+TEST(Judgement, NothingThatCanBePredictedKeepsNoLimit) {
+  ExperimentResult lost = pulled("lost", 5, 5);
+  lost.points = 0;
+  const Judgement judgement = judge(result_of({pulled("good", 3, 3.02), lost}), {}, false);
+  EXPECT_EQ(judgement.criteria[0].text(), "RMS error without end (lost; limit 5 %): fail");
+}
+
 // A strip that hangs has the force of a catenary, whatever its stiffness: to predict that is
 // nothing.
 TEST(Judgement, OfAStripThatHangsCountsWhatIsBetterThanNoStiffness) {

@@ -76,6 +76,15 @@ TEST(StudyFit, FitsEachComponentFromItsOwnExperiments) {
   EXPECT_EQ(both.curves.size(), 2u);
 }
 
+TEST(StudyFit, NamesAllParametersAtTheirBoundsInOneWarning) {
+  VirtualStudy study(both_directions());
+  study.add("fit: {bounds: {stretch.warp.k1: [0.1, 0.2], stretch.weft.k: [0.1, 0.2]}}");
+  EXPECT_THAT(study.fit().warnings,
+              Contains(AllOf(HasSubstr("at their bounds"), HasSubstr("stretch.warp.k1"),
+                             HasSubstr("stretch.weft.k")))
+                  .Times(1));
+}
+
 TEST(StudyFit, DoesNotDependOnTheOrderOfExperimentsInThePredictionOfEach) {
   VirtualLab lab = both_directions();
   const StudyResult one = VirtualStudy(lab).fit();

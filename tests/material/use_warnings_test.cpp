@@ -38,7 +38,7 @@ TEST(UseWarnings, NameWhatNoDataDetermined) {
   material.components["stretch.weft"].errors = {{"k", {0.1, {}, Determination::weak, ""}}};
   EXPECT_THAT(use_warnings(material, sheet_component_names()),
               ElementsAre("the stiffness of shear in \"jersey\" is not determined by the data that "
-                          "it was fitted to (k 3 +- 7): what hangs on it is a guess"));
+                          "it was fitted to (k 3.0 +- 7.0): what hangs on it is a guess"));
   const std::vector<std::string> stretch{"stretch.weft"};
   EXPECT_THAT(undetermined_warnings(material, stretch), IsEmpty());
 }

@@ -1,9 +1,11 @@
 #include "pliant/report/report.h"
 
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
 #include "pliant/report/embedded_bundle.h"
@@ -104,6 +106,23 @@ TEST(Report, AsksOnPageOneInFullWhatIsHardlyRight) {
   const std::size_t first = page.find(question);
   ASSERT_NE(first, std::string::npos);
   EXPECT_EQ(page.find(question, first + 1), std::string::npos) << "once";
+}
+
+TEST(Report, SaysOnPageOneOfEachLimitWhetherItIsKept) {
+  const TemporaryFolder folder;
+  write_sample_results(folder.path(), {});
+  const auto file = folder.path() / "fit.json";
+  auto fit = nlohmann::json::parse(std::ifstream(file));
+  fit["judgement"] = {{"fitness", "fit"},
+                      {"headline", "Fit for use within the range of the data."},
+                      {"experiments", nlohmann::json::array()},
+                      {"criteria",
+                       {{{"text", "RMS error 1.8 % (warp; limit 3 %): pass"}},
+                        {{"text", "error of the span 5 % (weft; limit 2 %): fail"}}}}};
+  testing::write_text(file, fit.dump());
+  EXPECT_THAT(make_report(folder.path()),
+              HasSubstr("<p>Acceptance: RMS error 1.8 % (warp; limit 3 %): pass; error of the span "
+                        "5 % (weft; limit 2 %): fail.</p>"));
 }
 
 TEST(Report, OfAnEvaluationNamesOnPageOneWhatWasNotPredicted) {

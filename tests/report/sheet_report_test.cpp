@@ -39,16 +39,32 @@ TEST(SheetReport, HasTheResidualsOfTheThesisTables) {
                                         "<td class=\"number\">2.00 mm</td>"));
 }
 
-TEST(SheetReport, DrawsNoVerticesOfAStripThatNobodySaw) {
-  const TemporaryFolder folder;
-  testing::write_sample_sheets(folder.path());
+/// Makes strips of a tester of a sample's sessions.
+void make_strip(const std::filesystem::path& results, const char* experiment) {
   for (const char* session : {"measured", "predicted"}) {
-    const auto file = folder.path() / "sheets/stretch-weft" / session / "session.yaml";
+    const auto file = results / "sheets" / experiment / session / "session.yaml";
     std::string text = read_text_file(file);
     const std::size_t at = text.find("kind: sheet");
     ASSERT_NE(at, std::string::npos);
     testing::write_text(file, text.replace(at, 11, "kind: strip"));
   }
+}
+
+TEST(SheetReport, OfStripsNamesNoSessions) {
+  EXPECT_THAT(sheet_report(), HasSubstr("which sessions tell the number"));
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path());
+  for (const char* experiment : {"stretch-weft", "bend-weft"})
+    make_strip(folder.path(), experiment);
+  const std::string html = make_report(folder.path());
+  EXPECT_THAT(html, HasSubstr("which strips tell the number"));
+  EXPECT_THAT(html, Not(HasSubstr("which sessions")));
+}
+
+TEST(SheetReport, DrawsNoVerticesOfAStripThatNobodySaw) {
+  const TemporaryFolder folder;
+  testing::write_sample_sheets(folder.path());
+  make_strip(folder.path(), "stretch-weft");
   const std::string html = make_report(folder.path());
   EXPECT_THAT(html, Not(HasSubstr("Measured and predicted sheet of stretch-weft")));
   EXPECT_THAT(html, HasSubstr("Measured and predicted sheet of bend-weft"));

@@ -15,9 +15,11 @@
 namespace pliant {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// The examples of a pull and of a bend along the warp, in one study.
 class PulledAndBent {
@@ -37,8 +39,8 @@ experiments:
 )" + more));
   }
 
-  StudyResult evaluated(const Material& material) const {
-    return evaluate_study(study_, material, {});
+  StudyResult evaluated(const Material& material, const FoundNuisance& found = {}) const {
+    return evaluate_study(study_, material, {}, found);
   }
 
  private:
@@ -70,6 +72,42 @@ TEST(Evaluation, SkipsTheExperimentsWhoseComponentTheMaterialDoesNotHave) {
   EXPECT_EQ(json["skipped"][0]["missing"][0], "bend.warp");
   EXPECT_NE(result.judgement.fitness, Fitness::fit);
   EXPECT_THAT(result.judgement.headline, HasSubstr("Not all experiments are predicted."));
+}
+
+TEST(Evaluation, NamesTheNumbersOfExperimentsThatNoFitTells) {
+  const PulledAndBent study("validate: [bend]\n");
+  Material material = cloth();
+  const StudyResult elastic = study.evaluated(material);
+  ASSERT_EQ(elastic.left_out.size(), 1u) << "the bend is predicted in its fit, too";
+  EXPECT_EQ(elastic.left_out[0].experiment, "pull");
+  EXPECT_THAT(elastic.left_out[0].numbers, ElementsAre("force offset"));
+
+  material.components["stretch.warp"].friction = {{2, 1, 0.01}, {}};
+  const StudyResult result = study.evaluated(material);
+  EXPECT_THAT(result.left_out[0].numbers, ElementsAre("force offset", "initial friction"));
+  EXPECT_THAT(result.warnings,
+              Contains(HasSubstr("left out of pull, so that it counts as error of the material: "
+                                 "force offset, initial friction")));
+  EXPECT_THAT(result.judgement.headline,
+              HasSubstr("Left out, for no fit tells them: force offset, initial friction."));
+  for (const ExperimentResult& e : result.experiments) {
+    EXPECT_THAT(e.handled, Contains(HasSubstr("predicted, the material as it is given")));
+    EXPECT_THAT(e.handled, Not(Contains(HasSubstr("estimated along")))) << e.name;
+  }
+}
+
+TEST(Evaluation, TakesTheNumbersOfExperimentsThatAFitTells) {
+  FoundNuisance found;
+  found.others = {{"pull.force_offset", 0.25}, {"pull.initial_friction", 0}};
+  const PulledAndBent study("validate: [bend]\n");
+  const StudyResult result = study.evaluated(cloth(), found);
+  EXPECT_THAT(result.left_out, IsEmpty());
+  EXPECT_THAT(result.judgement.headline, Not(HasSubstr("Left out")));
+  const ExperimentResult& pull = result.experiments[0];
+  EXPECT_THAT(pull.handled, Not(Contains(HasSubstr("estimated along"))));
+  EXPECT_THAT(pull.handled, Contains("its own numbers are those of the fit of the material"));
+  const Eigen::VectorXd shift = pull.predicted - study.evaluated(cloth()).experiments[0].predicted;
+  EXPECT_TRUE(shift.isConstant(0.25, 1e-12)) << shift;
 }
 
 TEST(Evaluation, RefusesAMaterialThatPredictsNothing) {

@@ -40,6 +40,12 @@ const Fabric kSilk{"silk", 36, 500, 3.5, 1.2e-6, 2.4};
 const Fabric kCotton{"cotton", 120, 2000, 6, 6e-6, 8};
 const Fabric kDenim{"denim", 400, 4000, 5, 6e-5, 24};
 const Fabric kJersey{"jersey", 180, 100, 50, 2.5e-6, 4};
+// Pulled as far as Kawabata and cameras do, not to where they break.
+const Fabric kPoplin{"poplin", 120, 270, 6, 6e-6, 8};
+const Fabric kDenimAtEase{"denim_at_ease", 400, 570, 5, 6e-5, 24};
+const Fabric kShirting{"shirting", 150, 490, 1.2, 6e-6, 8};
+const Fabric kTerry{"terry", 300, 95, 62, 6e-6, 8};
+const Fabric kFelt{"felt", 1300, 2000, 1, 1e-3, 200};
 
 /// Steps of a cycle as shares of its largest, there and back.
 std::vector<std::pair<double, bool>> cycle() {
@@ -148,7 +154,9 @@ TEST_P(PlausibleFabric, IsNotQuestioned) {
   EXPECT_THAT(questions(study_of(fabric, "bending-length"), push(fabric)), IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, PlausibleFabric, ::testing::Values(kSilk, kCotton, kDenim, kJersey),
+INSTANTIATE_TEST_SUITE_P(Of, PlausibleFabric,
+                         ::testing::Values(kSilk, kCotton, kDenim, kJersey, kPoplin, kDenimAtEase,
+                                           kShirting, kTerry, kFelt),
                          [](const auto& instance) { return instance.param.name; });
 
 struct Slip {
@@ -209,6 +217,22 @@ const std::vector<Slip> kSlips{
      bend(kCotton, {"curvature_1_per_m", 0.01}), "`curvature` in 1/cm, not 1/m"},
     {"MillinewtonsReadAsNewtons", study_of(kDenim, "pure-bending"),
      bend(kDenim, {"curvature_1_per_m"}, {"moment_N", 1e3}), "`moment` in mN, not N"},
+    {"CentimetresOfALittlePulledWeave", tensile(kPoplin),
+     pull(kPoplin, kForce, {"extension_mm", 100}), "`extension` in cm, not mm"},
+    {"LittleForceReadAsGrams", tensile(kPoplin), pull(kPoplin, {"force_gf", 1}),
+     "`force` in N, not gf"},
+    {"LittleForceReadAsCentinewtons", tensile(kDenimAtEase), pull(kDenimAtEase, {"force_cN", 1}),
+     "`force` in N, not cN"},
+    {"CentinewtonsOfAKnit", tensile(kJersey), pull(kJersey, {"force_N", 100}),
+     "`force` in cN, not N"},
+    {"MillimetresOfAKnitReadAsCentimetres", tensile(kJersey),
+     pull(kJersey, kForce, {"extension_cm", 1e3}), "`extension` in mm, not cm"},
+    {"WidthOfAThread", study_of(kPoplin, "tensile-cycles", ", length: 200 mm, width: 5 mm"),
+     pull(kPoplin), "`width` 50 mm, not 5 mm"},
+    {"DensityOfATissue", study_of(kPoplin, "tensile-cycles", kStrip, "12 g/m^2"), pull(kPoplin),
+     "`density` 120 g/m^2, not 12 g/m^2"},
+    {"DensityOfABlanket", study_of(kPoplin, "tensile-cycles", kStrip, "1200 g/m^2"), pull(kPoplin),
+     "`density` 120 g/m^2, not 1200 g/m^2"},
     {"OverhangInCentimetres", study_of(kSilk, "bending-length"), push(kSilk, {"overhang_mm", 100}),
      "`overhang` in cm, not mm"},
 };
@@ -222,6 +246,15 @@ TEST_P(UnitSlip, IsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Of, UnitSlip, ::testing::ValuesIn(kSlips),
                          [](const auto& instance) { return instance.param.name; });
+
+TEST(SlipOfASize, OtherwiseThanInTheTestersFileIsNamed) {
+  const std::string csv = "Length;100.00;mm\n" + pull(kCotton);
+  EXPECT_THAT(questions(study_of(kCotton, "tensile-cycles", kStrip), csv),
+              ElementsAre(HasSubstr("one: the study states a length of 200 mm, the data 100 mm "
+                                    "from line 1 of one.csv (Length;100.00;mm): which is right?")));
+  EXPECT_THAT(questions(study_of(kCotton, "tensile-cycles", ", length: 101 mm, width: 50 mm"), csv),
+              IsEmpty());
+}
 
 /// What is asked of the example of a test whose files were changed.
 std::vector<std::string> questions_of_example(

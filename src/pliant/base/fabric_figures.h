@@ -22,11 +22,20 @@ using enum Dimension;
 
 // Chiffon and tulle from 10 g/m^2, felt, duck and coated cloth to 1.5 kg/m^2.
 inline constexpr FabricFigure kAreaDensity{"the cloth weighs {}", area_density, 0.008, 2};
+// What is cut to strips and pulled: silk gauze from 17 g/m^2; nets and tissues below that are not.
+inline constexpr FabricFigure kPulledDensity{"the strip that is pulled weighs {}", area_density,
+                                             0.015, 2};
+// Of felt, duck and coated cloth, pressed felt is the softest, with 800 m of stiffness (below).
+inline constexpr double kStiffnessOfHeavyCloth = 700;  // m
+inline constexpr FabricFigure kSoftDensity{"a strip as soft as this weighs {}", area_density, 0.015,
+                                           1};
 
 // 10 mm between the clamps of bending testers to 500 mm between the bench marks of ASTM D3107.
 inline constexpr FabricFigure kLength{"the strip is {} long", length, 5e-3, 0.6};
 // Single ribbons of 2.25 mm have been pulled; wide jaws take 200 mm, some 300 mm.
 inline constexpr FabricFigure kWidth{"the strip is {} wide", length, 2e-3, 0.35};
+// Of cloth whose weight is known: it is cut, and frays; ribbons are weighed by their length.
+inline constexpr FabricFigure kCutWidth{"the strip is {} wide", length, 8e-3, 0.35};
 // Pieces that are seen as a whole by cameras.
 inline constexpr FabricFigure kSide{"a side of the sheet measures {}", length, 5e-3, 5};
 // Cords that hold a sheet up carry its weight and that of its clips, as well as they are measured.
@@ -35,8 +44,8 @@ inline constexpr FabricFigure kCarried{"the cords carry {} of the weight of shee
 // A swatch of a simulation to the curtain of a stage.
 inline constexpr FabricFigure kArea{"the cloth measures {}", area, 1e-4, 1e3};
 
-// Below, the play of clamps and scales; above, no elastic knit.
-inline constexpr FabricFigure kStrain{"the strain reaches {}", fraction, 5e-4, 4};
+// Below, the play of clamps and scales; above, no elastic knit: with elastane they go to 200 %.
+inline constexpr FabricFigure kStrain{"the strain reaches {}", fraction, 5e-4, 2.5};
 // Between clamps that were set at the gauge length, less slack, and more what a clip pulls.
 inline constexpr FabricFigure kStart{"the clamps start at {} of the gauge length", fraction, 0.7,
                                      1.5};
@@ -53,6 +62,24 @@ inline constexpr FabricFigure kStiffness{
     "at its stiffness, stretching the strip to twice its length takes the weight of {} of the "
     "cloth",
     length, 3, 2e5};
+// A fibre that is stiff along the cloth is met where it is loaded: at less than half a kilometre
+// of itself a weave straightens its crimp. Kawabata's suitings and shirtings stretch by 1 to 10 %
+// at 50 gf/cm, which is 17 km (of 300 g/m^2) to 33 km at the stiffest.
+inline constexpr double kStraightensCrimp = 500;  // m
+inline constexpr FabricFigure kCrimpStiffness{
+    "under so small a load, stretching the strip to twice its length takes the weight of {} of "
+    "the cloth",
+    length, 3, 3e4};
+// Load times strain, twice the work of a straight line. Knits of 300 g/m^2 take 8 to 20 m at the
+// few newtons of a FAB, stiff weaves at 50 gf/cm one or more: less is hardly a test.
+inline constexpr FabricFigure kWork{"load times strain of the pull would lift the cloth by {}",
+                                    length, 0.4, 2e4};
+// What is stretched that far and comes back does not break: knits and elastic weaves, of which
+// power nets and stockings carry up to 1 km and break under 3 to 8 km.
+inline constexpr double kFarStretch = 0.4;
+inline constexpr FabricFigure kReturnedLoad{
+    "stretched so far and released, the strip has carried the weight of {} of the cloth", length, 2,
+    2e3};
 // The same of cloth whose weight is not known: by the lightest and the heaviest.
 inline constexpr FabricFigure kTension{"the largest load is {}", force_per_length, 0.2, 8e5};
 inline constexpr FabricFigure kModulus{"the strip's stiffness is {}", force_per_length, 0.3, 4e6};

@@ -75,7 +75,33 @@ Plausibility::Reading Plausibility::field(std::string name, Dimension dimension,
 }
 
 void Plausibility::add(const FabricFigure& figure, double value, std::vector<Power> powers) {
-  shown_.push_back({&figure, value, std::move(powers)});
+  shown_.push_back({&figure, {value, std::move(powers)}, std::nullopt});
+}
+
+void Plausibility::add_above(double limit, const Figure& other, const FabricFigure& figure,
+                             const Figure& value) {
+  shown_.push_back({&figure, value, Condition{other, limit, INFINITY}});
+}
+
+void Plausibility::add_below(double limit, const Figure& other, const FabricFigure& figure,
+                             const Figure& value) {
+  shown_.push_back({&figure, value, Condition{other, -INFINITY, limit}});
+}
+
+double Plausibility::mended(const Figure& figure, Reading reading, double factor) {
+  double value = figure.value;
+  for (const Power& power : figure.powers) {
+    if (power.reading == reading) value *= std::pow(factor, power.exponent);
+  }
+  return value;
+}
+
+std::optional<double> Plausibility::asked(const Shown& shown, Reading reading, double factor) {
+  if (shown.condition) {
+    const double other = mended(shown.condition->other, reading, factor);
+    if (other <= shown.condition->least || other >= shown.condition->most) return std::nullopt;
+  }
+  return mended(shown.figure, reading, factor);
 }
 
 void Plausibility::try_slip(Reading reading, double factor, std::string words,
@@ -83,12 +109,10 @@ void Plausibility::try_slip(Reading reading, double factor, std::string words,
   if (std::abs(std::log(factor)) < std::log(kNotableFactor)) return;
   Slip slip{std::move(words)};
   for (const Shown& shown : shown_) {
-    double mended = shown.value;
-    for (const Power& power : shown.powers) {
-      if (power.reading == reading) mended *= std::pow(factor, power.exponent);
-    }
-    if (!is_plausible(*shown.figure, mended)) return;
-    slip.distance += std::pow(distance_from_middle(*shown.figure, mended), 2);
+    const std::optional<double> value = asked(shown, reading, factor);
+    if (!value) continue;
+    if (!is_plausible(*shown.range, *value)) return;
+    slip.distance += std::pow(distance_from_middle(*shown.range, *value), 2);
   }
   slips.push_back(std::move(slip));
 }
@@ -125,24 +149,26 @@ std::vector<Plausibility::Slip> Plausibility::slips() const {
 }
 
 std::optional<std::string> Plausibility::question() const {
-  const auto odd = std::ranges::find_if(
-      shown_, [](const Shown& shown) { return !is_plausible(*shown.figure, shown.value); });
+  const auto odd = std::ranges::find_if(shown_, [](const Shown& shown) {
+    const std::optional<double> value = asked(shown, 0, 1);
+    return value && !is_plausible(*shown.range, *value);
+  });
   if (odd == shown_.end()) return std::nullopt;
   std::vector<std::string> likely;
   for (const Slip& slip : slips()) {
     if (likely.size() < kMostSlips) likely.push_back(slip.words);
   }
-  std::string asked = fmt::format("is {}", fmt::join(likely, ", or is "));
+  std::string words = fmt::format("is {}", fmt::join(likely, ", or is "));
   if (likely.empty()) {
     std::vector<std::string> names;
-    for (const Power& power : odd->powers) {
+    for (const Power& power : odd->figure.powers) {
       const std::string name = "`" + sources_[power.reading].name + "`";
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
-    asked = fmt::format("are the numbers and units of {} right", fmt::join(names, " and "));
+    words = fmt::format("are the numbers and units of {} right", fmt::join(names, " and "));
   }
-  const FabricFigure& figure = *odd->figure;
-  return fmt::format("{}: {}? (fabrics: {} to {})", fact(figure, odd->value), asked,
+  const FabricFigure& figure = *odd->range;
+  return fmt::format("{}: {}? (fabrics: {} to {})", fact(figure, odd->figure.value), words,
                      format_quantity(figure.least, figure.dimension, kDigits),
                      format_quantity(figure.most, figure.dimension, kDigits));
 }

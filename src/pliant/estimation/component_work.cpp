@@ -44,11 +44,6 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
   }
 }
 
-std::string unfitted_note(const ExperimentInfo& info) {
-  const std::string note = "predicted, the material not fitted to it";
-  return info.test.unfitted.empty() ? note : fmt::format("{}: {}", note, info.test.unfitted);
-}
-
 void add_experiments(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   for (size_t e = 0; e < work.fitted.size(); ++e) {
@@ -66,7 +61,7 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const Eigen::VectorXd nuisance = experiment->unfitted_nuisance(fit.fit.law);
     try {
       ExperimentResult row = compare(*experiment, fit.fit.law, nuisance);
-      row.handled.push_back(unfitted_note(experiment->info()));
+      row.handled.push_back(unfitted_note(experiment->info(), "the material not fitted to it"));
       if (fit.elastic) add_elastic(row, *experiment, fit.elastic->law, nuisance);
       result.experiments.push_back(std::move(row));
     } catch (const SolverError& error) {
@@ -93,15 +88,6 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
       result.undetermined.push_back(
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
     }
-  }
-  std::vector<std::string> at_bound;
-  for (std::size_t i = 0; i < fit.fit.unknowns.size(); ++i) {
-    const Unknown& unknown = fit.fit.unknowns[i];
-    if (fit.uncertainty.at_bound[i] && !unknown.fixed) at_bound.push_back(unknown.name);
-  }
-  if (!at_bound.empty()) {
-    result.warnings.push_back(
-        fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
   }
   const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
   if (rows.rows > 1.5 * rows.effective) {
@@ -188,6 +174,20 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
+}
+
+void warn_of_bounds(const std::vector<ComponentWork>& works, StudyResult& result) {
+  std::vector<std::string> at_bound;
+  for (const ComponentWork& work : works) {
+    if (!work.problem) continue;
+    for (std::size_t i = 0; i < work.fit.fit.unknowns.size(); ++i) {
+      const Unknown& unknown = work.fit.fit.unknowns[i];
+      if (work.fit.uncertainty.at_bound[i] && !unknown.fixed) at_bound.push_back(unknown.name);
+    }
+  }
+  if (at_bound.empty()) return;
+  result.warnings.push_back(
+      fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
 }
 
 void add_figures(const ComponentWork& work, const Material& material, StudyResult& result) {

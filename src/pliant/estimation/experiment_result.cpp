@@ -139,6 +139,11 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   return result;
 }
 
+std::string unfitted_note(const ExperimentInfo& info, std::string_view material) {
+  const std::string note = fmt::format("predicted, {}", material);
+  return info.test.unfitted.empty() ? note : fmt::format("{}: {}", note, info.test.unfitted);
+}
+
 void add_elastic(ExperimentResult& result, const ComponentExperiment& experiment,
                  const ComponentLaw& elastic, const Eigen::VectorXd& nuisance) {
   const auto prediction = experiment.predict(elastic, nuisance, false);

@@ -129,6 +129,13 @@ struct SkippedExperiment {
   std::vector<std::string> missing;  ///< components that the material does not have
 };
 
+/// Numbers of an experiment that a fit would have found, and nothing tells: it is predicted as on
+/// an ideal apparatus.
+struct LeftOut {
+  std::string experiment;
+  std::vector<std::string> numbers;  ///< in words: force offset
+};
+
 /// A file, or the folder of a session, that an experiment was read from.
 struct DataFile {
   std::string experiment;
@@ -159,6 +166,7 @@ struct StudyResult {
   std::vector<std::string> assumptions, undetermined, warnings;
   std::vector<std::string> questions;  ///< warnings that doubt units, sizes or the fabric
   std::vector<SkippedExperiment> skipped;
+  std::vector<LeftOut> left_out;  ///< of an evaluation
   Judgement judgement;
   Material material;
 };

@@ -80,6 +80,7 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   ExperimentJudgement own;
   own.experiment = e.name;
   own.predicted = e.role == ExperimentRole::validate;
+  own.errors["rms"] = e.points == 0 ? INFINITY : e.rms_percent / 100;
   std::vector<Figure> figures{
       {e.rms_percent / 100 / accept.rms,
        fmt::format("RMS error {} of {} (accepted: {})", percent(e.rms_percent / 100),
@@ -93,15 +94,17 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   if (rows.measured.size() > 2 && span_of(rows.measured) > 0) {
     const double measured = span_of(rows.measured), predicted = span_of(rows.predicted);
     own.span_ratio = predicted / measured;
-    figures.push_back({std::abs(*own.span_ratio - 1) / accept.span,
+    own.errors["span"] = std::abs(*own.span_ratio - 1);
+    figures.push_back({own.errors["span"] / accept.span,
                        fmt::format("the measured span of {} is predicted as {}",
                                    with_unit(measured, measured, e.quantity),
                                    with_unit(predicted, measured, e.quantity))});
     own.explained = explained_share(e, rows);
   }
   if (own.explained) {
+    own.errors["unexplained"] = 1 - *own.explained;
     figures.push_back(
-        {(1 - *own.explained) / accept.unexplained,
+        {own.errors["unexplained"] / accept.unexplained,
          fmt::format("{} of {} is explained (accepted: {})", percent(std::max(*own.explained, 0.0)),
                      e.limp_rms ? "what a strip without stiffness leaves" : "the variance",
                      percent(1 - accept.unexplained))});
@@ -109,8 +112,9 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   if (e.measured_loop && e.predicted_loop) {
     const double measured = e.measured_loop->loop_loss, predicted = e.predicted_loop->loop_loss;
     if (measured >= kHardlyALoop) own.loop_ratio = predicted / measured;
+    own.errors["loop"] = std::abs(predicted - measured) / std::max(measured, kHardlyALoop);
     figures.push_back(
-        {std::abs(predicted - measured) / std::max(measured, kHardlyALoop) / accept.loop,
+        {own.errors["loop"] / accept.loop,
          fmt::format("the loop loses {}, predicted {}", percent(measured), percent(predicted))});
   }
   for (Figure& figure : figures) {
@@ -122,6 +126,32 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
     if (!(figure.excess <= 1)) own.reasons.push_back(std::move(figure.reason));
   }
   return own;
+}
+
+std::vector<CriterionJudgement> criteria_of(const std::vector<ExperimentJudgement>& experiments,
+                                            const Acceptance& accept) {
+  std::vector<CriterionJudgement> criteria;
+  for (const auto& [key, limit] : limits_of(accept)) {
+    CriterionJudgement& own = criteria.emplace_back();
+    own.key = key;
+    own.limit = limit;
+    for (const ExperimentJudgement& e : experiments) {
+      const auto error = e.errors.find(key);
+      if (error == e.errors.end()) continue;
+      const double value = std::isnan(error->second) ? INFINITY : error->second;
+      if (own.worst && value <= *own.worst) continue;
+      own.worst = value;
+      own.experiment = e.experiment;
+    }
+  }
+  return criteria;
+}
+
+std::string_view words_of(std::string_view key) {
+  if (key == "rms") return "RMS error";
+  if (key == "span") return "error of the span";
+  if (key == "loop") return "error of the loop's loss";
+  return "variance not explained";
 }
 
 Fitness fitness_of(double excess) {
@@ -147,6 +177,14 @@ std::string where_unfit(const StudyResult& result, const Judgement& judgement) {
   return fmt::format(" in {}", fmt::join(unfit, ", "));
 }
 
+/// " Left out, for no fit tells them: force offset, initial friction."
+std::string left_out_sentence(const StudyResult& result) {
+  std::set<std::string> numbers;
+  for (const LeftOut& e : result.left_out) numbers.insert(e.numbers.begin(), e.numbers.end());
+  if (numbers.empty()) return {};
+  return fmt::format(" Left out, for no fit tells them: {}.", fmt::join(numbers, ", "));
+}
+
 std::string headline_of(const StudyResult& result, const Judgement& judgement, bool validated,
                         bool evaluation) {
   if (judgement.experiments.empty()) return "There is no experiment to judge the material by.";
@@ -168,6 +206,7 @@ std::string headline_of(const StudyResult& result, const Judgement& judgement, b
   if (!result.converged) text += " The fit did not converge.";
   if (!result.questions.empty()) text += " Units, sizes or the fabric are in question.";
   if (!result.skipped.empty()) text += " Not all experiments are predicted.";
+  text += left_out_sentence(result);
   if (!validated && !evaluation) text += " No experiment was kept to validate it.";
   return text;
 }
@@ -186,6 +225,22 @@ std::string_view name_of(Fitness fitness) {
   return "";
 }
 
+std::vector<std::pair<std::string_view, double>> limits_of(const Acceptance& accept) {
+  return {{"rms", accept.rms},
+          {"span", accept.span},
+          {"loop", accept.loop},
+          {"unexplained", accept.unexplained}};
+}
+
+std::string CriterionJudgement::text() const {
+  if (!worst) {
+    return fmt::format("{} (limit {}): no experiment tells it", words_of(key), percent(limit));
+  }
+  return fmt::format("{} {} ({}; limit {}): {}", words_of(key),
+                     std::isinf(*worst) ? "without end" : percent(*worst), experiment,
+                     percent(limit), passed() ? "pass" : "fail");
+}
+
 Fitness ExperimentJudgement::fitness() const { return fitness_of(excess); }
 
 Judgement judge(const StudyResult& result, const Acceptance& accept, bool evaluation) {
@@ -194,6 +249,7 @@ Judgement judge(const StudyResult& result, const Acceptance& accept, bool evalua
     judgement.experiments.push_back(judged(e, accept));
   }
   std::ranges::stable_sort(judgement.experiments, std::greater(), &ExperimentJudgement::excess);
+  judgement.criteria = criteria_of(judgement.experiments, accept);
   const bool validated =
       std::ranges::any_of(judgement.experiments, &ExperimentJudgement::predicted);
   if (!judgement.experiments.empty()) {

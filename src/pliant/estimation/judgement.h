@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pliant {
@@ -18,6 +20,9 @@ struct Acceptance {
   double unexplained = 0.05;  ///< share of what is measured, beyond noise, that is not predicted
 };
 
+/// The limits by their keys in a study, in their order.
+std::vector<std::pair<std::string_view, double>> limits_of(const Acceptance& accept);
+
 /// Whether a material may be used within the range of its data.
 enum class Fitness { fit, reservations, unfit };
 
@@ -32,10 +37,23 @@ struct ExperimentJudgement {
   /// Share of the mean square about the mean, or about what a material without any stiffness does,
   /// noise taken out of both; nothing where that is hardly more than noise.
   std::optional<double> explained;
-  std::vector<std::string> reasons;  ///< figures that are not accepted, the worst first
+  std::vector<std::string> reasons;           ///< figures that are not accepted, the worst first
+  std::map<std::string_view, double> errors;  ///< by the keys of the limits; those that it has
 
   /// Up to three times what is accepted is a reservation.
   Fitness fitness() const;
+};
+
+/// A limit of the study, and the experiment that comes nearest to it or exceeds it most.
+struct CriterionJudgement {
+  std::string_view key;
+  double limit = 0;
+  std::optional<double> worst;  ///< none where no experiment has such an error
+  std::string experiment;
+
+  bool passed() const { return !worst || *worst <= limit; }
+  /// "RMS error 1.8 % (warp; limit 3 %): pass".
+  std::string text() const;
 };
 
 /// What the errors of a fit or an evaluation allow to be said of its material.
@@ -43,6 +61,7 @@ struct Judgement {
   Fitness fitness = Fitness::reservations;
   std::string headline;                          ///< one or two sentences
   std::vector<ExperimentJudgement> experiments;  ///< the worst first
+  std::vector<CriterionJudgement> criteria;      ///< as `limits_of` has them
 };
 
 /// Judges all experiments of a result. A fit that did not converge is not fit for use; one of which

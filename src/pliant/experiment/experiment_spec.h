@@ -38,6 +38,7 @@ struct ExperimentSpec {
   StatedNoise noise;
   std::vector<ExcludedRows> excluded;
   std::vector<std::string> told;  ///< what the data files told and the study did not, in sentences
+  std::vector<std::string> doubts;  ///< what they tell otherwise than the study, as questions
   ExperimentRole role = ExperimentRole::fit;
   Location where;
 };

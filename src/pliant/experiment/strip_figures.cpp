@@ -33,7 +33,7 @@ StripFigures::StripFigures(const TestSpec& size, double density)
   }
   if (size.width > 0) {
     width_ = field("width", Dimension::length, size.width);
-    add(figures::kWidth, size.width, {{width_}});
+    add(density_ > 0 ? figures::kCutWidth : figures::kWidth, size.width, {{width_}});
   }
   if (density_ > 0) {
     weight_ = field("density", Dimension::area_density, density);
@@ -83,14 +83,36 @@ std::optional<std::string> StripFigures::add_pull(const PulledRows& rows, Readin
     powers.push_back({stretch});
     if (rows.column == "extension") powers.push_back({length_, -1});
   }
-  add(figures::kStrain, std::max(std::abs(most - 1), std::abs(least - 1)), powers);
-  const double load = std::max(std::abs(load_there), std::abs(load_here));
-  add_by_weight(figures::kLoad, figures::kTension, load / strip_width_, {{force}, {width_, -1}});
-  for (Power& power : powers) power.exponent *= -1;
-  powers.insert(powers.end(), {{force}, {width_, -1}});
-  add_by_weight(figures::kStiffness, figures::kModulus,
-                (load_there - load_here) / (most - least) / strip_width_, std::move(powers));
+  const double strain = std::max(std::abs(most - 1), std::abs(least - 1));
+  add(figures::kStrain, strain, powers);
+  const double load = std::max(std::abs(load_there), std::abs(load_here)) / strip_width_;
+  add_by_weight(figures::kLoad, figures::kTension, load, {{force}, {width_, -1}});
+  std::vector<Power> of_stiffness = powers;
+  for (Power& power : of_stiffness) power.exponent *= -1;
+  of_stiffness.insert(of_stiffness.end(), {{force}, {width_, -1}});
+  const double stiffness = (load_there - load_here) / (most - least) / strip_width_;
+  add_by_weight(figures::kStiffness, figures::kModulus, stiffness, of_stiffness);
+  if (density_ == 0) return std::nullopt;
+  add_of_weighed(rows, {load, {{force}, {width_, -1}}}, {strain, std::move(powers)},
+                 {stiffness, std::move(of_stiffness)});
   return std::nullopt;
+}
+
+void StripFigures::add_of_weighed(const PulledRows& rows, Figure load, const Figure& strain,
+                                  Figure stiffness) {
+  for (Figure* figure : {&load, &stiffness}) {
+    figure->value /= density_ * kStandardGravity;
+    figure->powers.push_back({weight_, -1});
+  }
+  const Figure density{density_, {{weight_}}};
+  add(figures::kPulledDensity, density_, {{weight_}});
+  add_below(figures::kStiffnessOfHeavyCloth, stiffness, figures::kSoftDensity, density);
+  add_below(figures::kStraightensCrimp, load, figures::kCrimpStiffness, stiffness);
+  if (rows.comes_back) add_above(figures::kFarStretch, strain, figures::kReturnedLoad, load);
+  if (!rows.is_driven) return;
+  std::vector<Power> of_work = strain.powers;
+  of_work.insert(of_work.end(), load.powers.begin(), load.powers.end());
+  add(figures::kWork, load.value * strain.value, std::move(of_work));
 }
 
 void StripFigures::add_rate(const PulledRows& rows, const std::vector<double>& time,

@@ -17,6 +17,8 @@ struct PulledRows {
   std::vector<double> length;  ///< between the clamps (m)
   std::vector<double> force;   ///< N
   bool is_turned = false;      ///< the file counts a pull negative
+  bool is_driven = false;      ///< by a machine, not by what weights there are
+  bool comes_back = false;     ///< unbroken
 };
 
 /// The figures of a strip, by which its units and sizes are judged: what it measures and weighs, as
@@ -41,6 +43,9 @@ class StripFigures : public Plausibility {
   Reading width() const { return width_; }
 
  private:
+  /// Figures that only together are those of no fabric, of a strip whose weight is known.
+  /// @param load, stiffness  N/m
+  void add_of_weighed(const PulledRows& rows, Figure load, const Figure& strain, Figure stiffness);
   void add_by_weight(const FabricFigure& by_weight, const FabricFigure& alone, double per_width,
                      std::vector<Power> powers);
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/number_with_error.h"
 #include "pliant/base/plausibility.h"
 #include "pliant/material/fill.h"
 
@@ -37,9 +38,10 @@ std::vector<std::string> numbers_with_errors(const MaterialComponent& component,
     const auto error = component.errors.find(number);
     if (error == component.errors.end() || is_friction(number) != friction) continue;
     const auto sd = error->second.std_error;
-    texts.push_back(fmt::format("{} {} +- {}", number,
-                                format_number(values(static_cast<Eigen::Index>(i)), 3),
-                                sd ? format_number(*sd, 2) : "any number"));
+    const double value = values(static_cast<Eigen::Index>(i));
+    texts.push_back(number + " " +
+                    (sd && *sd > 0 ? number_with_error(value, *sd)
+                                   : format_number(value, 3) + " +- any number"));
   }
   return texts;
 }

@@ -159,7 +159,8 @@ std::string singular_value_table(const std::vector<SingularValues>& all) {
 
 }  // namespace
 
-std::string parameter_section(const Results& results) {
+std::string parameter_section(const ReportData& data) {
+  const Results& results = data.results;
   if (results.parameters.empty()) return {};
   std::string html = "<section id=\"parameters\"><h2>Parameters</h2>\n";
   html +=
@@ -170,9 +171,10 @@ std::string parameter_section(const Results& results) {
             "is the difference from one piece of fabric to the next. Greyed values in brackets "
             "are where the search stopped: the data do not determine them.</p>\n";
   if (results.work) {
-    html +=
-        "<p>Remarks: where a control point of a stiffness curve lies, and which sessions tell the "
-        "number, each with its share of what is known.</p>\n";
+    html += fmt::format(
+        "<p>Remarks: where a control point of a stiffness curve lies, and which {} tell the "
+        "number, each with its share of what is known.</p>\n",
+        data.is_of_strips() ? "strips" : "sessions");
   }
   return html + parameter_table(results.parameters, results.membrane) +
          nuisance_table(results.nuisance) + singular_value_table(results.singular_values) +

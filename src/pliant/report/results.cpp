@@ -209,6 +209,9 @@ ResultJudgement read_judgement(const std::optional<JsonReader>& json) {
   for (const JsonReader& e : json->objects("experiments")) {
     if (e.text("fitness") != "fit") judgement.misses.push_back(e.text("name"));
   }
+  for (const JsonReader& c : json->objects("criteria")) {
+    judgement.criteria.push_back(c.text("text"));
+  }
   return judgement;
 }
 

@@ -103,7 +103,8 @@ struct FitWork {
 /// What the fit says of its own fitness for use; empty in results of earlier versions.
 struct ResultJudgement {
   std::string fitness, headline;
-  std::vector<std::string> misses;  ///< experiments that are not accepted, the worst first
+  std::vector<std::string> misses;    ///< experiments that are not accepted, the worst first
+  std::vector<std::string> criteria;  ///< each limit of the study, and whether it is kept
 };
 
 /// What a laboratory reads off the material; values in `unit` (SI).

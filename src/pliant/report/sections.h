@@ -15,7 +15,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures);
 std::string experiment_section(const ReportData& data, FigureSheet& figures);
 
 /// The estimated numbers with their uncertainty, nuisance parameters, singular values.
-std::string parameter_section(const Results& results);
+std::string parameter_section(const ReportData& data);
 
 /// Each component's stress-strain curve, the data under it, and its friction envelope.
 std::string curve_section(const ReportData& data, FigureSheet& figures);

@@ -242,6 +242,10 @@ std::string headline(const ReportData& data) {
                      escape_html(judgement.headline), text);
 }
 
+std::string criteria(const Results& results) {
+  return fmt::format("{}", fmt::join(results.judgement.criteria, "; "));
+}
+
 /// What a signature stands for: the version, the time and the beginnings of the digests of the
 /// data.
 std::string identity(const Results& results) {
@@ -286,13 +290,15 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
       results.evaluation ? " <span>evaluation of a material</span>" : " <span>material fit</span>";
   html += "</h1></header>\n";
   html += headline(data);
+  const std::string accepted = criteria(results);
+  if (!accepted.empty()) html += element("p", "Acceptance: " + accepted + ".");
   html += doubts(results);
   const Facts fabric = all_facts(data);
   const std::vector<std::string> tables =
       data.is_of_sheets() ? sheet_tables(data) : std::vector<std::string>();
-  const PageBudget budget =
-      page_budget(results, results.judgement.headline.size() + details(data).size(), fabric.size(),
-                  rows_of(tables));
+  const PageBudget budget = page_budget(
+      results, results.judgement.headline.size() + details(data).size() + accepted.size(),
+      fabric.size(), rows_of(tables));
   html += facts(fabric, budget.facts);
   html += page_one_loops(data, budget.loops, budget.height_of_loops, figures);
   html += material_table(results, data.material);

@@ -142,7 +142,8 @@ Json figure_json(const LabFigure& figure) {
 Json judgement_json(const Judgement& judgement) {
   Json json{{"fitness", name_of(judgement.fitness)},
             {"headline", judgement.headline},
-            {"experiments", Json::array()}};
+            {"experiments", Json::array()},
+            {"criteria", Json::array()}};
   for (const ExperimentJudgement& e : judgement.experiments) {
     json["experiments"].push_back({{"name", e.experiment},
                                    {"fitness", name_of(e.fitness())},
@@ -151,6 +152,14 @@ Json judgement_json(const Judgement& judgement) {
                                    {"loop_ratio", number(e.loop_ratio)},
                                    {"explained_variance", number(e.explained)},
                                    {"reasons", e.reasons}});
+  }
+  for (const CriterionJudgement& c : judgement.criteria) {
+    json["criteria"].push_back({{"name", c.key},
+                                {"limit", c.limit},
+                                {"worst", number(c.worst)},
+                                {"experiment", c.worst ? Json(c.experiment) : Json(nullptr)},
+                                {"passed", c.passed()},
+                                {"text", c.text()}});
   }
   return json;
 }

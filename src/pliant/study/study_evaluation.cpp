@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -92,6 +93,52 @@ std::optional<Eigen::VectorXd> fitted_nuisance(const Experiment& experiment,
   return values;
 }
 
+/// What a prediction with a law leaves out of an experiment where no fit tells its numbers.
+LeftOut left_out_of(const Experiment& experiment, const ComponentLaw& law,
+                    const Eigen::VectorXd& unfitted) {
+  LeftOut left_out{experiment.info().name, {}};
+  const std::vector<NuisanceParameter>& own = experiment.nuisance();
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const bool read_off = unfitted(static_cast<Eigen::Index>(i)) != 0;
+    const bool means_nothing = own[i].of_friction && law.friction_law == FrictionLaw::none;
+    if (read_off || means_nothing) continue;
+    std::string words = own[i].name.substr(own[i].name.rfind('.') + 1);
+    std::ranges::replace(words, '_', ' ');
+    if (std::ranges::find(left_out.numbers, words) == left_out.numbers.end()) {
+      left_out.numbers.push_back(std::move(words));
+    }
+  }
+  return left_out;
+}
+
+/// An experiment with the numbers of the fit of the material, or as on an ideal apparatus.
+/// @param was_fitted  by the study, where it is not only predicted in its fit too
+ExperimentResult evaluated(const ComponentExperiment& experiment, const ComponentLaw& law,
+                           const FoundNuisance& found, bool was_fitted, StudyResult& result) {
+  if (const auto fitted = fitted_nuisance(experiment, found)) {
+    ExperimentResult row = compare(experiment, law, *fitted);
+    row.handled.emplace_back("its own numbers are those of the fit of the material");
+    return row;
+  }
+  const Eigen::VectorXd unfitted = experiment.unfitted_nuisance(law);
+  ExperimentResult row = compare(experiment, law, unfitted);
+  row.handled.push_back(unfitted_note(experiment.info(), "the material as it is given"));
+  LeftOut left_out = left_out_of(experiment, law, unfitted);
+  if (was_fitted && !left_out.numbers.empty()) result.left_out.push_back(std::move(left_out));
+  return row;
+}
+
+void warn_of_left_out(StudyResult& result) {
+  std::map<std::vector<std::string>, std::vector<std::string>> alike;
+  for (const LeftOut& e : result.left_out) alike[e.numbers].push_back(e.experiment);
+  for (const auto& [numbers, experiments] : alike) {
+    result.warnings.push_back(fmt::format(
+        "left out of {}, so that it counts as error of the material: {} (a fit of this study finds "
+        "it; evaluate takes it from the fit.json beside the material)",
+        fmt::join(experiments, ", "), fmt::join(numbers, ", ")));
+  }
+}
+
 void skip_unknown(const Material& material, Experiments& experiments, StudyResult& result) {
   std::erase_if(experiments, [&](const auto& experiment) {
     const ExperimentInfo& info = experiment->info();
@@ -128,6 +175,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
   with_measure.model.membrane = material.membrane;
   with_measure.model.bending = material.bending;
   with_measure.density = result.density;
+  for (ExperimentSpec& spec : with_measure.experiments) spec.role = ExperimentRole::validate;
   ask_about_fabric(study, material, result);
   Experiments experiments = read_experiments(with_measure, result);
   skip_unknown(material, experiments, result);
@@ -137,12 +185,9 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
     const ExperimentInfo& info = experiment->info();
     const std::optional<ComponentLaw> law = law_of(material, info.component);
     PLIANT_ASSERT(law.has_value(), "experiments without their component are skipped");
-    const auto fitted = fitted_nuisance(*experiment, found);
-    ExperimentResult row =
-        compare(*experiment, *law, fitted ? *fitted : experiment->unfitted_nuisance(*law));
-    row.role = ExperimentRole::validate;
-    if (fitted) row.handled.emplace_back("its own numbers are those of the fit of the material");
-    result.experiments.push_back(std::move(row));
+    const auto spec = std::ranges::find(study.experiments, info.name, &ExperimentSpec::name);
+    result.experiments.push_back(
+        evaluated(*experiment, *law, found, spec->role == ExperimentRole::fit, result));
     const bool drawn =
         std::any_of(result.curves.begin(), result.curves.end(),
                     [&](const ComponentCurve& c) { return c.component == info.component; });
@@ -153,6 +198,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
     }
   }
   evaluate_sheets(with_measure, material, found.cords, context, result);
+  warn_of_left_out(result);
   warn_of_guesses(material, result);
   refuse_if_nothing_is_left(study, material, result);
   result.assumptions = assumptions_of(study, experiments);

@@ -28,6 +28,11 @@ StudyResult describe(const Study& study) {
               {{cloth.field("density", Dimension::area_density, study.density)}});
     if (auto question = cloth.question()) result.questions.push_back(std::move(*question));
   }
+  for (const ExperimentSpec& spec : study.experiments) {
+    for (const std::string& doubt : spec.doubts) {
+      result.questions.push_back(spec.name + ": " + doubt);
+    }
+  }
   return result;
 }
 

@@ -86,6 +86,7 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& work : works) {
     if (work.problem) add_component(work, result);
   }
+  warn_of_bounds(works, result);
   tell_of_shear(works, result);
   warn_of_unknown_profiles(options, result);
   warn_of_unmatched_options(study.fit, result);

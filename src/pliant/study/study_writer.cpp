@@ -142,11 +142,8 @@ std::string resolved_study_text(const Study& study, const std::filesystem::path&
   node["model"] = model_node(study.model);
   node["fit"] = fit_node(study.fit);
   for (const std::string& pattern : study.validate) node["validate"].push_back(pattern);
-  for (const auto& [key, share] : {std::pair("rms", study.accept.rms),
-                                   {"span", study.accept.span},
-                                   {"loop", study.accept.loop},
-                                   {"unexplained", study.accept.unexplained}}) {
-    node["accept"][key] = format_number(100 * share, 15) + " %";
+  for (const auto& [key, share] : limits_of(study.accept)) {
+    node["accept"][std::string(key)] = format_number(100 * share, 15) + " %";
   }
 
   YAML::Emitter emitter;

@@ -12,4 +12,9 @@ namespace pliant {
 SpecimenDefaults with_told_sizes(SpecimenDefaults defaults, const Fields& fields,
                                  const TestType& type, ExperimentSpec& experiment);
 
+/// Asks about a length or width of the experiment that its data files tell otherwise above their
+/// tables, where all files agree. The questions stand in `ExperimentSpec::doubts`.
+/// @param experiment  its test is read
+void doubt_stated_sizes(ExperimentSpec& experiment);
+
 }  // namespace pliant

@@ -104,12 +104,14 @@ BucklingBend::BucklingBend(const ExperimentSpec& spec, const DataRows& data,
   require_return(path_, data);
   info_.handled.push_back(
       "the clamp distance drives the path; the strip starts straight, free of friction");
-  info_.handled.push_back(
-      rest_length == RestLength::known
-          ? "offset and drift of the force are estimated along (nuisance parameters); the strip is "
-            "as long as stated"
-          : "offset and drift of the force and the strip's length are estimated along (nuisance "
-            "parameters)");
+  if (spec.role == ExperimentRole::fit) {
+    info_.handled.push_back(
+        rest_length == RestLength::known
+            ? "offset and drift of the force are estimated along (nuisance parameters); the strip "
+              "is as long as stated"
+            : "offset and drift of the force and the strip's length are estimated along (nuisance "
+              "parameters)");
+  }
   info_.questions = questions_of(path_, std::ranges::max(distance_), spec, data, cloth.density);
 }
 

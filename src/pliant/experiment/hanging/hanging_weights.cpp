@@ -108,8 +108,12 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   if (cloth.density == 0) {
     info_.warnings.push_back("no density is given: the cloth's own weight is left out");
   }
-  info_.questions = questions_of(
-      *this, spec, data, {"length", data.quantity_unit("length"), lengths, force_}, cloth.density);
+  info_.questions = questions_of(*this, spec, data,
+                                 {.column = "length",
+                                  .unit = data.quantity_unit("length"),
+                                  .length = lengths,
+                                  .force = force_},
+                                 cloth.density);
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
   if (info_.questions.empty() && *shortest < 0.95 * own.length) {
     info_.warnings.push_back(

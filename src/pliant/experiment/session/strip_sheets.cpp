@@ -157,8 +157,8 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
     const std::string& specimen = cycles.info().specimens[static_cast<std::size_t>(s)];
     session.sample.id = specimen;
     sheets.handled.push_back(
-        fmt::format("a sheet of {} triangles; {} of {} rows are its frames, the force offset of "
-                    "{:.4g} N is taken off",
+        fmt::format("fitted as a sheet of {} triangles to {} of its {} rows, the force offset of "
+                    "{:.4g} N taken off",
                     session.rest.triangle_count(), session.frame_count(), measured, offsets(s)));
     sheets.tests.emplace_back(offsets.size() == 1 ? spec.name : spec.name + "." + specimen,
                               std::move(session), SheetObjective::axial_clip_forces);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/strip_figures.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 
@@ -102,8 +103,9 @@ PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) 
 }
 
 std::vector<std::string> questions_of(const TensileCycles& cycles, const ExperimentSpec& spec,
-                                      const DataRows& data, const PulledRows& rows,
-                                      double density) {
+                                      const DataRows& data, PulledRows rows, double density) {
+  rows.is_driven = true;
+  rows.comes_back = unloads(cycles.path());
   StripFigures strip(*spec.test, density);
   const auto other_slip = strip.add_pull(
       rows, strip.column("force", force_dimension(data), data.quantity_unit("force")));

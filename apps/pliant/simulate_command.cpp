@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/geometry/crossings.h"
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
@@ -30,6 +31,7 @@ struct SimulateArguments {
   std::string view = kDefaultView;
   bool resume = false;
   bool no_report = false;
+  bool verify = false;
 };
 
 std::optional<double> checkpoint_period(const SimulateArguments& arguments) {
@@ -90,6 +92,7 @@ class SimulationRun {
         throw std::runtime_error(
             fmt::format("{}; the last good state is that of {}", error.what(), last_state()));
       }
+      if (arguments_.verify) verify();
       if (simulation_.is_frame()) write_frame();
       if (steps_per_checkpoint_ > 0 && simulation_.now().steps % steps_per_checkpoint_ == 0) {
         write_summary();
@@ -116,6 +119,22 @@ class SimulationRun {
   }
 
  private:
+  // By an exact test that knows nothing of contact.
+  void verify() {
+    const auto pairs = crossing_triangles(simulation_.now().state.configuration.positions,
+                                          simulation_.built().faces);
+    if (!pairs) {
+      throw InputError({"--verify"}, "was left out when this program was built",
+                       "a program that was built with CGAL");
+    }
+    if (pairs->empty()) return;
+    stop();
+    throw std::runtime_error(
+        fmt::format("{} pairs of triangles pass through each other, the first of them {} and {} "
+                    "(counted from 0 over all cloth), in the state of {}",
+                    pairs->size(), pairs->front()[0], pairs->front()[1], last_state()));
+  }
+
   void write_report() {
     results_.publish();  // the report is made of the results
     results_.write("report.html", make_simulation_report(results_.path(), pictures()));
@@ -220,6 +239,9 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           now.steps, run.simulation().scene().time.step, now.energies.size(),
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
   context.say(report::limits_text(report::read_simulation_results(arguments.output)));
+  if (arguments.verify) {
+    context.say("verified: after no step do triangles pass through each other");
+  }
   if (!arguments.no_report) {
     context.say(fmt::format("report: {}",
                             (std::filesystem::path(arguments.output) / "report.html").string()));
@@ -247,6 +269,9 @@ void add_simulate(CommandRegistry& registry) {
                    "Go on from the checkpoint in DIR, to the same result");
   add_view_option(command, arguments->view, "From where the report's pictures show the cloth");
   command.add_flag("--no-report", arguments->no_report, "Leave out report.html and its pictures");
+  command.add_flag("--verify", arguments->verify,
+                   "After each step test exactly that no triangles pass through each other, and "
+                   "stop where some do");
   command.footer(
       "Writes frames/, energy.csv, simulation.json and report.html; docs/formats/scene.md tells\n"
       "what a scene may say. `pliant info SCENE` checks one without simulating it.\n"

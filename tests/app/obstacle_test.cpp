@@ -67,5 +67,27 @@ TEST(SimulatedObstacles, AreGoneOnWithToTheSameBits) {
             summary_in(folder.results("whole"))["min_contact_distance"]);
 }
 
+// Upright cloth falls through itself where it is not told of itself.
+TEST(VerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
+  const SceneFolder folder;
+  for (const bool touches : {false, true}) {
+    folder.copy_example("drape-sphere",
+                        {{"grid: 1 m x 1 m, nodes: 121x121", "grid: 10 cm x 15 cm, nodes: 11x16"},
+                         {"place: {translate: [-0.5, -0.5, 0]}",
+                          "place: {rotate: {axis: [1, 0, 0], angle: 80 deg}, translate: [0, 0, "
+                          "0.005]}"},
+                         {"sphere: {centre: [0, 0, -0.21], radius: 200 mm}",
+                          "plane: {point: [0, 0, 0], normal: [0, 0, 1]}"},
+                         {", friction: 0.6}", touches ? ", friction: 0.6}" : "}"},
+                         {"duration: 800 ms", "duration: 400 ms"}});
+    const ProgramRun run = folder.simulate({"--no-report", "--verify"});
+    if (run.err.find("built with CGAL") != std::string::npos) GTEST_SKIP() << run.err;
+    EXPECT_EQ(run.status, touches ? 0 : 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(touches ? "verified: after no step"
+                                           : "pass through each other, "
+                                             "the first of them"));
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -362,7 +362,7 @@ std::vector<NamedDocument> broken_scenes() {
       changed("a ball of no size", scene, "/obstacles/1/sphere/radius", "0 m"),
       changed("negative friction", scene, "/obstacles/0/friction", -0.1),
       changed("no kinetic friction", scene, "/obstacles/2/friction", {{"static", 0.5}}),
-      changed("friction of cloth on itself", scene, "/contact/friction", 0.5),
+      changed("negative friction of cloth on itself", scene, "/contact/friction", -0.5),
       changed("negative drag", scene, "/air/drag", -1),
       changed("negative damping", scene, "/damping/fraction", -1),
       changed("a step of zero", scene, "/time/step", "0 ms"),

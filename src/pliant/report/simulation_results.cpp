@@ -76,15 +76,17 @@ std::string method_text(const SimulationMethod& method) {
 }
 
 std::string limits_text(const SimulationResults& results) {
-  if (results.not_modelled.empty()) return {};
-  std::string text = fmt::format("Not modelled: {}.", fmt::join(results.not_modelled, ", "));
-  if (!results.crossing_pairs) return text;
-  const char* end = results.finished ? "At the end" : "At the last step";
-  if (*results.crossing_pairs == 0) {
-    return fmt::format("{} {} no triangles pass through each other.", text, end);
+  std::string text;
+  if (!results.not_modelled.empty()) {
+    text = fmt::format("Not modelled: {}. ", fmt::join(results.not_modelled, ", "));
   }
-  return fmt::format("{} {} {} pair{} of triangles pass through each other.", text, end,
-                     *results.crossing_pairs, *results.crossing_pairs == 1 ? "" : "s");
+  if (!results.crossing_pairs) return std::string(trimmed(text));
+  const int pairs = *results.crossing_pairs;
+  const std::string crossing =
+      pairs == 0 ? "no triangles"
+                 : fmt::format("{} pair{} of triangles", pairs, pairs == 1 ? "" : "s");
+  return fmt::format("{}{} {} pass through each other.", text,
+                     results.finished ? "At the end" : "At the last step", crossing);
 }
 
 SimulationResults read_simulation_results(const std::filesystem::path& directory) {

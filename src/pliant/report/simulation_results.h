@@ -38,7 +38,8 @@ std::string method_text(const SimulationMethod& method);
 
 struct SimulationResults;
 
-/// What was not modelled, and what became of it: one sentence, empty where the file does not say.
+/// What was not modelled, and whether triangles pass through each other in the end; empty where the
+/// file says neither.
 std::string limits_text(const SimulationResults& results);
 
 /// simulation.json of a results directory, and its energies.

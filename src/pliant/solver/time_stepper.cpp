@@ -155,12 +155,14 @@ StepSummary TimeStepper::searched_at(const Trial& trial, double most_energy, Con
 StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configuration at, State& to) {
   constexpr int kMostTimes = 30;
   constexpr int kMostMore = 5;  // iterations while the total of all energies has grown
+  const bool closed = led.has_arrived() && trial.under.controls.bodies.empty();
   const FreeChange guess = free_change(trial.objective, at, trial.guess, led.way_left());
   led.go(guess.led, at);
   // Where something is in the way, the guess may hold more energy than there was.
   const double most_energy = system_.obstructs() ? trial.objective.energy(at).total() : INFINITY;
-  const double total = most_energy - trial.inertia.energy(at.positions) +
-                       kinetic_energy(system_, trial.from.velocities);
+  const double total = closed ? most_energy - trial.inertia.energy(at.positions) +
+                                    kinetic_energy(system_, trial.from.velocities)
+                              : INFINITY;
   at = system_.coordinates().moved(at, guess.each);
   StepSummary summary = searched_at(trial, most_energy, at);
   for (int times = 1; !led.has_arrived(); ++times) {
@@ -173,8 +175,8 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
     summary.linear_iterations += on.linear_iterations;
   }
   for (int more = 0; settle(trial, at, to, summary) > total && more < kMostMore; ++more) {
-    const DescentSummary on =
-        descend(trial.objective, {.iterations = 1}, no_change(system_), workspace_, at);
+    const DescentOptions once{.iterations = 1, .motion = options_.motion_tolerance};
+    const DescentSummary on = descend(trial.objective, once, no_change(system_), workspace_, at);
     summary.newton_iterations += on.iterations;
     summary.linear_iterations += on.linear_iterations;
   }

@@ -202,6 +202,9 @@ std::vector<MadeUpFile> plain_files() {
       {"EndOfTest", "pull.csv", "Load (N),Stroke (mm)\n0,0\n4,2\n9,5\n2,1\nEnd of test\n"},
       {"DistanceOfAPull", "pull.csv", "Force (N),Distance (mm)\n0,0\n4,2\n9,5\n2,1\n"},
       {"DistanceOfTheClamps", "pull.csv", "Force (N),Distance (mm)\n0,100\n4,102\n9,105\n2,101\n"},
+      {"AnotherScript", "pull.csv", "\xD1\xE8\xEB\xE0 (N),\xD5\xEE\xE4 (mm)\n0,0\n4,2\n9,5\n2,1\n"},
+      {"WordsThatNobodyListed", "pull.csv", "Messwert A [N];Messwert B [mm]\n0;0\n4;2\n9;5\n2;1\n"},
+      {"StrainOfNoName", "pull.csv", "Load (N),Signal 2 [%]\n0,0\n4,2\n9,5\n2,1\n"},
       {"NominalStrain", "pull.csv", "Load (N),Nominal strain (%)\n0,0\n4,2\n9,5\n2,1\n"},
       {"GripSeparation", "pull.csv", "FORCE_N,GRIP SEPARATION (mm)\n0,100\n4,102\n9,105\n2,101\n"}};
 }
@@ -228,8 +231,6 @@ std::vector<RefusedFile> refused_files() {
   std::string remarks;
   for (int i = 0; i < 300; ++i) remarks += "a remark\n";
   return {
-      {"AnotherScript", "pull.csv", "\xD1\xE8\xEB\xE0 (N),\xD5\xEE\xE4 (mm)\n0,0\n4,2\n9,5\n2,1\n",
-       "columns.force"},
       {"UnitThatThereIsNot", "pull.csv", "Kraft (kp);Weg (mm)\n0;0\n4;2\n9;5\n2;1\n",
        "columns.force"},
       {"MegaOrMilli", "pull.csv", "FORCE_MN,WEG_MM\n0,0\n4,2\n9,5\n2,1\n", "columns.force"},

@@ -125,24 +125,32 @@ bool is_pull(const CsvTable& table, const TestType& type) {
 }
 
 /// Distances that begin near zero are counted from the gauge length.
-std::string name_of_distance(const CsvTable& table) {
+std::string name_of_distance(const CsvTable& table, const std::string& header) {
   constexpr double kNearZero = 0.1;  // of the largest
-  const std::vector<double> distance = table.quantity("distance", Dimension::length);
+  const std::vector<double> distance = table.numbers(header);
   const auto [least, most] = std::ranges::minmax_element(distance);
   return std::abs(*least) < kNearZero * *most ? "extension" : "length";
 }
 
-/// A strip that is pulled is what testers are used for most.
+/// A strip that is pulled is what testers are used for most. Where a header does not tell what
+/// stands below it, its unit may, if no other column has one of the kind.
 void take_as_tensile(const CsvTable& table, const UnderstoodColumns& columns, TesterFile& file) {
   const auto is_understood = [&](std::string_view name) {
     return std::ranges::any_of(columns, [&](const auto& c) { return c.second.quantity == name; });
   };
   file.type = &tensile_cycles_type();
   file.is_type_known = false;
-  if (!is_understood("force")) file.columns["force"] = blank_column(table, {"force"});
+  if (!is_understood("force")) {
+    const auto told = table.only_column_in(Dimension::force);
+    file.columns["force"] = told ? *told : blank_column(table, {"force"});
+  }
   if (is_understood("extension") || is_understood("length") || is_understood("strain")) return;
-  if (is_understood("distance")) {
-    file.columns[name_of_distance(table)] = *table.quantity_column("distance", Dimension::length);
+  if (const auto distance = table.only_column_in(Dimension::length)) {
+    file.columns[name_of_distance(table, *distance)] = *distance;
+    return;
+  }
+  if (const auto share = table.only_column_in(Dimension::fraction)) {
+    file.columns["strain"] = *share;
     return;
   }
   const bool is_length = !table.quantity_column("extension") && table.is_stated("length");

@@ -91,6 +91,17 @@ std::optional<std::string> CsvTable::quantity_column(std::string_view name,
   return column ? std::optional(columns_[column->index].header) : std::nullopt;
 }
 
+std::optional<std::string> CsvTable::only_column_in(Dimension dimension) const {
+  std::optional<std::string> found;
+  for (const Column& column : columns_) {
+    const std::string unit = column.unit.empty() ? unit_of_header(column.header) : column.unit;
+    if (unit.empty() || !unit_conversion(unit, dimension)) continue;
+    if (found) return std::nullopt;
+    found = column.header;
+  }
+  return found;
+}
+
 std::optional<std::string> CsvTable::quantity_unit(std::string_view name,
                                                    std::optional<Dimension> dimension) const {
   const std::optional<QuantityColumn> column = find_quantity(name, dimension);

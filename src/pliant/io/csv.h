@@ -67,6 +67,9 @@ class CsvTable {
   /// @throws InputError when several columns do, or when a mapped header is not in the file
   std::optional<std::string> quantity_column(std::string_view name,
                                              std::optional<Dimension> dimension = {}) const;
+  /// The header of the only column that tells a unit of the dimension; nothing where none does, or
+  /// several do.
+  std::optional<std::string> only_column_in(Dimension dimension) const;
   /// Whether a column has the name itself, as we write it, or `columns` maps one to it.
   bool is_stated(std::string_view name) const;
   /// The unit of that column as the file tells it; empty when it tells none. Tells a weight in

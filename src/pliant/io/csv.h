@@ -101,6 +101,7 @@ class CsvTable {
 
  private:
   friend class CsvParser;
+  friend class CsvSpecimens;
 
   struct Cell {
     std::uint32_t begin = 0;  // in text_

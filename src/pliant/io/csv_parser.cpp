@@ -11,6 +11,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/io/csv.h"
 #include "pliant/io/csv_finder.h"
+#include "pliant/io/csv_specimens.h"
 #include "pliant/io/file_kind.h"
 #include "pliant/io/text_file.h"
 #include "pliant/io/workbook.h"
@@ -69,8 +70,8 @@ class CsvParser {
         more = next_record();
       }
     }
-    if (groups_.count > 0) take_groups_apart();
-    if (!specimens_.empty()) add_specimen_column();
+    if (groups_.count > 0) specimens_.take_apart(groups_, std::move(above_), table_);
+    if (!specimens_.empty()) specimens_.add_column(table_);
     return std::move(table_);
   }
 
@@ -396,59 +397,9 @@ class CsvParser {
     return more && is_units_row() ? next_record() : more;
   }
 
-  /// A specimen is called as the line above its header calls it, else by its number.
   void begin_specimen(std::size_t first_row) {
-    const bool named = above_.size() == 1;
-    specimens_.push_back(
-        {first_row, named ? above_.front() : fmt::format("{}", specimens_.size() + 1)});
+    specimens_.begin(first_row, above_);
     above_.clear();
-  }
-
-  /// Puts groups of columns, a specimen each, one below the other.
-  void take_groups_apart() {
-    const std::size_t width = table_.columns_.size();
-    const std::vector<Cell> side_by_side = std::move(table_.cells_);
-    const std::vector<int> lines = std::move(table_.lines_);
-    table_.cells_.clear();
-    table_.lines_.clear();
-    std::erase(above_, "");
-    const bool named = above_.size() == groups_.count;
-    for (std::size_t group = 0; group < groups_.count; ++group) {
-      specimens_.push_back(
-          {table_.lines_.size(), named ? above_[group] : fmt::format("{}", group + 1)});
-      for (std::size_t row = 0; row < lines.size(); ++row) {
-        const auto common = side_by_side.begin() + static_cast<std::ptrdiff_t>(row * width);
-        const auto own =
-            common + static_cast<std::ptrdiff_t>(groups_.common + group * groups_.size);
-        const auto own_end = own + static_cast<std::ptrdiff_t>(groups_.size);
-        if (std::all_of(own, own_end, [](const Cell& cell) { return cell.size == 0; })) continue;
-        table_.cells_.insert(table_.cells_.end(), common,
-                             common + static_cast<std::ptrdiff_t>(groups_.common));
-        table_.cells_.insert(table_.cells_.end(), own, own_end);
-        table_.lines_.push_back(lines[row]);
-      }
-    }
-    table_.columns_.resize(groups_.common + groups_.size);
-  }
-
-  /// The column `specimen`, which the table has beside those of its header.
-  void add_specimen_column() {
-    const std::size_t width = table_.columns_.size();
-    const std::vector<Cell> cells = std::move(table_.cells_);
-    table_.cells_.clear();
-    table_.columns_.push_back({"specimen", {}});
-    for (std::size_t i = 0; i < specimens_.size(); ++i) {
-      const Cell name = make_cell(text().size(), text().size() + specimens_[i].name.size());
-      table_.text_ += specimens_[i].name;
-      const std::size_t end =
-          i + 1 < specimens_.size() ? specimens_[i + 1].first_row : table_.lines_.size();
-      for (std::size_t row = specimens_[i].first_row; row < end; ++row) {
-        const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(row * width);
-        table_.cells_.insert(table_.cells_.end(), begin,
-                             begin + static_cast<std::ptrdiff_t>(width));
-        table_.cells_.push_back(name);
-      }
-    }
   }
 
   [[noreturn]] void fail_without_rows() const {
@@ -471,16 +422,12 @@ class CsvParser {
   int record_line_ = 0;
   std::size_t record_begin_ = 0;
 
-  struct Specimen {
-    std::size_t first_row;
-    std::string name;
-  };
   std::string header_line_text_;
   bool header_comes_again_ = false;  // rows need not be told from headers else
   std::vector<std::string> above_;   ///< the cells of the last line above the header
   RepeatedColumns groups_;
-  std::size_t next_specimen_ = 0;    ///< where its header begins
-  std::vector<Specimen> specimens_;  ///< of files that hold several
+  std::size_t next_specimen_ = 0;  ///< where its header begins
+  CsvSpecimens specimens_;
 };
 
 CsvTable parse_csv(std::string text, std::string file, const CsvOptions& options) {

@@ -1,7 +1,6 @@
 #include "pliant/contact/surface_contact.h"
 
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Geometry>

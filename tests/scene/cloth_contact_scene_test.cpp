@@ -10,22 +10,15 @@
 #include <gtest/gtest.h>
 
 #include "pliant/geometry/crossings.h"
-#include "pliant/material/material_file.h"
-#include "pliant/scene/simulation.h"
 
 #include "io/input_error_of.h"
-#include "scene/scene_text.h"
+#include "scene/simulated_scene.h"
 
 namespace pliant {
 namespace {
 
-using test::read_scene_text;
+using test::simulated;
 using ::testing::HasSubstr;
-
-Simulation simulated(const std::string& scene) {
-  return Simulation(read_scene_text("pliant: scene/1\n" + scene),
-                    read_material(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json"));
-}
 
 size_t crossings(const Simulation& simulation) {
   return crossing_triangles(simulation.now().state.configuration.positions,

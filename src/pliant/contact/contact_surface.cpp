@@ -1,8 +1,9 @@
 #include "pliant/contact/contact_surface.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
+
+#include "pliant/geometry/topology.h"
 
 namespace pliant {
 
@@ -37,18 +38,17 @@ ContactSurface::ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::M
       moves_(std::move(moves)),
       parts_(static_cast<size_t>(faces.cols())),
       tree_(middles_of(positions, faces)) {
-  std::set<int> vertices;
-  std::set<Edge> edges;
+  std::vector<bool> is_taken(static_cast<size_t>(positions.cols()), false);
   for (Eigen::Index f = 0; f < faces.cols(); ++f) {
-    Parts& parts = parts_[static_cast<size_t>(f)];
-    for (int k = 0; k < 3; ++k) {
-      const int from = faces(k, f), to = faces((k + 1) % 3, f);
-      const Edge edge{std::min(from, to), std::max(from, to)};
-      if (vertices.insert(from).second) parts.vertices.push_back(from);
-      if (!edges.insert(edge).second) continue;
-      parts.edges.push_back(static_cast<int>(edges_.size()));
-      edges_.push_back(edge);
+    for (const int vertex : faces.col(f)) {
+      if (is_taken[static_cast<size_t>(vertex)]) continue;
+      is_taken[static_cast<size_t>(vertex)] = true;
+      parts_[static_cast<size_t>(f)].vertices.push_back(vertex);
     }
+  }
+  for (const MeshEdge& edge : find_edges(faces)) {
+    parts_[static_cast<size_t>(edge.triangles[0])].edges.push_back(static_cast<int>(edges_.size()));
+    edges_.push_back(edge.vertices);
   }
 }
 

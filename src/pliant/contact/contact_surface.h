@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,7 +18,7 @@ namespace pliant {
 class ContactSurface {
  public:
   /// @param positions  of all points of the system, where those near each other are so always
-  /// @param faces      as points of the system, at least one
+  /// @param faces      as points of the system, at least one; an edge has two at most
   /// @param moves      whether a point may be moved by contact
   ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces,
                  std::vector<bool> moves);

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "pliant/base/number_text.h"
 #include "pliant/geometry/crossings.h"
 #include "pliant/scene/contact_stiffness.h"
+#include "pliant/scene/contact_text.h"
 
 namespace pliant {
 namespace {
 
 // So that cloth pulled taut over cloth does not come much nearer than half the thickness.
 constexpr double kShareOfResistance = 0.1;
-
-std::string millimetres(double length) { return format_number(1e3 * length, 3) + " mm"; }
 
 void refuse_thickness(const SceneContact& contact, double shortest_edge) {
   if (contact.thickness < shortest_edge / 2) return;

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "pliant/base/number_text.h"
 #include "pliant/scene/contact_stiffness.h"
+#include "pliant/scene/contact_text.h"
 
 namespace pliant {
 namespace {
@@ -20,8 +20,6 @@ double sag_over(const ObstacleShape& shape, double edge) {
   }
   return std::holds_alternative<Box>(shape) ? edge / std::sqrt(8.0) : 0;
 }
-
-std::string millimetres(double length) { return format_number(1e3 * length, 3) + " mm"; }
 
 void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
   int inside = 0;

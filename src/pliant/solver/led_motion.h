@@ -11,15 +11,19 @@ class LedMotion {
   /// @param from  where the step begins
   /// @param to    the same, with what is led where the step ends
   LedMotion(const Configuration& from, const Configuration& to)
-      : end_(to.positions), way_(to.positions - from.positions) {}
+      : end_(to.positions), way_(to.positions - from.positions), left_(way_.isZero(0) ? 0 : 1) {}
 
-  bool has_arrived() const { return left_ == 0 || way_.isZero(0); }
+  bool has_arrived() const { return left_ == 0; }
 
-  /// What is left of the way; zero for what moves freely (m, one column a point).
-  Eigen::Matrix3Xd way_left() const { return left_ * way_; }
+  /// What is left of the way; zero for what moves freely (m, one column a point). Empty where all
+  /// has arrived.
+  Eigen::Matrix3Xd way_left() const {
+    return has_arrived() ? Eigen::Matrix3Xd() : Eigen::Matrix3Xd(left_ * way_);
+  }
 
   /// Goes a share of what is left.
   void go(double share, Configuration& at) {
+    if (has_arrived()) return;
     left_ = share == 1 ? 0 : left_ * (1 - share);
     const auto led = way_.array() != 0;
     at.positions = led.select(end_ - left_ * way_, at.positions);
@@ -27,7 +31,7 @@ class LedMotion {
 
  private:
   Eigen::Matrix3Xd end_, way_;
-  double left_ = 1;
+  double left_;  // share of the way
 };
 
 }  // namespace pliant

@@ -57,6 +57,12 @@ StepSummary summary_of(const DescentSummary& descent) {
           .residual = descent.residual};
 }
 
+// What a search took that goes on from another.
+void add_iterations(const StepSummary& on, StepSummary& summary) {
+  summary.newton_iterations += on.newton_iterations;
+  summary.linear_iterations += on.linear_iterations;
+}
+
 }  // namespace
 
 // new velocity = (x - now) / time: backward Euler has now = x_n, time = h; BDF2 has
@@ -130,8 +136,7 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State&
   at = to.configuration;
   const DescentSummary again =
       descend(trial.objective, {.iterations = 1}, no_change(system_), workspace_, at);
-  summary.newton_iterations += again.iterations;
-  summary.linear_iterations += again.linear_iterations;
+  add_iterations(summary_of(again), summary);
   settle(trial, std::move(at), to, summary);
   return summary;
 }
@@ -171,14 +176,12 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
     const StepSummary on = searched_at(trial, INFINITY, at);
     summary.converged = on.converged;
     summary.residual = on.residual;
-    summary.newton_iterations += on.newton_iterations;
-    summary.linear_iterations += on.linear_iterations;
+    add_iterations(on, summary);
   }
   for (int more = 0; settle(trial, at, to, summary) > total && more < kMostMore; ++more) {
     const DescentOptions once{.iterations = 1, .motion = options_.motion_tolerance};
-    const DescentSummary on = descend(trial.objective, once, no_change(system_), workspace_, at);
-    summary.newton_iterations += on.iterations;
-    summary.linear_iterations += on.linear_iterations;
+    add_iterations(summary_of(descend(trial.objective, once, no_change(system_), workspace_, at)),
+                   summary);
   }
   return summary;
 }

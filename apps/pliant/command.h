@@ -60,6 +60,7 @@ void add_lab(CommandRegistry& registry);
 void add_simulate(CommandRegistry& registry);
 void add_report(CommandRegistry& registry);
 void add_render(CommandRegistry& registry);
+void add_compare(CommandRegistry& registry);
 void add_info(CommandRegistry& registry);
 
 }  // namespace pliant

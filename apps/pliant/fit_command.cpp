@@ -209,7 +209,7 @@ void add_fit(CommandRegistry& registry) {
                   "friction: fit its other parameterisations too and rank them by AIC and BIC")
       ->check(CLI::IsMember({"friction"}));
   command.add_flag("--resume", arguments->resume,
-                   "Go on with a fit of sessions that was stopped, from its last search in DIR");
+                   "Go on with a fit that was stopped, from its last search in DIR");
   add_model_options(command, *arguments);
   registry.on(command, [arguments](CommandContext& context) {
     for (std::string& study : arguments->studies) study = given_document(study, "study").string();

@@ -16,7 +16,7 @@ FitProgress::FitProgress(ResultDirectory& results, bool resume)
   if (!resume) return;
   if (!std::filesystem::exists(file())) {
     throw InputError({results.path().string()}, "holds no progress of a fit to go on from",
-                     "the results folder of a fit of sessions that was stopped");
+                     "the results folder of a fit that was stopped");
   }
   journal_.resume(read_journal(file()), file().string());
 }

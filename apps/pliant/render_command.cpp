@@ -34,6 +34,7 @@ struct RenderArguments {
   double rate = 0;  // pictures a second of the film; 0: as in reality
   bool no_ground = false;
   int contact_sheet = 0;  // pictures; 0: one picture a frame
+  std::string beside;     // other results on the sheet
   PictureOptions options;
 };
 
@@ -52,8 +53,7 @@ Camera camera_of(const RenderArguments& arguments) {
 }
 
 /// A contact sheet has the pixels that a single picture may have.
-void refuse_large_sheet(int count, const PictureSize& size) {
-  const SheetLayout layout = sheet_layout(count);
+void refuse_large_sheet(int count, const SheetLayout& layout, const PictureSize& size) {
   const double pixels = double(layout.columns) * size.width * layout.rows * size.height;
   if (pixels <= kMostPixels) return;
   throw InputError(
@@ -84,7 +84,10 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   if (!arguments.colour_map.empty()) options.colour_map = parse_colour_map(arguments.colour_map);
   if (arguments.contact_sheet > 0) options.size = {400, 300};
   if (!arguments.size.empty()) options.size = parse_picture_size(arguments.size);
-  if (arguments.contact_sheet > 0) refuse_large_sheet(arguments.contact_sheet, options.size);
+  if (const int count = arguments.contact_sheet; count > 0) {
+    const SheetLayout rows{.columns = count, .rows = 2};
+    refuse_large_sheet(count, arguments.beside.empty() ? sheet_layout(count) : rows, options.size);
+  }
   if (!arguments.camera.empty()) options.camera = camera_of(arguments);
   if (!arguments.range.empty()) options.range = parse_value_range(arguments.range);
   set_cloth_looks(arguments, options);
@@ -99,6 +102,32 @@ std::vector<SimulationFrame> evenly_chosen(const std::vector<SimulationFrame>& f
     chosen.push_back(frames[static_cast<size_t>(place)]);
   }
   return chosen;
+}
+
+/// The frames of another simulation at the times of given ones.
+std::vector<SimulationFrame> frames_at_times(const SimulationFrames& other,
+                                             const std::vector<SimulationFrame>& frames) {
+  std::vector<SimulationFrame> found;
+  for (const SimulationFrame& frame : frames) {
+    const SimulationFrame* same = frame_at(other, frame.time);
+    if (!same) {
+      throw InputError({other.directory.string()}, fmt::format("has no frame at {} s", frame.time),
+                       "frames at the times of the other simulation");
+    }
+    found.push_back(*same);
+  }
+  return found;
+}
+
+Image contact_sheet_of(const SimulationFrames& simulation,
+                       const std::vector<SimulationFrame>& frames, const PictureSetting& setting,
+                       const PictureOptions& options, const RenderArguments& arguments,
+                       const RunContext& run) {
+  std::vector<SheetPart> parts{{&simulation, evenly_chosen(frames, arguments.contact_sheet)}};
+  if (arguments.beside.empty()) return sheet_picture(parts, setting, options, run);
+  const SimulationFrames other = read_simulation_frames(arguments.beside);
+  parts.push_back({&other, frames_at_times(other, parts.front().frames)});
+  return sheet_picture(parts, setting, options, run);
 }
 
 std::string summary_json(const RenderArguments& arguments, const std::vector<std::string>& names,
@@ -167,10 +196,10 @@ void run_render(const CommandContext& context, const RenderArguments& arguments)
   const PictureSetting setting = setting_of(
       simulation, options, sheet ? LegendPlace::beside : LegendPlace::in_picture, context.run);
   if (sheet) {
-    const auto chosen = evenly_chosen(frames, arguments.contact_sheet);
     outlet.names = {"contact-sheet.png"};
-    outlet.folder->write(outlet.names.front(), png_bytes(sheet_picture(simulation, chosen, setting,
-                                                                       options, context.run)));
+    outlet.folder->write(
+        outlet.names.front(),
+        png_bytes(contact_sheet_of(simulation, frames, setting, options, arguments, context.run)));
   } else {
     draw_frames(context, simulation, frames, setting, options, outlet);
   }
@@ -261,6 +290,13 @@ void add_render(CommandRegistry& registry) {
       ->type_name("N")
       ->check(CLI::Range(1, 400))
       ->needs(output);
+  command
+      .add_option(
+          "--beside", arguments->beside,
+          "Other results of the same mesh in a second row of the contact sheet, at the same "
+          "times and seen as the first")
+      ->type_name("DIR")
+      ->needs("--contact-sheet");
   add_film_options(command, *arguments);
   command
       .add_option("--size", arguments->size,

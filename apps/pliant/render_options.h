@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/simulation_frames.h"
 #include "pliant/render/colour_map.h"
 #include "pliant/render/render.h"
-#include "pliant/render/simulation_frames.h"
 
 namespace pliant {
 

@@ -43,7 +43,7 @@ std::string motion_picture(const SimulationFrames& simulation, const PictureOpti
                            const RunContext& run) {
   const SimulationFrames chosen = chosen_frames(simulation);
   const PictureSetting setting = setting_of(chosen, options, LegendPlace::beside, run);
-  return png_bytes(sheet_picture(chosen, chosen.frames, setting, options, run));
+  return png_bytes(sheet_picture({{&chosen, chosen.frames}}, setting, options, run));
 }
 
 /// Names of the fields, strains first.

@@ -85,7 +85,7 @@ void describe_results(const report::Results& results, FileInfo& info) {
   info.json["converged"] = results.converged;
   info.json["parameters"] = Json::array();
   info.json["experiments"] = Json::array();
-  info.json["undetermined"] = results.undetermined;
+  info.json["undetermined"] = results.judgement.undetermined;
   info.lines.push_back(labelled("name", results.name));
   info.lines.push_back(labelled("made", fmt::format("{} by version {}: {}", results.created,
                                                     results.version, results.command)));
@@ -102,7 +102,7 @@ void describe_results(const report::Results& results, FileInfo& info) {
   for (const report::ResultExperiment& experiment : results.experiments) {
     add_experiment(experiment, info);
   }
-  for (const std::string& text : results.undetermined) {
+  for (const std::string& text : results.judgement.undetermined) {
     info.lines.push_back(labelled("not determined", text));
   }
   info.warnings = results.warnings;

@@ -75,6 +75,12 @@ std::string source_text(const RectangleMesh& rectangle) {
                      format_quantity(rectangle.edge, Dimension::length));
 }
 
+std::string source_text(const TubeMesh& tube) {
+  return fmt::format("tube {} around and long, {} x {} nodes",
+                     extents_text(tube.circumference, tube.length), tube.nodes_around,
+                     tube.nodes_along);
+}
+
 std::string source_text(const MeshSource& source) {
   return std::visit([](const auto& kind) { return source_text(kind); }, source.kind);
 }
@@ -233,6 +239,27 @@ std::string shape_text(const Capsule& capsule) {
                      vector_text(capsule.to));
 }
 
+Json body_json(const SceneObstacle& obstacle) {
+  if (const BodySource* source = obstacle.surface()) {
+    Json json{{"file", source->files.front().string()}, {"up", source->up}};
+    if (source->rate == 0) return {{"mesh", json}};
+    json["frames"] = source->files.size();
+    json["rate"] = source->rate;
+    return {{"sequence", json}};
+  }
+  return std::visit([](const auto& shape) { return shape_json(shape); }, *obstacle.shape());
+}
+
+std::string body_text(const SceneObstacle& obstacle) {
+  if (const BodySource* source = obstacle.surface()) {
+    const std::string file = quoted_value(source->files.front().string());
+    if (source->rate == 0) return "mesh " + file;
+    return fmt::format("{} frames from {} on, {} a second", source->files.size(), file,
+                       format_number(source->rate, kDigits));
+  }
+  return std::visit([](const auto& shape) { return shape_text(shape); }, *obstacle.shape());
+}
+
 std::string friction_text(const CoulombFriction& friction) {
   if (friction.sticking == friction.sliding) {
     return "friction " + format_number(friction.sticking, kDigits);
@@ -246,14 +273,13 @@ void describe_obstacles(const Scene& scene, FileInfo& info) {
   for (const SceneObstacle& obstacle : scene.obstacles) {
     const auto& [sticking, sliding] = obstacle.friction;
     Json json{{"name", obstacle.name}};
-    json.update(std::visit([](const auto& shape) { return shape_json(shape); }, obstacle.shape));
+    json.update(body_json(obstacle));
     json["friction"] = {{"static", sticking}, {"kinetic", sliding}};
-    json["moved"] = obstacle.motion.has_value();
+    json["moved"] = obstacle.moves();
     info.json["obstacles"].push_back(json);
     info.lines.push_back(
         labelled("obstacle " + obstacle.name,
-                 std::visit([](const auto& shape) { return shape_text(shape); }, obstacle.shape) +
-                     ", " + friction_text(obstacle.friction) +
+                 body_text(obstacle) + ", " + friction_text(obstacle.friction) +
                      (obstacle.motion ? ", " + motion_text(obstacle.motion) : std::string())));
   }
   const std::optional<double>& of_cloth = scene.contact.friction;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/geometry/crossings.h"
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
@@ -32,6 +31,7 @@ struct SimulateArguments {
   bool resume = false;
   bool no_report = false;
   bool verify = false;
+  bool no_friction = false;
 };
 
 std::optional<double> checkpoint_period(const SimulateArguments& arguments) {
@@ -44,6 +44,12 @@ std::optional<double> checkpoint_period(const SimulateArguments& arguments) {
     throw InputError(where, error.problem(), error.expected());
   }
   throw InputError(where, "is not positive", "e.g. 1 s");
+}
+
+Scene scene_of(const SimulateArguments& arguments) {
+  Scene scene = read_scene(arguments.scene);
+  if (arguments.no_friction) scene.time.friction.reset();
+  return scene;
 }
 
 double peak_memory() {
@@ -60,7 +66,7 @@ class SimulationRun {
         arguments_(arguments),
         checkpoint_period_(checkpoint_period(arguments)),
         view_(parse_view(arguments.view)),
-        scene_(read_scene(arguments.scene)),
+        scene_(scene_of(arguments)),
         simulation_(scene_, filler(), context.common.threads),
         identity_(scene_identity(scene_, arguments.fill)),
         results_(
@@ -121,18 +127,17 @@ class SimulationRun {
  private:
   // By an exact test that knows nothing of contact.
   void verify() {
-    const auto pairs = crossing_triangles(simulation_.now().state.configuration.positions,
-                                          simulation_.built().faces);
-    if (!pairs) {
+    const auto crossings = scene_crossings(simulation_.now().state.configuration.positions,
+                                           simulation_.built().faces, simulation_.built().bodies);
+    if (!crossings) {
       throw InputError({"--verify"}, "was left out when this program was built",
                        "a program that was built with CGAL");
     }
-    if (pairs->empty()) return;
+    if (crossings->count() == 0) return;
     stop();
     throw std::runtime_error(
-        fmt::format("{} pairs of triangles pass through each other, the first of them {} and {} "
-                    "(counted from 0 over all cloth), in the state of {}",
-                    pairs->size(), pairs->front()[0], pairs->front()[1], last_state()));
+        fmt::format("triangles pass through each other: {}, in the state of {}", crossings->text(),
+                    last_state()));
   }
 
   void write_report() {
@@ -269,6 +274,8 @@ void add_simulate(CommandRegistry& registry) {
                    "Go on from the checkpoint in DIR, to the same result");
   add_view_option(command, arguments->view, "From where the report's pictures show the cloth");
   command.add_flag("--no-report", arguments->no_report, "Leave out report.html and its pictures");
+  command.add_flag("--no-friction", arguments->no_friction,
+                   "Leave out the internal friction of the materials, as `friction: none` does");
   command.add_flag("--verify", arguments->verify,
                    "After each step test exactly that no triangles pass through each other, and "
                    "stop where some do");

@@ -2,65 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "pliant/io/csv.h"
-#include "pliant/io/ply.h"
-
-#include "app/scene_folder.h"
+#include "app/reduced_example.h"
 
 namespace pliant::test {
 namespace {
-
-using nlohmann::json;
-
-/// What makes an example small enough for a test.
-const std::map<std::string, std::vector<TextEdit>> kReductions{
-    {"step-29k", {{"nodes: 121x121", "nodes: 13x13"}}},
-    {"hanging-sheet", {{"nodes: 25x25", "nodes: 9x9"}, {"steps: 20", "steps: 5"}}},
-    {"curtain", {{"nodes: 51x41", "nodes: 17x13"}}},
-    {"curtain-elastic", {{"nodes: 51x41", "nodes: 17x13"}}},
-    {"drape-sphere", {{"nodes: 121x121", "nodes: 31x31"}, {"thickness: 1 mm", "thickness: 3 mm"}}},
-    {"drop-20k", {{"nodes: 101x101", "nodes: 13x13"}}},
-    {"cylinder-strip", {}},
-    {"hanging-weights", {{"nodes: 21x21", "nodes: 5x5"}}}};
-
-/// An example that was run at reduced size.
-class ReducedExample {
- public:
-  explicit ReducedExample(const std::string& name, const std::vector<TextEdit>& more = {}) {
-    std::vector<TextEdit> edits = kReductions.at(name);
-    edits.insert(edits.end(), more.begin(), more.end());
-    folder_.copy_example(name, edits);
-    run = folder_.simulate();
-    EXPECT_EQ(run.status, 0) << run.err;
-    result = json::parse(content_of(folder_.results() / "simulation.json"), nullptr, false);
-  }
-
-  /// One vertex a column (m).
-  Eigen::Matrix3Xd frame(size_t index) const {
-    const PlyMesh mesh = read_ply(folder_.results() / fmt::format("frames/{:06}.ply", index));
-    return Eigen::Map<const Eigen::Matrix3Xd>(mesh.positions.front().data(), 3,
-                                              std::ssize(mesh.positions));
-  }
-  Eigen::Matrix3Xd last_frame() const { return frame(result["frames"].size() - 1); }
-  std::vector<double> energies(const char* column) const {
-    return read_csv(folder_.results() / "energy.csv").numbers(column);
-  }
-
-  ProgramRun run;
-  json result;
-
- private:
-  SceneFolder folder_;
-};
 
 class SlowExampleScene : public ::testing::TestWithParam<std::string> {};
 
@@ -88,14 +39,18 @@ INSTANTIATE_TEST_SUITE_P(Examples, SlowExampleScene,
                            return text;
                          });
 
-// fab-stretch needs a material that is fitted to measurements: see tests/real.
+// fab-stretch needs a material that is fitted to measurements: see tests/real; strips that unroll
+// are compared with elasticas: see tests/experiments_3d.
 TEST(ExampleScenes, AreAllTested) {
   std::set<std::string> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/examples")) {
     if (entry.path().extension() == ".yaml") scenes.insert(entry.path().stem().string());
   }
+  EXPECT_EQ(std::erase_if(scenes, [](const auto& name) { return name.starts_with("unroll-"); }),
+            9u);
   EXPECT_EQ(scenes.erase("fab-stretch"), 1u);
   for (const auto& [name, edits] : kReductions) EXPECT_EQ(scenes.erase(name), 1u) << name;
+  for (const auto& [name, edits] : kFrictionReductions) EXPECT_EQ(scenes.erase(name), 1u) << name;
   EXPECT_TRUE(scenes.empty()) << *scenes.begin();
 }
 

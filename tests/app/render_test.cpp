@@ -119,6 +119,14 @@ TEST_F(RenderCommand, PutsFramesOnAContactSheet) {
   EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(128, 96));
 }
 
+TEST_F(RenderCommand, PutsTwoSimulationsOnAContactSheetARowEach) {
+  const ProgramRun run = render({"--contact-sheet", "3", "--beside", folder.file("sim")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(3 * 64, 2 * 48));
+  EXPECT_EQ(render({"--beside", folder.file("sim")}).status, 2);
+  EXPECT_EQ(render({"--contact-sheet", "3", "--beside", folder.file("none")}).status, 2);
+}
+
 /// Films, made by a script in place of ffmpeg: it writes its arguments and what it is given.
 class RenderMovie : public RenderCommand {
  protected:

@@ -26,6 +26,12 @@ inline std::string edited_text(std::string text, const std::vector<TextEdit>& ed
   return text;
 }
 
+inline void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
 /// A scene that was simulated: its folder, and the results in `DIR/out`.
 class SceneFolder : public TemporaryFolder {
  public:
@@ -36,10 +42,8 @@ class SceneFolder : public TemporaryFolder {
   /// Copies an example, changed, with the materials it names.
   void copy_example(const std::string& name, const std::vector<TextEdit>& edits) const {
     std::string text = edited_text(content_of(example(name + ".yaml")), edits);
-    const std::string up = "../materials/";
-    for (size_t at = text.find(up); at != std::string::npos; at = text.find(up)) {
-      text.replace(at, up.size(), PLIANT_SOURCE_DIR "/materials/");
-    }
+    replace_all(text, "../materials/", PLIANT_SOURCE_DIR "/materials/");
+    replace_all(text, "material: sheets/", "material: " PLIANT_SOURCE_DIR "/examples/sheets/");
     write("scene.yaml", text);
     write("cylinder-cloth.json", content_of(example("cylinder-cloth.json")));
   }

@@ -59,9 +59,26 @@ TEST(Journal, RefusesAnswersToOtherQuestions) {
   }
 }
 
+TEST(Journal, KeepsThePartsOfWorkThatGoesOnSideBySide) {
+  Journal::Content written;
+  Journal first([&](const Journal::Content& content) { written = content; });
+  EXPECT_EQ(worked_out(first.part("weft")), 2);
+  EXPECT_EQ(worked_out(first.part("warp")), 2);
+  EXPECT_EQ(worked_out(first), 2);
+  EXPECT_EQ(written.parts.at("weft").size(), 2u);
+  written.parts.at("warp").pop_back();
+  Journal second([](const auto&) {});
+  second.resume(written, "progress.bin");
+  EXPECT_EQ(worked_out(second.part("warp")), 1);
+  EXPECT_EQ(worked_out(second.part("weft")), 0);
+  EXPECT_EQ(worked_out(second.part("bias")), 2);
+  EXPECT_EQ(worked_out(second), 0);
+}
+
 TEST(Journal, OfNobodyForgets) {
   EXPECT_EQ(worked_out(forgetful_journal()), 2);
-  EXPECT_EQ(worked_out(forgetful_journal()), 2);
+  EXPECT_EQ(worked_out(forgetful_journal().part("weft")), 2);
+  EXPECT_EQ(worked_out(forgetful_journal().part("weft")), 2);
   EXPECT_TRUE(forgetful_journal().content().entries.empty());
 }
 

@@ -56,7 +56,7 @@ double least_distance(const SurfacePair& pair, const Eigen::Matrix3Xd& positions
 }
 
 void expect_complete(const Sheets& sheets, const Eigen::Matrix3Xd& ways, double reach) {
-  const ContactSurface surface(sheets.positions, sheets.faces,
+  const ContactSurface surface(sheets.positions, {sheets.faces},
                                std::vector<bool>(size_t(sheets.positions.cols()), true));
   const std::vector<SurfacePair> found = surface.near_pairs(sheets.positions, ways, reach);
   EXPECT_TRUE(std::ranges::is_sorted(found));
@@ -86,7 +86,7 @@ TEST(ContactSurface, FindsAllThatComesNear) {
 
 TEST(ContactSurface, SeesNothingInWhatAllMoveAlike) {
   const Sheets sheets = stacked_sheets(2, 6, 0.02);
-  const ContactSurface surface(sheets.positions, sheets.faces,
+  const ContactSurface surface(sheets.positions, {sheets.faces},
                                std::vector<bool>(size_t(sheets.positions.cols()), true));
   const Eigen::Matrix3Xd ways = Eigen::Vector3d(1, 2, 3).replicate(1, sheets.positions.cols());
   EXPECT_EQ(surface.near_pairs(sheets.positions, ways, 0.001).size(),
@@ -95,7 +95,7 @@ TEST(ContactSurface, SeesNothingInWhatAllMoveAlike) {
 
 TEST(ContactSurface, LeavesOutWhatDoesNotMove) {
   const Sheets sheets = stacked_sheets(2, 4, 0.001);
-  const ContactSurface surface(sheets.positions, sheets.faces,
+  const ContactSurface surface(sheets.positions, {sheets.faces},
                                std::vector<bool>(size_t(sheets.positions.cols()), false));
   EXPECT_TRUE(surface.near_pairs(sheets.positions, 0 * sheets.positions, 0.002).empty());
 }
@@ -105,7 +105,8 @@ TEST(NearPairs, DoNotDependOnWhatWasAskedBefore) {
   constexpr double kReach = 0.002;
   const Sheets sheets = stacked_sheets(3, 6, 0.003);
   const auto surface = std::make_shared<const ContactSurface>(
-      sheets.positions, sheets.faces, std::vector<bool>(size_t(sheets.positions.cols()), true));
+      sheets.positions, ContactSurface::Faces{sheets.faces},
+      std::vector<bool>(size_t(sheets.positions.cols()), true));
   const NearPairs often(surface, kReach, 0.001);
   RandomStream random(3);
   Eigen::Matrix3Xd positions = sheets.positions;

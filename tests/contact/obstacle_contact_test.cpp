@@ -189,7 +189,7 @@ TEST(ObstacleContact, OfABodyThatIsLedMakesWayAndGoesAlong) {
   const Eigen::Vector3d rise(0, 0, 0.01);
   const Controls led = led_to({Eigen::Quaterniond::Identity(), rise});
   const Conditions under{.from = state, .controls = led};
-  const Eigen::Matrix3Xd way = ball.system->made_way(state.configuration, under).value();
+  const Eigen::Matrix3Xd way = ball.system->made_way(state.configuration.positions, under).value();
   EXPECT_GT(way(2, 0), 0.009);
   EXPECT_TRUE(way.col(1).isZero(0)) << "it is far enough away";
   // A slip of the body below a point at rest rubs as that of the point above it.
@@ -243,7 +243,7 @@ TEST(ObstacleContact, ForgetsFrictionWhereAPointHasLeft) {
   EXPECT_EQ(energy.stored, 0);
   EXPECT_NEAR(energy.work, 0, 1e-12);
   EXPECT_TRUE(history.tail(5).isZero());
-  EXPECT_NEAR(ball.contact->least_distance(away.positions, kNoControls), 5.5e-3, 1e-12);
+  EXPECT_NEAR(ball.contact->touching(away.positions, kNoControls).least_distance, 5.5e-3, 1e-12);
 }
 
 }  // namespace

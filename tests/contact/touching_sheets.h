@@ -19,7 +19,8 @@ struct TouchingSheets {
     const Eigen::Index count = sheets.positions.cols();
     system = std::make_unique<System>(sheets.positions, Eigen::VectorXd::Ones(count));
     const auto surface = std::make_shared<const ContactSurface>(
-        sheets.positions, sheets.faces, std::vector<bool>(static_cast<size_t>(count), true));
+        sheets.positions, ContactSurface::Faces{sheets.faces},
+        std::vector<bool>(static_cast<size_t>(count), true));
     contact = std::make_shared<SurfaceContact>(surface, sheets.positions,
                                                Eigen::VectorXd::Constant(count, kStiffness),
                                                SurfaceContactLaw{kThickness, friction});

@@ -109,6 +109,19 @@ TEST(InitialSlack, CarriesNoForceAndIsReported) {
   EXPECT_THAT(result.experiments.front().handled, Contains(HasSubstr("the strip is slack there")));
 }
 
+// Else slack rows pile up on the vertical line of the strain at which the strip came to be slack.
+TEST(SlackRows, AreShownAtTheStrainOfTheClamps) {
+  const Material fabric = published_fabric("polyester");
+  auto experiment = strip_cycles({0.05, 0.2});
+  experiment.slack = 5e-3;
+  VirtualStudy study(lab_of(fabric, experiment));
+  const ExperimentResult result = evaluate_study(study.study(), fabric, {}).experiments.front();
+  const Study ideal = study.study();
+  EXPECT_EQ(result.strain, read_experiment(ideal.experiments.front(), ideal)->path().strain);
+  EXPECT_LT(result.strain.front(), -0.01);
+  EXPECT_GE(result.strain_range.first, 0) << "the material is never pushed";
+}
+
 TEST(InitialSlack, ShowsTheForceOffsetWithoutAnyFit) {
   const Material fabric = published_fabric("polyester");
   auto experiment = strip_cycles({0.1, 0.2});

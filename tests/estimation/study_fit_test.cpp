@@ -26,6 +26,7 @@ using test::VirtualStudy;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A fabric that is polyester along the warp and cotton along the weft, hung and pulled, with
 /// noise.
@@ -74,6 +75,17 @@ TEST(StudyFit, FitsEachComponentFromItsOwnExperiments) {
   EXPECT_EQ(both.material.components.at("shear").status, ComponentStatus::unmeasured);
   EXPECT_EQ(both.material.components.at("stretch.weft").status, ComponentStatus::measured);
   EXPECT_EQ(both.curves.size(), 2u);
+}
+
+TEST(StudyFit, OfABiasStripNamesTheFitThatTellsShear) {
+  const auto way = Contains(HasSubstr("model: {strips: sheet}"));
+  VirtualLab lab = both_directions();
+  EXPECT_THAT(VirtualStudy(lab).fit().undetermined, Not(way));
+  lab.material.components["stretch.bias"] = lab.material.components.at("stretch.weft");
+  auto bias = strip_cycles({0.05, 0.1});
+  bias.direction = "bias";
+  lab.experiments = lab_of(lab.material, {bias}).experiments;
+  EXPECT_THAT(VirtualStudy(lab).fit().undetermined, way);
 }
 
 TEST(StudyFit, NamesAllParametersAtTheirBoundsInOneWarning) {

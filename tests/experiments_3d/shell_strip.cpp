@@ -69,13 +69,15 @@ Material bending_along_warp(const ComponentLaw& bending, double density) {
   return material;
 }
 
-ShellStrip::ShellStrip(const StripGrid& grid, const Material& material, double curvature)
+ShellStrip::ShellStrip(const StripGrid& grid, const Material& material, double curvature,
+                       StripStart start)
     : grid_(grid),
       mesh_(regular_grid(grid.width, grid.rows * grid.cell(), grid.columns + 1, grid.rows + 1)),
-      system_(bent_positions(curvature), material.density * vertex_areas(mesh_)) {
+      system_(bent_positions(start == StripStart::bent ? curvature : 0),
+              material.density * vertex_areas(mesh_)) {
   add_cloth(system_, mesh_, material, {});
   system_.add(std::make_shared<PointForces>(0, system_.masses()));
-  hold(*law_of(material, "bend.warp"), curvature);
+  hold(*law_of(material, "bend.warp"), curvature, start);
   for (const int number : {0, 1}) {
     for (const int vertex : row(number)) system_.coordinates().prescribe(vertex);
   }
@@ -123,17 +125,29 @@ double ShellStrip::hanging_moment(const Eigen::Matrix3Xd& positions, int number)
   return moment / grid_.width;
 }
 
-// The moments of the bent cloth, less those of the weight, on all hinges across the strip.
-void ShellStrip::hold(const ComponentLaw& law, double curvature) {
+// The moments of the bent cloth, less those of the weight, on all hinges across the strip. A sheet
+// that relaxes takes the moment m by its hinges across and m/2 by those of its squares' diagonals,
+// which vertices out of the cylinder bend the other way: moments that do not push them there.
+void ShellStrip::hold(const ComponentLaw& law, double curvature, StripStart start) {
   const double strain = kStrainPerCurvature * curvature;
   const double bent = law.elastic_stress(strain) + law.friction_stress(strain, {}).stress;
+  const double of_diagonals = start == StripStart::flat ? 0.5 : 0;
+  const auto share = [=](const Hinge& hinge) {
+    return hinge.rest_edge.y() == 0 ? 1.0 : of_diagonals;
+  };
+  add_moments([&](const Hinge& hinge) { return share(hinge) * bent; });
   const Eigen::Matrix3Xd positions = bent_positions(curvature);
+  add_moments([&](const Hinge& hinge) {
+    const int number = hinge.vertices[0] / (grid_.columns + 1);
+    return -share(hinge) * hanging_moment(positions, number);
+  });
+}
+
+void ShellStrip::add_moments(const std::function<double(const Hinge&)>& moment) {
   Stencils<DiscreteShells> stencils;
   for (const Hinge& hinge : find_hinges(mesh_)) {
-    if (hinge.rest_edge.y() != 0) continue;
-    const int number = hinge.vertices[0] / (grid_.columns + 1);
-    const double moment = bent - hanging_moment(positions, number);
-    stencils.add(hinge.vertices, {0, hinge.height, 0}, moment * hinge.area);
+    if (hinge.rest_edge.x() == 0) continue;  // along the strip
+    stencils.add(hinge.vertices, {0, hinge.height, 0}, moment(hinge) * hinge.area);
   }
   const std::vector<int> place = system_.add_parameters({"share"}, Eigen::VectorXd::Zero(1));
   system_.add(std::make_shared<ElementPotential<DiscreteShells>>(
@@ -149,15 +163,22 @@ std::vector<double> ShellStrip::places() const {
 }
 
 std::vector<Eigen::Vector2d> ShellStrip::released(int steps) {
-  return follow(steps, [](double time) { return Loads{1 - time, 1}; });
+  return rolled_and_released(0, steps);
+}
+
+std::vector<Eigen::Vector2d> ShellStrip::rolled_and_released(int steps_rolled, int steps) {
+  return follow(steps_rolled + steps, [=](int step) {
+    if (step <= steps_rolled) return Loads{static_cast<double>(step) / steps_rolled, 0, 0};
+    const double left = 1 - static_cast<double>(step - steps_rolled) / steps;
+    return Loads{left, left, 1};
+  });
 }
 
 std::vector<Eigen::Vector2d> ShellStrip::loaded(int steps) {
-  return follow(steps, [](double time) { return Loads{0, time}; });
+  return follow(steps, [=](int step) { return Loads{0, 0, static_cast<double>(step) / steps}; });
 }
 
-std::vector<Eigen::Vector2d> ShellStrip::follow(int steps,
-                                                const std::function<Loads(double)>& loads) {
+std::vector<Eigen::Vector2d> ShellStrip::follow(int steps, const std::function<Loads(int)>& loads) {
   system_.finish();
   const std::vector<double>& given = system_.parameters().values;
   Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(given.data(), std::ssize(given));
@@ -166,9 +187,8 @@ std::vector<Eigen::Vector2d> ShellStrip::follow(int steps,
   options.newton.max_iterations = 2000;  // a strip that swings down is far from where it was
   State state = system_.initial_state();
   for (int step = 1; step <= steps; ++step) {
-    const double time = static_cast<double>(step) / steps;
-    const Loads now = loads(time);
-    values(values.size() - 1) = now.moment;
+    const Loads now = loads(step);
+    values.tail<2>() << now.rolling, now.carrying;
     options.parameters = system_.with(values);
     options.schedule = [&](double) {
       Controls controls;
@@ -176,7 +196,7 @@ std::vector<Eigen::Vector2d> ShellStrip::follow(int steps,
       return controls;
     };
     StaticPath path(system_, options, state);
-    path.step(time);
+    path.step(step);
     state = path.state();
   }
   std::vector<Eigen::Vector2d> points;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/geometry/hinges.h"
 #include "pliant/geometry/triangle_mesh.h"
 #include "pliant/material/material.h"
 #include "pliant/mechanics/system.h"
@@ -31,18 +32,25 @@ struct StripGrid {
   double cell() const { return length / (rows - 0.5); }
 };
 
+/// What a strip does before it is let go. A sheet that is rolled from flat relaxes on the way.
+enum class StripStart { bent, flat };
+
 /// A strip as a discrete shell in space: the same problem as `Elastica`. The clamp is the origin,
 /// its direction +x, gravity pulls along -y, and the width is along z.
 class ShellStrip {
  public:
   /// Bent from flat, all of it.
   /// @param curvature  1/m; 0: flat
-  ShellStrip(const StripGrid& grid, const Material& material, double curvature);
+  /// @param start      bent: it begins on the cylinder; flat: it is still to be rolled
+  ShellStrip(const StripGrid& grid, const Material& material, double curvature,
+             StripStart start = StripStart::bent);
 
   /// Takes away the moments that hold the strip in its first shape, all together, in equal steps,
   /// as `Elastica::released` does.
   /// @return where the middles of the rows are, at `places()` (m)
   std::vector<Eigen::Vector2d> released(int steps);
+  /// The same after rolling a flat strip, without weight, by moments that grow in equal steps.
+  std::vector<Eigen::Vector2d> rolled_and_released(int steps_rolled, int steps);
   /// Lets the weight grow from nothing instead, in equal steps; for a flat strip.
   std::vector<Eigen::Vector2d> loaded(int steps);
 
@@ -56,12 +64,13 @@ class ShellStrip {
   Eigen::Matrix3Xd bent_positions(double curvature) const;
   Eigen::Matrix3Xd weight() const;
   double hanging_moment(const Eigen::Matrix3Xd& positions, int number) const;
-  void hold(const ComponentLaw& law, double curvature);
-  /// Shares of the moments of the first shape and of the weight.
+  void hold(const ComponentLaw& law, double curvature, StripStart start);
+  /// Shares of the moments that roll the strip, of those that carry its weight, and of the weight.
   struct Loads {
-    double moment = 0, weight = 0;
+    double rolling = 0, carrying = 0, weight = 0;
   };
-  std::vector<Eigen::Vector2d> follow(int steps, const std::function<Loads(double)>& loads);
+  std::vector<Eigen::Vector2d> follow(int steps, const std::function<Loads(int step)>& loads);
+  void add_moments(const std::function<double(const Hinge&)>& moment);
 
   StripGrid grid_;
   TriangleMesh mesh_;

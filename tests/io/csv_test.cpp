@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/io/csv_writer.h"
@@ -84,6 +85,26 @@ TEST(Csv, TakesAUnitsRowWithoutBrackets) {
   const CsvTable csv = table("Force;Time\nN;s\n2,5;1\n");
   EXPECT_EQ(csv.quantity("force", Dimension::force), Numbers{2.5});
   EXPECT_EQ(csv.rows(), 1U);
+  const CsvTable dashed = table("No;Force\n-;kN\n1;2,5\n");
+  EXPECT_EQ(dashed.quantity("force", Dimension::force), Numbers{2500});
+  EXPECT_EQ(dashed.numbers("No"), Numbers{1});
+}
+
+TEST(Csv, TakesUnitsThatALineAboveTheHeaderLists) {
+  const auto force = [](const std::string& above, const std::string& header) {
+    return table(above + "\n" + header + "\n1,2\n3,4\n").quantity("force", Dimension::force);
+  };
+  EXPECT_EQ(force("Units: kN, mm", "Force,x"), (Numbers{1000, 3000}));
+  EXPECT_EQ(force("# units: kN, mm", "Force,x"), (Numbers{1000, 3000}));
+  EXPECT_EQ(force("\"Unit\",\"kN\",\"mm\"", "Force,x"), (Numbers{1000, 3000}));
+  EXPECT_EQ(force("Einheit,kN", "No,Force"), (Numbers{2000, 4000}));
+  EXPECT_EQ(force("Units: kN, mm", "Force (N),x"), (Numbers{1, 3}));
+  // A list that is not one of the columns, and words that only begin alike, tell nothing.
+  for (const char* above : {"Units: kN, mm, s", "Units: SI, mm", "United: kN, mm"}) {
+    EXPECT_THAT(input_error_of([&] { force(above, "Force,x"); }).what(),
+                ::testing::HasSubstr("the column has no unit"))
+        << above;
+  }
 }
 
 TEST(Csv, FindsSynonymsWhoseUnitFits) {

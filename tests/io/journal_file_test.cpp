@@ -18,7 +18,17 @@ Journal::Content some_content() {
   const double least = std::numeric_limits<double>::denorm_min();
   return {{{"search of shear", {0.1, 1.0 / 3, least}}, {"cost", {INFINITY}}},
           {-0.0, 7},
-          {{"a", {}}, {"b", {1e300}}}};
+          {{"a", {}}, {"b", {1e300}}},
+          {{"weft", {{"search", {1, -2}}}}, {"warp", {}}}};
+}
+
+void expect_same(const std::vector<Journal::Entry>& found,
+                 const std::vector<Journal::Entry>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].question, expected[i].question);
+    EXPECT_EQ(found[i].answer, expected[i].answer);
+  }
 }
 
 TEST(JournalFile, GivesEveryNumberBack) {
@@ -26,13 +36,11 @@ TEST(JournalFile, GivesEveryNumberBack) {
   const Journal::Content content = some_content();
   folder.write("progress.bin", journal_bytes(content));
   const Journal::Content found = read_journal(folder.path() / "progress.bin");
-  ASSERT_EQ(found.entries.size(), content.entries.size());
-  for (std::size_t i = 0; i < found.entries.size(); ++i) {
-    EXPECT_EQ(found.entries[i].question, content.entries[i].question);
-    EXPECT_EQ(found.entries[i].answer, content.entries[i].answer);
-  }
+  expect_same(found.entries, content.entries);
   EXPECT_EQ(found.reached, content.reached);
   EXPECT_EQ(found.kept, content.kept);
+  ASSERT_EQ(found.parts.size(), content.parts.size());
+  for (const auto& [name, entries] : content.parts) expect_same(found.parts.at(name), entries);
 }
 
 TEST(JournalFile, IsRefusedWhereItIsDamagedOrSomethingElse) {

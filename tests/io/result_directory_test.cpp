@@ -1,11 +1,8 @@
 #include "pliant/io/result_directory.h"
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +11,7 @@
 #include "pliant/io/result_manifest.h"
 
 #include "input_error_of.h"
+#include "limited_process.h"
 #include "temporary_folder.h"
 
 namespace pliant {
@@ -21,8 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::content_of;
+using test::FileSizeLimit;
 using test::input_error_of;
 using test::TemporaryFolder;
+using test::WithoutRootRights;
 
 int entries_in(const fs::path& folder) {
   return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -34,44 +34,6 @@ void make_results(const fs::path& folder, const std::string& command,
   for (const std::string& name : names) results.write(name, command + " " + name);
   results.commit();
 }
-
-/// Files larger than `bytes` cannot be written in this scope: as on a full disk, a write ends early
-/// and the next one fails.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &earlier_);
-    const rlimit limit{bytes, earlier_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &earlier_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit earlier_{};
-  void (*handler_)(int);
-};
-
-/// Gives up the rights of root in this scope, which may write everywhere.
-class WithoutRootRights {
- public:
-  WithoutRootRights() : root_(::geteuid() == 0) {
-    constexpr uid_t kNobody = 65534;
-    if (root_ && ::seteuid(kNobody) != 0) ADD_FAILURE() << "seteuid";
-  }
-  ~WithoutRootRights() {
-    if (root_ && ::seteuid(0) != 0) ADD_FAILURE() << "seteuid";
-  }
-  WithoutRootRights(const WithoutRootRights&) = delete;
-  WithoutRootRights& operator=(const WithoutRootRights&) = delete;
-
- private:
-  bool root_;
-};
 
 TEST(ResultDirectory, AppearsCompleteOnCommit) {
   const TemporaryFolder folder;
@@ -474,27 +436,6 @@ TEST(ResultDirectoryKeep, LeavesNoFolderWhereThereWasNone) {
   const TemporaryFolder folder;
   { ResultDirectory(folder.path() / "out", "simulate", ResultDirectory::Earlier::keep); }
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
-}
-
-TEST(WriteFileAtomically, ReplacesAFileAsAWhole) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a", "old");
-  write_file_atomically(file, "new");
-  EXPECT_EQ(content_of(file), "new");
-  {
-    const FileSizeLimit limit(1000);
-    EXPECT_THROW(write_file_atomically(file, std::string(5000, 'x')), OutputError);
-  }
-  EXPECT_EQ(content_of(file), "new");
-  EXPECT_EQ(entries_in(folder.path()), 1);
-}
-
-TEST(WriteFileAtomically, RefusesPlacesWhereNothingCanBeCreated) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(input_error_of([&] { write_file_atomically(folder.path() / "no/a", "1"); }).problem(),
-            "cannot be created: No such file or directory");
-  input_error_of([&] { write_file_atomically(folder.path(), "1"); });
-  EXPECT_EQ(entries_in(folder.path()), 0);
 }
 
 }  // namespace

@@ -111,6 +111,13 @@ std::vector<Offence> library_manner_offences(const SourceFile& source) {
   return lines_matching(source, manners, "a library never prints, exits or reads the environment");
 }
 
+std::vector<Offence> length_offences(const SourceFile& source) {
+  constexpr int kMostLines = 450;
+  const auto lines = static_cast<int>(std::ranges::count(source.text, '\n'));
+  if (lines <= kMostLines) return {};
+  return {{source.path, lines, "has more than " + std::to_string(kMostLines) + " lines"}};
+}
+
 std::vector<TestName> test_names(const std::vector<SourceFile>& sources) {
   static const std::regex name(R"re(\.name = "([^"]+)")re");
   std::vector<TestName> tests;

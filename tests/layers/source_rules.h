@@ -36,6 +36,9 @@ std::vector<Offence> machine_path_offences(const SourceFile& source);
 /// Library code that prints, ends the process or reads the environment.
 std::vector<Offence> library_manner_offences(const SourceFile& source);
 
+/// Files that are longer than a reader can keep in mind.
+std::vector<Offence> length_offences(const SourceFile& source);
+
 /// A type of test of the registry.
 struct TestName {
   std::string name;    ///< as studies write it

@@ -48,6 +48,17 @@ TEST(SourceTree, LibrariesNeverPrintExitOrReadTheEnvironment) {
   expect_none(offences_of_the_tree(library_manner_offences));
 }
 
+TEST(SourceTree, HasNoFileThatIsTooLong) {
+  std::vector<Offence> offences;
+  for (const char* folder : {"src", "apps", "tests", "bench", "fuzz"}) {
+    for (const SourceFile& source : source_files(PLIANT_SOURCE_DIR, folder)) {
+      const std::vector<Offence> found = length_offences(source);
+      offences.insert(offences.end(), found.begin(), found.end());
+    }
+  }
+  expect_none(offences);
+}
+
 TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
   // A session is a document, too.
   constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/document.cpp",
@@ -112,6 +123,12 @@ TEST(LibraryMannerRule, BindsLibrariesAndNotPrograms) {
   EXPECT_THAT(library_manner_offences({"apps/pliant/main.cpp", text}), IsEmpty());
   EXPECT_THAT(library_manner_offences({"src/pliant/io/a.cpp", "std::snprintf(b, n, \"\");\n"}),
               IsEmpty());
+}
+
+TEST(LengthRule, CountsLines) {
+  EXPECT_THAT(length_offences({"apps/a.cpp", std::string(450, '\n')}), IsEmpty());
+  const auto offences = length_offences({"apps/a.cpp", std::string(451, '\n')});
+  EXPECT_THAT(describe(offences), HasSubstr("apps/a.cpp:451: has more than 450 lines"));
 }
 
 TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {

@@ -139,6 +139,14 @@ TEST(CompleteMaterial, IsAskedForByNameOfWhatIsMissing) {
   EXPECT_THAT(error.expected(), HasSubstr("--fill FILE"));
 }
 
+TEST(CompleteMaterial, NamesTheFitThatTellsShearWhereBiasStripsWereMeasured) {
+  Material material = strip();
+  material.components["stretch.bias"] = material.components.at("stretch.warp");
+  const InputError error =
+      input_error_of([&] { require_complete(material, sheet_component_names()); });
+  EXPECT_THAT(error.expected(), HasSubstr("shear in a fit with model: {strips: sheet}"));
+}
+
 TEST(CompleteMaterial, LacksAComponentWhoseStatusIsUnmeasured) {
   Material material = whole();
   material.components["shear"].status = ComponentStatus::unmeasured;

@@ -22,5 +22,17 @@ TEST(TesterFacts, LeaveOutTheNumberOfALabel) {
   EXPECT_EQ(told("length", "Gauge length 1,5 cm\n"), "1.5 cm");
 }
 
+TEST(TesterFacts, LeaveOutTheSymbolOfASize) {
+  EXPECT_EQ(told("width", "Probenbreite b0;50,00;mm\n"), "50 mm");
+  EXPECT_EQ(told("width", "Probenbreite b01;50,00;mm\n"), "");
+  EXPECT_EQ(told("length", "Gauge length L0 (mm);100\n"), "100 mm");
+}
+
+TEST(TesterFacts, TakeTheDirectionFromANameWhereNoLineTellsIt) {
+  EXPECT_EQ(told("direction", "\"Specimen label\",\"warp-1\"\n"), "warp");
+  EXPECT_EQ(told("direction", "Probe;Kette 3\nRichtung;Schuss\n"), "weft");
+  EXPECT_EQ(told("direction", "Sample;poplin\n"), "");
+}
+
 }  // namespace
 }  // namespace pliant

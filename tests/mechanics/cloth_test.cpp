@@ -168,6 +168,7 @@ TEST(Cloth, NamesItsParametersInTheOrderOfTheSystem) {
   Material material = test::frictional_cotton();
   material.components["shear"] = test::component_of(ScalarCurve::constant(20));
   material.components["bend.warp"].friction->negative = DahlParameters{1e-5, 0, 10};
+  material.bending_of = "hinges";
   const auto cloth = test::cloth_system(regular_grid(kSize, kSize, 4, 4), material);
   const ParameterList& parameters = cloth.system->parameters();
   EXPECT_THAT(

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <string>
 
@@ -373,42 +372,6 @@ TEST(ElementPotential, ShowsItsStrainsAndItsFriction) {
       EXPECT_EQ(potential->element_points()(3, e), nodes[3]);
       EXPECT_EQ(potential->element_sizes()(e), stencils.sizes[h]);
     }
-  }
-}
-
-/// One hinge along y whose second wing is turned up by `angle`.
-Eigen::Matrix3Xd folded(double angle) {
-  Eigen::Matrix3Xd x(3, 4);
-  x.col(0) << 0, 0, 0;
-  x.col(1) << 0, kEdge, 0;
-  x.col(2) << -kEdge, kEdge / 3, 0;
-  x.col(3) << kEdge * std::cos(angle), kEdge / 2, kEdge * std::sin(angle);
-  return x;
-}
-
-TEST(ElementPotential, FollowsAHingeThroughHalfATurnAndBack) {
-  Stencils<DiscreteShells> stencils;
-  stencils.add({0, 1, 2, 3}, {0, kEdge, 0}, kEdge * kEdge / 3);
-  auto law = std::make_shared<Sum>();
-  law->add_addend(std::make_unique<StiffnessDensity>(0, ScalarCurve::constant(1)));
-  const auto potential = std::make_shared<ElementPotential<DiscreteShells>>(
-      stencils, law, std::vector<int>{}, std::vector<std::string>{"strain.bend"});
-  System system(folded(0), Eigen::VectorXd::Ones(4));
-  system.add(potential);
-  system.finish();
-  State state = system.initial_state();
-  const double sign = dihedral_angle(DiscreteShells::Positions(folded(0.1))) > 0 ? 1 : -1;
-  // Steps of a quarter of a turn away from flat at most, of three quarters towards and through it.
-  for (const double angle : {0.9, 2.4, 3.3, 4.8, 2 * std::numbers::pi, 7.8, 3.2, 2.9, -1.7, -3.2,
-                             -4.7, -6.2, -1.6, 3.0}) {
-    const Configuration at{folded(angle), {}};
-    const double strain = 3 * sign * angle / kEdge;
-    EXPECT_NEAR(test::energy_of(system, at, state).stored, kEdge * kEdge / 3 * strain * strain / 2,
-                1e-9)
-        << angle;
-    test::accept(system, state, at);
-    EXPECT_NEAR(potential->field_values(system.history_of(*potential, state))(0, 0), strain, 1e-9)
-        << angle;
   }
 }
 

@@ -20,7 +20,7 @@ TEST(SheetLayout, HasRoomForAllAndNoEmptyRow) {
 TEST(ContactSheet, HasThePicturesRowByRowAndAFreeMargin) {
   std::vector<Image> pictures;
   for (std::uint8_t i = 0; i < 5; ++i) pictures.emplace_back(10, 6, Pixel{i, 0, 0});
-  const Image sheet = contact_sheet(pictures, 7);
+  const Image sheet = contact_sheet(pictures, sheet_layout(5), 7);
   const SheetLayout layout = sheet_layout(5);
   ASSERT_EQ(sheet.width(), 10 * layout.columns + 7);
   ASSERT_EQ(sheet.height(), 6 * layout.rows);

@@ -255,7 +255,7 @@ TEST(Pictures, HaveTheSizeAskedForAndASheetHasRoomForAll) {
   const Image picture = frame_picture(simulation, simulation.frames[1], setting, options, {});
   EXPECT_EQ(picture.width(), 120);
   EXPECT_EQ(picture.height(), 90);
-  const Image sheet = sheet_picture(simulation, simulation.frames, setting, options, {});
+  const Image sheet = sheet_picture({{&simulation, simulation.frames}}, setting, options, {});
   EXPECT_EQ(sheet.width(), 240);
   EXPECT_EQ(sheet.height(), 180);
 }

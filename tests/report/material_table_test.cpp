@@ -77,7 +77,7 @@ TEST(MaterialTable, PutsInBracketsWhatIsNotDetermined) {
 TEST(MaterialTable, SaysThatFrictionIsNotDeterminedByDataThatNeverUnload) {
   Results results = stretched();
   results.figures.pop_back();
-  results.experiments[0].unloads = false;
+  results.judgement.undetermined = {"friction of stretch.warp: its data never unload"};
   EXPECT_THAT(material_table(results), HasSubstr("<td class=\"number\">not determined</td>"));
 }
 

@@ -35,13 +35,21 @@ std::string own_text(std::string html) {
   return html;
 }
 
-TEST(Report, OpensWithTheVerdict) {
-  EXPECT_THAT(
-      report_of({}),
-      HasSubstr(
-          "The material reproduces 5 of 5 fitted experiments within 1.2 % of peak "
-          "force or range of lengths. 2 validation experiments are predicted within 5.7 % of peak "
-          "force."));
+TEST(Report, OpensWithWhatTheFitJudges) {
+  EXPECT_THAT(report_of({}),
+              HasSubstr(std::string("<p class=\"verdict fit\"><strong>Fit for use within the range "
+                                    "of the data.</strong> ") +
+                        testing::kSampleDetails));
+}
+
+TEST(Report, OfAResultThatJudgesNothingHasNoVerdict) {
+  const TemporaryFolder folder;
+  write_sample_results(folder.path(), {});
+  const auto file = folder.path() / "fit.json";
+  auto fit = nlohmann::json::parse(std::ifstream(file));
+  fit.erase("judgement");
+  testing::write_text(file, fit.dump());
+  EXPECT_THAT(make_report(folder.path()), Not(HasSubstr("<p class=\"verdict")));
 }
 
 TEST(Report, NamesNothingOutsideItself) {
@@ -123,6 +131,18 @@ TEST(Report, SaysOnPageOneOfEachLimitWhetherItIsKept) {
   EXPECT_THAT(make_report(folder.path()),
               HasSubstr("<p>Acceptance: RMS error 1.8 % (warp; limit 3 %): pass; error of the span "
                         "5 % (weft; limit 2 %): fail.</p>"));
+}
+
+TEST(Report, HasTheDigestsOfTheDataOnPageOne) {
+  const TemporaryFolder folder;
+  write_sample_results(folder.path(), {});
+  const auto file = folder.path() / "fit.json";
+  auto fit = nlohmann::json::parse(std::ifstream(file));
+  fit["data"] = {{{"experiment", "warp"}, {"file", "a.csv"}, {"sha256", "0123456789abcdef0123"}}};
+  testing::write_text(file, fit.dump());
+  const std::string html = make_report(folder.path());
+  EXPECT_THAT(html.substr(0, html.find("<section id=\"experiments\"")),
+              HasSubstr("SHA-256 of the data: a.csv 0123456789ab…"));
 }
 
 TEST(Report, OfAnEvaluationNamesOnPageOneWhatWasNotPredicted) {

@@ -68,6 +68,11 @@ TEST(ReadResults, NamesTheFieldThatIsNotANumber) {
   EXPECT_EQ(error.where().field, "parameters[1].value");
 }
 
+TEST(ReadResults, KnowsWhatIsNotDeterminedFromResultsThatDoNotJudge) {
+  const Results results = read(R"({"pliant": "fit/1", "undetermined": ["friction of shear"]})");
+  EXPECT_THAT(results.judgement.undetermined, ::testing::ElementsAre("friction of shear"));
+}
+
 TEST(ReadResults, RefusesACovarianceOfTheWrongSize) {
   const InputError error = error_of([] {
     read(R"({"pliant": "fit/1", "parameters": [{"name": "a"}], "covariance": [[1, 2]]})");

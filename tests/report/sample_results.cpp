@@ -353,6 +353,15 @@ json results_json(const SampleOptions& options) {
                   {"unit", "N"},
                   {"accepted", false}}};
   j["starts"] = {{{"component", "stretch.warp"}, {"tried", 8}, {"reached_best", 7}}};
+  j["judgement"] = {{"fitness", "fit"},
+                    {"headline", "Fit for use within the range of the data."},
+                    {"details", kSampleDetails},
+                    {"undetermined", nlohmann::json::array()},
+                    {"experiments", nlohmann::json::array()},
+                    {"criteria", nlohmann::json::array()}};
+  if (options.loading_only_bias) {
+    j["judgement"]["undetermined"].push_back("friction of stretch.bias: its data never unload");
+  }
   if (options.rich) {
     j["profiles"] = {profile_json()};
     j["models"] = models_json();

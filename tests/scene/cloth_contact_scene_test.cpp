@@ -75,7 +75,7 @@ TEST(ClothOnCloth, FoldsOverItselfWithoutGainingEnergy) {
       EXPECT_LE(now, total + 1e-9) << simulation.now().state.time;
       total = now;
       const auto& positions = simulation.now().state.configuration.positions;
-      touched |= simulation.built().cloth_contact->touching(positions).pairs > 0;
+      touched |= simulation.built().surface_contact->touching(positions).front().count > 0;
     }
     EXPECT_TRUE(touched);
   }

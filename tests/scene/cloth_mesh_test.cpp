@@ -54,6 +54,14 @@ TEST(ClothMesh, OfARectangleFillsIt) {
   EXPECT_NEAR(rest_area(cloth.mesh), 0.005, 1e-12);
 }
 
+TEST(ClothMesh, OfATubeIsClosed) {
+  const ClothMesh cloth = make_cloth_mesh(
+      {TubeMesh{0.1, 0.05, 6, 3, Diagonals::alternating}, {"scene.yaml", 4, "mesh"}});
+  EXPECT_EQ(cloth.mesh.vertex_count(), 18);
+  EXPECT_EQ(cloth.mesh.triangle_count(), 24);
+  EXPECT_NEAR(rest_area(cloth.mesh), 0.005, 1e-17);
+}
+
 TEST(ClothMesh, OfAFileIsInMetres) {
   const TemporaryFolder folder;
   const ClothMesh cloth = make_cloth_mesh(file_of(folder.write("sheet.obj", kFaces)));

@@ -286,5 +286,23 @@ TEST(SceneObstacles, WarnOfEdgesThatAreLongForARoundBody) {
   EXPECT_THAT(coarse.built().warnings, ::testing::Contains(HasSubstr("a finer mesh")));
 }
 
+// The sheet is held along two sides while a rod between them rises: it presses with hundreds of
+// times its weight.
+TEST(LedObstacles, KeepAGapBelowClothThatIsPulledTaut) {
+  Simulation simulation = simulated(
+      "cloth:\n"
+      "  - {name: sheet, mesh: {grid: 100 mm x 40 mm, nodes: 21x9}, material: jersey.json}\n"
+      "pins:\n"
+      "  - {cloth: sheet, within: {box: {low: [-1, -1, -1], high: [0.001, 1, 1]}}}\n"
+      "  - {cloth: sheet, within: {box: {low: [0.099, -1, -1], high: [1, 1, 1]}}}\n"
+      "obstacles:\n"
+      "  - {name: rod, capsule: {from: [0.05, -0.03, -0.007], to: [0.05, 0.07, -0.007],\n"
+      "     radius: 5 mm}, friction: 0.3,\n"
+      "     motion: {keyframes: [{time: 0 s}, {time: 300 ms, translate: [0, 0, 0.05]}]}}\n"
+      "time: {step: 5 ms, duration: 400 ms}\n");
+  while (!simulation.is_finished()) simulation.advance();
+  EXPECT_GT(std::ranges::min(simulation.now().records.distances), 5e-8);
+}
+
 }  // namespace
 }  // namespace pliant

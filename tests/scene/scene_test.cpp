@@ -76,6 +76,17 @@ TEST(SceneCloth, MayBeAnIrregularRectangle) {
   EXPECT_TRUE(scene.cloth[0].mesh.is_rectangle());
 }
 
+TEST(SceneCloth, MayBeATube) {
+  const Scene scene = read_scene_text(with_mesh("{tube: 25 cm x 20 cm, nodes: 48x41}"));
+  const auto& tube = std::get<TubeMesh>(scene.cloth[0].mesh.kind);
+  EXPECT_DOUBLE_EQ(tube.circumference, 0.25);
+  EXPECT_DOUBLE_EQ(tube.length, 0.2);
+  EXPECT_EQ(tube.nodes_around, 48);
+  EXPECT_EQ(tube.nodes_along, 41);
+  EXPECT_EQ(tube.diagonals, Diagonals::alternating);
+  EXPECT_FALSE(scene.cloth[0].mesh.is_rectangle());
+}
+
 TEST(SceneCloth, MayComeFromAFile) {
   const Scene scene =
       read_scene_text(with_mesh("{file: shirt.obj, unit: cm, up: -y, rest: uv, uv_scale: 1.27 m}"));
@@ -98,7 +109,8 @@ TEST(SceneCloth, IsShapedPlacedAndThrown) {
   const Scene scene = read_scene_text(
       with_cloth("{name: a, mesh: {grid: 1 m x 1 m, nodes: 2x2}, material: jersey.json,\n"
                  "   regions: [{material: jersey.json, faces: [1]}],\n"
-                 "   shape: {cylinder: {radius: 20 mm, axis: diagonal, side: back}},\n"
+                 "   shape: {cylinder: {radius: 20 mm, axis: diagonal, side: back, pitch: 2 mm}},\n"
+                 "   noise: {amplitude: 1 um, seed: 3},\n"
                  "   place: {rotate: {axis: [2, 0, 0], angle: 90 deg}, translate: [0, 0, 1]},\n"
                  "   velocity: [0, 1, 0]}"));
   const SceneCloth& cloth = scene.cloth[0];
@@ -106,6 +118,9 @@ TEST(SceneCloth, IsShapedPlacedAndThrown) {
   EXPECT_DOUBLE_EQ(cloth.shape->radius, 0.02);
   EXPECT_EQ(cloth.shape->axis, CylinderAxis::diagonal);
   EXPECT_TRUE(cloth.shape->towards_back);
+  EXPECT_DOUBLE_EQ(cloth.shape->pitch, 0.002);
+  EXPECT_DOUBLE_EQ(cloth.noise.amplitude, 1e-6);
+  EXPECT_EQ(cloth.noise.seed, 3);
   EXPECT_LT((cloth.place.apply({0, 1, 0}) - Vector3d(0, 0, 2)).norm(), 1e-15);
   EXPECT_EQ(cloth.velocity, Vector3d(0, 1, 0));
 }

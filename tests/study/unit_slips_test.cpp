@@ -15,6 +15,7 @@
 #include "pliant/study/study_experiments.h"
 #include "pliant/study/test_template.h"
 
+#include "io/input_error_of.h"
 #include "io/temporary_folder.h"
 
 namespace pliant {
@@ -206,6 +207,9 @@ const std::vector<Slip> kSlips{
      hang(kJersey, {"weight_N", 1000 / 9.81}), "`weight` in gf, not N"},
     {"HungNewtonsReadAsGrams", study_of(kJersey, "hanging-weights", kStrip),
      hang(kJersey, {"weight_g", 1}), "`weight` in N, not gf"},
+    {"ClipHeavierThanAllWeights",
+     study_of(kCotton, "hanging-weights", kStrip + ", clip_mass: 20 g"),
+     hang(kCotton, {"weight_g", 1}), "`weight` in N, not gf"},
     {"ClipInKilograms", study_of(kJersey, "hanging-weights", kStrip + ", clip_mass: 20 kg"),
      hang(kJersey), "`clip_mass` 20 g, not 20 kg"},
     {"RadiansReadAsDegrees", study_of(kSilk, "shear-cycles"), shear(kSilk, {"angle_deg", 1}),
@@ -246,6 +250,12 @@ TEST_P(UnitSlip, IsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Of, UnitSlip, ::testing::ValuesIn(kSlips),
                          [](const auto& instance) { return instance.param.name; });
+
+TEST(SlipOfALength, ThatBeginsAtZeroIsAskedAboutWhereItIsRefused) {
+  const std::string csv = pull(kCotton, kForce, {"length_mm", 1e3});
+  EXPECT_THAT(test::input_error_of([&] { questions(tensile(kCotton), csv); }).what(),
+              HasSubstr("is it an extension, counted from the gauge length"));
+}
 
 TEST(SlipOfASize, OtherwiseThanInTheTestersFileIsNamed) {
   const std::string csv = "Length;100.00;mm\n" + pull(kCotton);

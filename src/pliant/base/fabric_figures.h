@@ -86,6 +86,9 @@ inline constexpr FabricFigure kModulus{"the strip's stiffness is {}", force_per_
 // What is hung by hand.
 inline constexpr FabricFigure kHungWeight{"the largest weight is {}", force, 0.02, 200};
 inline constexpr FabricFigure kClip{"the clip weighs {}", mass, 1e-4, 1};
+// What hangs all the time leaves the strip something to feel of what is added.
+inline constexpr FabricFigure kClipShare{"the clip weighs {} of the largest weight", fraction, 1e-6,
+                                         3};
 
 // Shear testers go to 8 degrees, frames to the locking angle of some 60.
 inline constexpr FabricFigure kShearAngle{"the shear angle reaches {}", angle, 9e-3, 1.4};

@@ -12,6 +12,7 @@ void Journal::resume(Content earlier, std::string file) {
   content_ = std::move(earlier);
   file_ = std::move(file);
   next_ = 0;
+  parts_.clear();
 }
 
 Journal::Numbers Journal::answer(const std::string& question,
@@ -39,6 +40,20 @@ void Journal::reach(Numbers where) {
 
 void Journal::keep(std::map<std::string, Numbers> all) {
   if (remembers()) content_.kept = std::move(all);
+}
+
+Journal& Journal::part(const std::string& name) {
+  if (!remembers()) return *this;
+  const std::lock_guard lock(parts_change_);
+  std::unique_ptr<Journal>& part = parts_[name];
+  if (part) return *part;
+  part = std::make_unique<Journal>([this, name](const Content& own) {
+    const std::lock_guard change(parts_change_);
+    content_.parts[name] = own.entries;
+    changed_(content_);
+  });
+  part->resume({content_.parts[name], {}, {}}, file_);
+  return *part;
 }
 
 Journal& forgetful_journal() {

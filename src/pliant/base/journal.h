@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ class Journal {
     std::vector<Entry> entries;
     Numbers reached;
     std::map<std::string, Numbers> kept;
+    std::map<std::string, std::vector<Entry>> parts =
+        {};  ///< answers of works that go on side by side
   };
 
   /// @param changed  is called whenever there is more to remember; without it nothing is remembered
@@ -46,6 +50,11 @@ class Journal {
   const std::map<std::string, Numbers>& kept() const { return content_.kept; }
   void keep(std::map<std::string, Numbers> all);
 
+  /// The journal of one of several works that go on side by side, which remembers answers alone.
+  /// Works on different threads may ask theirs at the same time, while nobody asks this one.
+  /// @return lives as long as this journal
+  Journal& part(const std::string& name);
+
  private:
   bool remembers() const { return static_cast<bool>(changed_); }
 
@@ -53,6 +62,8 @@ class Journal {
   Content content_;
   std::string file_;
   std::size_t next_ = 0;  // entry that is asked for next
+  std::map<std::string, std::unique_ptr<Journal>> parts_;
+  std::mutex parts_change_;
 };
 
 /// One that remembers nothing.

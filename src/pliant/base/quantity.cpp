@@ -88,6 +88,8 @@ constexpr Unit kTimes[] = {{"s", 1, kPretty},
                            {"h", 3600},
                            {"sec", 1, kAlias},
                            {"Sec", 1, kAlias},
+                           {"sec.", 1, kInTables},
+                           {"secs", 1, kInTables},
                            {"second", 1, kInTables},
                            {"seconds", 1, kInTables},
                            {"minutes", 60, kInTables}};
@@ -138,6 +140,7 @@ constexpr Unit kTemperatures[] = {{"K", 1},
                                   {"degC", 1, kPretty, 273.15},
                                   {"C", 1, kAlias, 273.15},
                                   {"degF", 5.0 / 9, kAccepted, 273.15 - 32 * 5.0 / 9}};
+constexpr Unit kFrequencies[] = {{"Hz", 1, kPretty}};
 constexpr Unit kFractions[] = {
     {"%", 1e-2, kPretty}, {"percent", 1e-2}, {"mm/mm", 1, kAlias}, {"in/in", 1, kAlias}};
 
@@ -164,6 +167,7 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"stress", "a", "Pa", kStresses},
       {"mass per volume", "a", "kg/m^3", kVolumeDensities},
       {"temperature", "a", "K", kTemperatures},
+      {"frequency", "a", "Hz", kFrequencies},
       {"fraction", "a", "", kFractions},
   };
   const auto index = static_cast<std::size_t>(dimension);

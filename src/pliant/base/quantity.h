@@ -26,6 +26,7 @@ enum class Dimension {
   stress,             ///< Pa
   volume_density,     ///< kg/m^3
   temperature,        ///< K
+  frequency,          ///< 1/s
   fraction,           ///< 1; written in percent
 };
 

@@ -16,4 +16,10 @@ struct Barrier {
 /// @param thickness  m, > 0
 Barrier barrier(double distance, double thickness);
 
+/// The distance that what goes a way towards something keeps from it: a share of the one it has, or
+/// of half the thickness. Gaps below a ten-thousandth of the thickness hardly close any further:
+/// rounding must not decide on which side a thing is.
+/// @param distance  m, > 0
+double distance_to_keep(double distance, double thickness, double share);
+
 }  // namespace pliant

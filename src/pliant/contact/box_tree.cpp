@@ -37,7 +37,7 @@ int BoxTree::build(std::vector<int>& things, size_t begin, size_t end,
   return number;
 }
 
-std::vector<SweptBox> BoxTree::fitted(const std::vector<SweptBox>& boxes) const {
+BoxTree::Fitted BoxTree::fitted(const std::vector<SweptBox>& boxes) const {
   std::vector<SweptBox> spans(nodes_.size());
   for (size_t n = nodes_.size(); n-- > 0;) {
     const Node& node = nodes_[n];
@@ -48,7 +48,7 @@ std::vector<SweptBox> BoxTree::fitted(const std::vector<SweptBox>& boxes) const 
       spans[n].include(spans[static_cast<size_t>(node.second)]);
     }
   }
-  return spans;
+  return {nodes_, std::move(spans)};
 }
 
 }  // namespace pliant

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -14,12 +15,21 @@ class BoxTree {
   ///                 column a thing, at least one)
   explicit BoxTree(const Eigen::Matrix3Xd& middles);
 
+  /// Number of things.
+  Eigen::Index size() const { return (std::ssize(nodes_) + 1) / 2; }
+
   /// Calls `visit` with the numbers of each two different things whose boxes may meet, the smaller
   /// first, in a fixed order.
   /// @param boxes  of all things
   /// @param reach  of `SweptBox::may_meet` (m)
   template <class Visit>
   void pairs(const std::vector<SweptBox>& boxes, float reach, const Visit& visit) const;
+
+  /// The same for each thing with each of another tree, this tree's first.
+  template <class Visit>
+  void pairs_with(const BoxTree& other, const std::vector<SweptBox>& boxes,
+                  const std::vector<SweptBox>& boxes_of_other, float reach,
+                  const Visit& visit) const;
 
  private:
   // Children follow their parent; a leaf has a thing in place of a second child.
@@ -28,31 +38,53 @@ class BoxTree {
     bool is_leaf() const { return first < 0; }
   };
 
+  // A tree fitted to where its things are.
+  struct Fitted {
+    const std::vector<Node>& nodes;
+    std::vector<SweptBox> spans;
+  };
+
   int build(std::vector<int>& things, size_t begin, size_t end, const Eigen::Matrix3Xd& middles);
-  std::vector<SweptBox> fitted(const std::vector<SweptBox>& boxes) const;
+  Fitted fitted(const std::vector<SweptBox>& boxes) const;
+  template <class Visit>
+  static void meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
+                   float reach, const Visit& visit);
 
   std::vector<Node> nodes_;
 };
 
 template <class Visit>
 void BoxTree::pairs(const std::vector<SweptBox>& boxes, float reach, const Visit& visit) const {
-  const std::vector<SweptBox> spans = fitted(boxes);
-  std::vector<std::pair<int, int>> left{{0, 0}};
+  const Fitted all = fitted(boxes);
+  for (const Node& node : nodes_) {
+    if (node.is_leaf()) continue;
+    meet(all, node.first, all, node.second, reach,
+         [&](int one, int other) { visit(std::min(one, other), std::max(one, other)); });
+  }
+}
+
+template <class Visit>
+void BoxTree::pairs_with(const BoxTree& other, const std::vector<SweptBox>& boxes,
+                         const std::vector<SweptBox>& boxes_of_other, float reach,
+                         const Visit& visit) const {
+  meet(fitted(boxes), 0, other.fitted(boxes_of_other), 0, reach, visit);
+}
+
+// The larger of two branches that may meet is opened.
+template <class Visit>
+void BoxTree::meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
+                   float reach, const Visit& visit) {
+  std::vector<std::pair<int, int>> left{{branch, other_branch}};
   while (!left.empty()) {
     const auto [a, b] = left.back();
     left.pop_back();
-    const Node &one = nodes_[static_cast<size_t>(a)], &other = nodes_[static_cast<size_t>(b)];
-    if (a == b) {
-      if (one.is_leaf()) continue;
-      left.emplace_back(one.first, one.first);
-      left.emplace_back(one.second, one.second);
-      left.emplace_back(one.first, one.second);
-      continue;
-    }
-    const SweptBox &here = spans[static_cast<size_t>(a)], &there = spans[static_cast<size_t>(b)];
+    const Node &one = ours.nodes[static_cast<size_t>(a)],
+               &other = theirs.nodes[static_cast<size_t>(b)];
+    const SweptBox &here = ours.spans[static_cast<size_t>(a)],
+                   &there = theirs.spans[static_cast<size_t>(b)];
     if (!SweptBox::may_meet(here, there, reach)) continue;
     if (one.is_leaf() && other.is_leaf()) {
-      visit(std::min(one.second, other.second), std::max(one.second, other.second));
+      visit(one.second, other.second);
     } else if (other.is_leaf() || (!one.is_leaf() && here.volume() >= there.volume())) {
       left.emplace_back(one.first, b);
       left.emplace_back(one.second, b);

@@ -10,7 +10,12 @@ namespace pliant {
 /// The boxes of all vertices, edges and faces.
 struct ContactSurface::Boxes {
   float reach = 0;
-  std::vector<SweptBox> vertices, edges, faces;
+  std::vector<SweptBox> vertices, edges, cloth, bodies;
+
+  const SweptBox& face(int number) const {
+    const auto f = static_cast<size_t>(number);
+    return f < cloth.size() ? cloth[f] : bodies[f - cloth.size()];
+  }
 };
 
 namespace {
@@ -32,23 +37,30 @@ SweptBox box_of(const Corners& corners, const std::vector<SweptBox>& vertices) {
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces,
+ContactSurface::ContactSurface(const Eigen::Matrix3Xd& positions, const Faces& faces,
                                std::vector<bool> moves)
-    : faces_(faces),
+    : faces_(3, faces.cloth.cols() + faces.bodies.cols()),
       moves_(std::move(moves)),
-      parts_(static_cast<size_t>(faces.cols())),
-      tree_(middles_of(positions, faces)) {
+      parts_(static_cast<size_t>(faces_.cols())),
+      cloth_(middles_of(positions, faces.cloth)),
+      cloth_meets_cloth_(faces.cloth_meets_cloth) {
+  faces_ << faces.cloth, faces.bodies;
+  if (faces.bodies.cols() > 0) bodies_.emplace(middles_of(positions, faces.bodies));
   std::vector<bool> is_taken(static_cast<size_t>(positions.cols()), false);
-  for (Eigen::Index f = 0; f < faces.cols(); ++f) {
-    for (const int vertex : faces.col(f)) {
+  for (Eigen::Index f = 0; f < faces_.cols(); ++f) {
+    for (const int vertex : faces_.col(f)) {
       if (is_taken[static_cast<size_t>(vertex)]) continue;
       is_taken[static_cast<size_t>(vertex)] = true;
       parts_[static_cast<size_t>(f)].vertices.push_back(vertex);
     }
   }
-  for (const MeshEdge& edge : find_edges(faces)) {
-    parts_[static_cast<size_t>(edge.triangles[0])].edges.push_back(static_cast<int>(edges_.size()));
-    edges_.push_back(edge.vertices);
+  // Bodies may have edges of more than two triangles.
+  for (const TriangleSide& side : sides_by_edge(faces_)) {
+    const auto [low, high] = std::minmax(side.from, side.to);
+    const Edge edge{low, high};
+    if (!edges_.empty() && edges_.back() == edge) continue;
+    parts_[static_cast<size_t>(side.triangle)].edges.push_back(static_cast<int>(edges_.size()));
+    edges_.push_back(edge);
   }
 }
 
@@ -62,8 +74,8 @@ void ContactSurface::add_vertices(int of, int face, const Boxes& boxes,
   const int a = faces_(0, face), b = faces_(1, face), c = faces_(2, face);
   for (const int vertex : parts_[static_cast<size_t>(of)].vertices) {
     if (vertex == a || vertex == b || vertex == c) continue;
-    if (!SweptBox::may_meet(boxes.vertices[static_cast<size_t>(vertex)],
-                            boxes.faces[static_cast<size_t>(face)], boxes.reach)) {
+    if (!SweptBox::may_meet(boxes.vertices[static_cast<size_t>(vertex)], boxes.face(face),
+                            boxes.reach)) {
       continue;
     }
     const SurfacePair pair{SurfacePair::Kind::vertex_face, {vertex, a, b, c}};
@@ -89,25 +101,45 @@ void ContactSurface::add_edges(int of, int and_of, const Boxes& boxes,
   }
 }
 
+void ContactSurface::add_pairs(int one, int other, const Boxes& boxes,
+                               std::vector<SurfacePair>& pairs) const {
+  add_vertices(one, other, boxes, pairs);
+  add_vertices(other, one, boxes, pairs);
+  add_edges(one, other, boxes, pairs);
+}
+
 std::vector<SurfacePair> ContactSurface::near_pairs(const Eigen::Matrix3Xd& positions,
                                                     const Eigen::Matrix3Xd& ways,
                                                     double reach) const {
+  const Boxes boxes = boxes_of(positions, ways, reach);
+  std::vector<SurfacePair> pairs;
+  if (cloth_meets_cloth_) {
+    cloth_.pairs(boxes.cloth, boxes.reach,
+                 [&](int one, int other) { add_pairs(one, other, boxes, pairs); });
+  }
+  if (bodies_) {
+    const int first_of_bodies = static_cast<int>(boxes.cloth.size());
+    cloth_.pairs_with(*bodies_, boxes.cloth, boxes.bodies, boxes.reach, [&](int one, int other) {
+      add_pairs(one, first_of_bodies + other, boxes, pairs);
+    });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+ContactSurface::Boxes ContactSurface::boxes_of(const Eigen::Matrix3Xd& positions,
+                                               const Eigen::Matrix3Xd& ways, double reach) const {
   Boxes boxes;
   boxes.reach = static_cast<float>(reach + rounding_of(positions, ways));
   for (Eigen::Index i = 0; i < positions.cols(); ++i) {
     boxes.vertices.emplace_back(positions.col(i), ways.col(i));
   }
   for (const Edge& edge : edges_) boxes.edges.push_back(box_of(edge, boxes.vertices));
-  for (const auto& face : faces_.colwise()) boxes.faces.push_back(box_of(face, boxes.vertices));
-
-  std::vector<SurfacePair> pairs;
-  tree_.pairs(boxes.faces, boxes.reach, [&](int one, int other) {
-    add_vertices(one, other, boxes, pairs);
-    add_vertices(other, one, boxes, pairs);
-    add_edges(one, other, boxes, pairs);
-  });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  for (Eigen::Index f = 0; f < faces_.cols(); ++f) {
+    auto& own = f < cloth_.size() ? boxes.cloth : boxes.bodies;
+    own.push_back(box_of(faces_.col(f), boxes.vertices));
+  }
+  return boxes;
 }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,18 +11,26 @@
 
 namespace pliant {
 
-/// Triangles that may meet each other, and the search for what is near.
+/// Triangles that may meet: those of cloth each other and those of bodies, which are led and do not
+/// meet each other.
 ///
 /// Each vertex and each edge belongs to one of its triangles, so that a pair of triangles that are
 /// near stands for pairs that no other stands for. Pairs that share a point, or of which no point
 /// moves freely, are left out.
 class ContactSurface {
  public:
+  struct Faces {
+    Eigen::Matrix3Xi cloth;        ///< as points of the system, at least one
+    Eigen::Matrix3Xi bodies = {};  ///< the same; may be none
+    bool cloth_meets_cloth = true;
+  };
+
   /// @param positions  of all points of the system, where those near each other are so always
-  /// @param faces      as points of the system, at least one; an edge has two at most
   /// @param moves      whether a point may be moved by contact
-  ContactSurface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces,
-                 std::vector<bool> moves);
+  ContactSurface(const Eigen::Matrix3Xd& positions, const Faces& faces, std::vector<bool> moves);
+
+  /// Whether a point may be moved by contact.
+  bool moves(int point) const { return moves_[static_cast<size_t>(point)]; }
 
   /// All pairs that come nearer than `reach` while all points go straight ways at once, and some
   /// others, sorted.
@@ -36,16 +45,21 @@ class ContactSurface {
     std::vector<int> vertices, edges;
   };
   struct Boxes;
+  Boxes boxes_of(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xd& ways,
+                 double reach) const;
 
+  void add_pairs(int one, int other, const Boxes& boxes, std::vector<SurfacePair>& pairs) const;
   void add_vertices(int of, int face, const Boxes& boxes, std::vector<SurfacePair>& pairs) const;
   void add_edges(int of, int and_of, const Boxes& boxes, std::vector<SurfacePair>& pairs) const;
   bool is_held(const SurfacePair& pair) const;
 
-  Eigen::Matrix3Xi faces_;
+  Eigen::Matrix3Xi faces_;  // of cloth, then of bodies
   std::vector<Edge> edges_;
   std::vector<bool> moves_;
   std::vector<Parts> parts_;
-  BoxTree tree_;
+  BoxTree cloth_;
+  std::optional<BoxTree> bodies_;
+  bool cloth_meets_cloth_;
 };
 
 /// Places of the points of a pair.

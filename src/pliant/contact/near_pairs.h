@@ -18,6 +18,8 @@ class NearPairs {
   NearPairs(std::shared_ptr<const ContactSurface> surface, double reach, double skin)
       : surface_(std::move(surface)), reach_(reach), skin_(skin) {}
 
+  const ContactSurface& surface() const { return *surface_; }
+
   using Pairs = std::shared_ptr<const std::vector<SurfacePair>>;
 
   /// All pairs nearer than the reach, sorted, and some others.

@@ -1,7 +1,6 @@
 #include "pliant/contact/obstacle_contact.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "pliant/contact/barrier.h"
@@ -78,8 +77,10 @@ bool ObstacleContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions
 double ObstacleContact::free_share_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                       double kept) const {
   const double distance = distance_to(shape_, from);
-  if ((to - from).norm() < (1 - kept) * distance) return 1;
-  return free_share(shape_, from, to, kept * std::min(distance, thickness_ / 2));
+  if (!(distance > 0)) return 1;  // the body was led over it, before it made way
+  const double keep = distance_to_keep(distance, thickness_, kept);
+  if ((to - from).norm() < distance - keep) return 1;
+  return free_share(shape_, from, to, keep);
 }
 
 void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
@@ -126,8 +127,8 @@ void ObstacleContact::evaluate_point(size_t i, const Pose& body, const Evaluatio
   const Barrier pushed = barrier(distance, thickness_);
   const double stiffness = stiffness_(static_cast<Eigen::Index>(i));
   const SlipEnergy rubbed = rubbing(memory, position);
-  derivatives.energy.stored += stiffness * pushed.energy;
-  derivatives.energy.work += rubbed.energy - rubbing(memory, memory.position).energy;
+  derivatives.energy.add_contact(stiffness * pushed.energy);
+  derivatives.energy.add_rubbing(rubbed.energy - rubbing(memory, memory.position).energy);
   if (derivatives.gradient) {
     derivatives.gradient->col(point) +=
         body.rotation * (stiffness * pushed.slope * surface.normal + rubbed.force);
@@ -194,26 +195,28 @@ Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
       now.slides = slip.norm() > kSlipLength;
       const Barrier pushed = barrier(distance, thickness_);
       now.normal_force = -stiffness_(index) * pushed.slope;
-      energy.stored += stiffness_(index) * pushed.energy;
-      energy.stored += stored_slip(now.slip, largest_friction(now));
+      energy.add_contact(stiffness_(index) * pushed.energy);
+      energy.add_contact(stored_slip(now.slip, largest_friction(now)));
     }
     if (memory.normal_force > 0) {
-      energy.work += rubbing(memory, position).energy;
-      energy.work -= stored_slip(now.slip, largest_friction(memory));
+      energy.add_rubbing(rubbing(memory, position).energy -
+                         stored_slip(now.slip, largest_friction(memory)));
     }
     now.write(next + Memory::kSize * index);
   }
   return energy;
 }
 
-double ObstacleContact::least_distance(const Eigen::Matrix3Xd& positions,
-                                       const Controls& controls) const {
+Touching ObstacleContact::touching(const Eigen::Matrix3Xd& positions,
+                                   const Controls& controls) const {
   const Pose body = controls.body(body_);
-  double least = std::numeric_limits<double>::infinity();
+  Touching touching;
   for (const int point : points_) {
-    least = std::min(least, distance_to(shape_, body.local(positions.col(point))));
+    const double distance = distance_to(shape_, body.local(positions.col(point)));
+    touching.count += distance < thickness_ ? 1 : 0;
+    touching.least_distance = std::min(touching.least_distance, distance);
   }
-  return least;
+  return touching;
 }
 
 }  // namespace pliant

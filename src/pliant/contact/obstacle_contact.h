@@ -4,6 +4,7 @@
 
 #include "pliant/contact/coulomb.h"
 #include "pliant/contact/obstacle_shape.h"
+#include "pliant/contact/touching.h"
 #include "pliant/mechanics/potential.h"
 
 namespace pliant {
@@ -38,8 +39,8 @@ class ObstacleContact : public HistoryPotential {
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
   Energy advance(const Evaluation& at, double* next) const override;
 
-  /// Of all its points (m); negative where one is inside.
-  double least_distance(const Eigen::Matrix3Xd& positions, const Controls& controls) const;
+  /// Points nearer than the thickness, and the least distance of all, negative inside.
+  Touching touching(const Eigen::Matrix3Xd& positions, const Controls& controls) const;
 
  private:
   struct Memory;

@@ -1,7 +1,6 @@
 #include "pliant/contact/surface_contact.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -83,8 +82,27 @@ SurfaceContact::SurfaceContact(std::shared_ptr<const ContactSurface> surface,
 SurfaceContact::~SurfaceContact() = default;
 
 double SurfaceContact::stiffness_of(const SurfacePair& pair) const {
-  const auto& [a, b, c, d] = pair.points;
-  return (stiffness_(a) + stiffness_(b) + stiffness_(c) + stiffness_(d)) / 4;
+  double sum = 0;
+  int count = 0;
+  for (const int point : pair.points) {
+    if (point >= stiffness_.size()) continue;  // of a body
+    sum += stiffness_(point);
+    ++count;
+  }
+  return sum / count;
+}
+
+// 0: cloth, else 1 + the number of a body.
+size_t SurfaceContact::met_by(const SurfacePair& pair) const {
+  const int last = *std::ranges::max_element(pair.points);
+  size_t met = law_.bodies.size();
+  while (met > 0 && last < law_.bodies[met - 1].first_point) --met;
+  return met;
+}
+
+double SurfaceContact::friction_of(const SurfacePair& pair) const {
+  const size_t met = met_by(pair);
+  return met == 0 ? law_.friction : law_.bodies[met - 1].friction;
 }
 
 SurfaceContact::Push SurfaceContact::push_of(const SurfacePair& pair,
@@ -125,11 +143,9 @@ bool SurfaceContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions)
     for (const SurfacePair& pair : *near) {
       if (free_share_of(pair, start, ways, kKeptInWay) == 1) continue;
       meets = true;
-      const PairPoints own = points_of(pair, ways);
-      Eigen::Index furthest = 0;
-      own.colwise().squaredNorm().maxCoeff(&furthest);
+      const Eigen::Vector3d way = common_way(pair, start, ways);
       for (const int point : pair.points) {
-        positions.col(point) = start.col(point) + own.col(furthest);
+        if (near_.surface().moves(point)) positions.col(point) = start.col(point) + way;
       }
     }
     if (!meets) return true;
@@ -137,15 +153,26 @@ bool SurfaceContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions)
   return positions == start;
 }
 
+// Of what is led the way of the place that is met; else that of the point that goes furthest.
+Eigen::Vector3d SurfaceContact::common_way(const SurfacePair& pair, const Eigen::Matrix3Xd& start,
+                                           const Eigen::Matrix3Xd& ways) const {
+  const PairPoints own = points_of(pair, ways);
+  Eigen::Vector4d led = gap_between(pair.kind, points_of(pair, start)).weights;
+  for (int k = 0; k < 4; ++k) {
+    if (near_.surface().moves(pair.points[static_cast<size_t>(k)])) led(k) = 0;
+  }
+  if (led.sum() != 0) return own * led / led.sum();
+  Eigen::Index furthest = 0;
+  own.colwise().squaredNorm().maxCoeff(&furthest);
+  return own.col(furthest);
+}
+
 double SurfaceContact::free_share_of(const SurfacePair& pair, const Eigen::Matrix3Xd& from,
                                      const Eigen::Matrix3Xd& ways, double kept) const {
-  // What lies almost upon each other comes no nearer: rounding must not decide on which side it is.
-  constexpr double kLeast = 1e-4, kOfLeast = 0.9;  // of the thickness; of a distance below that
   const PairPoints x = points_of(pair, from);
   const double distance = gap_between(pair.kind, x).distance();
-  const double least = std::min(kLeast * law_.thickness, kOfLeast * distance);
-  const double keep = std::max(kept * std::min(distance, law_.thickness / 2), least);
-  return free_share(pair.kind, x, points_of(pair, ways), keep);
+  return free_share(pair.kind, x, points_of(pair, ways),
+                    distance_to_keep(distance, law_.thickness, kept));
 }
 
 void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
@@ -178,7 +205,7 @@ void SurfaceContact::add_push(const SurfacePair& pair, const Evaluation& at,
                               Derivatives& derivatives) const {
   const Push push = push_of(pair, at.configuration.positions);
   if (!push.acts()) return;
-  derivatives.energy.stored += push.energy;
+  derivatives.energy.add_contact(push.energy);
   if (derivatives.gradient) {
     for (int k = 0; k < 4; ++k) {
       derivatives.gradient->col(pair.points[static_cast<size_t>(k)]) += push.gradient.col(k);
@@ -199,7 +226,7 @@ void SurfaceContact::add_friction(const Rubbing& rubbing, const Evaluation& at,
       points_of(rubbing.pair, at.configuration.positions) - points_of(rubbing.pair, before);
   const Eigen::Vector3d slip = plane * ways * rubbing.weights;
   const SlipEnergy rubbed = slip_energy(slip, rubbing.largest_friction, plane);
-  derivatives.energy.work += rubbed.energy;
+  derivatives.energy.add_rubbing(rubbed.energy);
   if (derivatives.gradient) {
     for (int k = 0; k < 4; ++k) {
       derivatives.gradient->col(rubbing.pair.points[static_cast<size_t>(k)]) +=
@@ -226,13 +253,13 @@ std::shared_ptr<const SurfaceContact::Lagged> SurfaceContact::lagged(const doubl
   }
   auto made = std::make_shared<Lagged>();
   made->positions = positions;
-  if (law_.friction > 0) {
-    const NearPairs::Pairs near = near_.at(made->positions);
-    for (const SurfacePair& pair : *near) {
-      const Push push = push_of(pair, made->positions);
-      if (!push.acts()) continue;
-      made->rubbing.push_back({pair, push.weights, push.normal, law_.friction * push.normal_force});
-    }
+  const NearPairs::Pairs near = near_.at(made->positions);
+  for (const SurfacePair& pair : *near) {
+    const double friction = friction_of(pair);
+    if (friction == 0) continue;
+    const Push push = push_of(pair, made->positions);
+    if (!push.acts()) continue;
+    made->rubbing.push_back({pair, push.weights, push.normal, friction * push.normal_force});
   }
   const std::lock_guard lock(mutex_);
   lagged_ = made;
@@ -250,16 +277,17 @@ Energy SurfaceContact::advance(const Evaluation& at, double* next) const {
   return none.energy;
 }
 
-SurfaceContact::Touching SurfaceContact::touching(const Eigen::Matrix3Xd& positions) const {
-  Touching touching{0, std::numeric_limits<double>::infinity()};
+std::vector<Touching> SurfaceContact::touching(const Eigen::Matrix3Xd& positions) const {
+  std::vector<Touching> all(1 + law_.bodies.size());
   const NearPairs::Pairs near = near_.at(positions);
   for (const SurfacePair& pair : *near) {
     const double distance = gap_between(pair.kind, points_of(pair, positions)).distance();
     if (distance >= law_.thickness) continue;
-    ++touching.pairs;
+    Touching& touching = all[met_by(pair)];
+    ++touching.count;
     touching.least_distance = std::min(touching.least_distance, distance);
   }
-  return touching;
+  return all;
 }
 
 }  // namespace pliant

@@ -5,18 +5,26 @@
 #include <vector>
 
 #include "pliant/contact/near_pairs.h"
+#include "pliant/contact/touching.h"
 #include "pliant/mechanics/potential.h"
 
 namespace pliant {
 
-/// How surfaces that meet push and rub.
-struct SurfaceContactLaw {
-  double thickness = 0;  ///< distance at which the barrier begins (m)
-  double friction = 0;   ///< coefficient
+/// A body of triangles that cloth meets.
+struct ContactBody {
+  int first_point = 0;  ///< of the system
+  double friction = 0;  ///< coefficient, of cloth on it
 };
 
-/// Surfaces that keep each other out, and rub against each other: cloth against itself and other
-/// cloth.
+/// How surfaces that meet push and rub.
+struct SurfaceContactLaw {
+  double thickness = 0;                  ///< distance at which the barrier begins (m)
+  double friction = 0;                   ///< coefficient, of cloth on cloth
+  std::vector<ContactBody> bodies = {};  ///< their points stand behind all others, in this order
+};
+
+/// Surfaces that keep each other out, and rub against each other: cloth against itself, other cloth
+/// and bodies of triangles that are led.
 ///
 /// A barrier acts between a vertex and a face, and between two edges, that are nearer to each other
 /// than a thickness; edges that are nearly parallel are left to their ends' vertices. No pair meets
@@ -25,14 +33,15 @@ struct SurfaceContactLaw {
 class SurfaceContact : public HistoryPotential {
  public:
   /// @param built      all points of the system, with edges as long as they usually are (m)
-  /// @param stiffness  of the barrier, one a point: pairs have the mean of theirs (N/m)
+  /// @param stiffness  of the barrier, one a point that is of no body: pairs have the mean of
+  ///                   theirs (N/m)
   SurfaceContact(std::shared_ptr<const ContactSurface> surface, Eigen::Matrix3Xd built,
                  Eigen::VectorXd stiffness, const SurfaceContactLaw& law);
   ~SurfaceContact() override;
 
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
-  /// What would meet goes on together, the way of that which goes furthest.
+  /// What would meet goes on together: with what is led, else with that which goes furthest.
   bool make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const override;
   bool obstructs() const override { return true; }
   void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
@@ -43,12 +52,9 @@ class SurfaceContact : public HistoryPotential {
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
   Energy advance(const Evaluation& at, double* next) const override;
 
-  /// What is nearer than the thickness.
-  struct Touching {
-    int pairs = 0;
-    double least_distance;  ///< m; infinite where there are none
-  };
-  Touching touching(const Eigen::Matrix3Xd& positions) const;
+  /// Pairs nearer than the thickness, and the least distance of those: of cloth with cloth first,
+  /// then of cloth with each body.
+  std::vector<Touching> touching(const Eigen::Matrix3Xd& positions) const;
 
  private:
   struct Rubbing;
@@ -56,6 +62,10 @@ class SurfaceContact : public HistoryPotential {
   struct Push;
 
   double stiffness_of(const SurfacePair& pair) const;
+  size_t met_by(const SurfacePair& pair) const;
+  double friction_of(const SurfacePair& pair) const;
+  Eigen::Vector3d common_way(const SurfacePair& pair, const Eigen::Matrix3Xd& start,
+                             const Eigen::Matrix3Xd& ways) const;
   double free_share_of(const SurfacePair& pair, const Eigen::Matrix3Xd& from,
                        const Eigen::Matrix3Xd& ways, double kept) const;
   Push push_of(const SurfacePair& pair, const Eigen::Matrix3Xd& positions) const;

@@ -125,8 +125,7 @@ AnchorFit fit_anchor(const ComponentProblem& problem, const ComponentLaw& shape,
     fit.nuisance.segment(problem.first_nuisance(e), nuisance.size()) = nuisance;
   }
   fit.rms = result.stages.back().rms_force;
-  fit.start_ends = {fit.rms};
-  fit.starts_reached = 1;
+  fit.starts = {component_of(problem), "law", "N", {fit.rms}, 1};
   return result;
 }
 

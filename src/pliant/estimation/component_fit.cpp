@@ -122,15 +122,6 @@ void add_specimens(const ComponentProblem& problem, ComponentFit& result) {
   raise_errors(result);
 }
 
-// Residuals are weighed by stated noise, or by 1 % of the measured range until the noise is known.
-std::string stage_unit(const ComponentProblem& problem) {
-  const auto& experiments = problem.experiments();
-  const bool stated = std::any_of(experiments.begin(), experiments.end(), [](const auto* e) {
-    return e->info().force_noise || e->info().length_noise;
-  });
-  return stated ? "times the noise" : "% of range";
-}
-
 // One-sided limits of the unknowns of the law that the data pushes to their bounds.
 std::vector<std::optional<double>> limits_at_bounds(const ComponentProblem& problem,
                                                     const ComponentFit& component) {
@@ -254,7 +245,7 @@ FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
     const std::string form = plan.stiffness == CurveKind::none
                                  ? "addends alone"
                                  : std::string(name_of(plan.stiffness)) + " stiffness";
-    result.stages.push_back({component, form, stage_unit(problem), result.fit.rms, true});
+    result.stages.push_back({component, form, unit_of_residuals(problem), result.fit.rms, true});
     return result;
   }
   GrownFit grown = grow_stiffness(problem, plan.form(), plan.fit);
@@ -262,7 +253,7 @@ FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
     result.stages.push_back({component,
                              std::to_string(stage.control_points) + " control point" +
                                  (stage.control_points == 1 ? "" : "s"),
-                             stage_unit(problem), stage.rms, stage.accepted});
+                             unit_of_residuals(problem), stage.rms, stage.accepted});
   }
   result.fit = std::move(grown.fit);
   return result;

@@ -18,8 +18,8 @@ double first_noise(const ComponentExperiment& experiment) {
 }  // namespace
 
 ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments,
-                                   StopToken stop, RobustLoss loss)
-    : experiments_(std::move(experiments)), stop_(stop), loss_(loss) {
+                                   StopToken stop, RobustLoss loss, Journal& journal)
+    : experiments_(std::move(experiments)), stop_(stop), loss_(loss), journal_(&journal) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   for (const ComponentExperiment* experiment : experiments_) {
     first_nuisance_.push_back(nuisance_count_);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/base/journal.h"
 #include "pliant/estimation/measured_noise.h"
 #include "pliant/estimation/problem.h"
 #include "pliant/estimation/unknown.h"
@@ -22,8 +23,10 @@ class ComponentProblem {
  public:
   /// @param experiments  all of one component, role fit; they outlive the problem
   /// @param stop         ends everything that works with the problem
+  /// @param journal      of the searches that are made with it; outlives the problem
   explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments,
-                            StopToken stop = {}, RobustLoss loss = RobustLoss::none);
+                            StopToken stop = {}, RobustLoss loss = RobustLoss::none,
+                            Journal& journal = forgetful_journal());
 
   /// The same problem with fewer rows.
   using RowChoice = std::function<bool(size_t experiment, size_t row)>;
@@ -33,6 +36,7 @@ class ComponentProblem {
 
   const std::vector<const ComponentExperiment*>& experiments() const { return experiments_; }
   const StopToken& stop() const { return stop_; }
+  Journal& journal() const { return *journal_; }
   RobustLoss loss() const { return loss_; }
   /// Rows of an experiment that take part.
   const std::vector<char>& used(size_t experiment) const { return used_[experiment]; }
@@ -58,6 +62,7 @@ class ComponentProblem {
   std::vector<const ComponentExperiment*> experiments_;
   StopToken stop_;
   RobustLoss loss_;
+  Journal* journal_;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
   std::vector<Eigen::VectorXd> weight_;  // of each experiment

@@ -74,8 +74,12 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
   const ComponentFit& fit = work.fit;
   if (!fit.fit.solution.converged) {
     result.converged = false;
-    result.warnings.push_back(fmt::format("the fit of {} did not converge: {}", work.component,
-                                          fit.fit.solution.message));
+    const LeastSquaresSummary& end = fit.fit.solution;
+    result.warnings.push_back(
+        fmt::format("the fit of {} did not converge: {}", work.component,
+                    std::isfinite(end.cost)
+                        ? fmt::format("its search stopped after {} iterations", end.iterations)
+                        : "its law cannot carry the loads"));
   }
   for (Eigen::Index i = 0; i < fit.fit.law.parameter_count(); ++i) {
     const auto index = static_cast<size_t>(i);
@@ -164,13 +168,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
                                           strains_of_data(work).second,
                                           errors_of_law(work.fit.uncertainty, 0)));
   result.stages.insert(result.stages.end(), work.fit.stages.begin(), work.fit.stages.end());
-  const LawFit& fit = work.fit.fit;
-  result.starts.push_back({work.component, fit.start_ends, fit.starts_reached});
-  if (fit.start_ends.size() > 1 && fit.starts_reached == 1) {
-    result.assumptions.push_back(fmt::format(
-        "{}: of {} starts one alone led to the fit: there may be a better one that none found",
-        work.component, fit.start_ends.size()));
-  }
+  add_starts(work.fit.fit.starts, result);
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());

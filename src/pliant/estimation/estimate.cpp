@@ -68,6 +68,7 @@ ParameterEstimate estimate_of(const std::vector<Unknown>& unknowns, const Eigen:
   estimate.unit = unknown.unit;
   estimate.value = values(i);
   estimate.fixed = unknown.fixed;
+  estimate.of_friction = unknown.of_friction;
   if (unknown.fixed) return estimate;
   estimate.at_bound = uncertainty.at_bound[index];
   estimate.determination = uncertainty.determination[index];

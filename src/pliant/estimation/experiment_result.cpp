@@ -73,6 +73,17 @@ std::vector<int> loading_of_rows(const MeasuredPath& path) {
   return loading;
 }
 
+// The strain that a row is shown at: that of the material; but where clamps impose it and a force
+// is measured, theirs. The material of a slack strip stays behind.
+std::vector<double> shown_strain(const ComponentExperiment& experiment,
+                                 const Prediction& prediction) {
+  const ExperimentInfo& info = experiment.info();
+  const bool is_pulled =
+      info.test.deformation == Deformation::stretch && info.quantity.kind == "force";
+  if (is_pulled) return experiment.path().strain;
+  return {prediction.strain.begin(), prediction.strain.end()};
+}
+
 // A strip that may rest in several shapes was measured in the one in which it was left.
 void tell_other_equilibria(ExperimentResult& result) {
   if (!result.shapes || result.shapes->ambiguous.empty()) return;
@@ -126,7 +137,7 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   result.handled = info.handled;
   result.columns = info.columns;
   result.time = info.time;
-  result.strain.assign(prediction->strain.begin(), prediction->strain.end());
+  result.strain = shown_strain(experiment, *prediction);
   result.direction_of_row = loading_of_rows(path);
   result.specimen_of_row = path.specimen;
   result.used = info.used;

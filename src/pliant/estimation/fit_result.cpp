@@ -1,6 +1,7 @@
 #include "pliant/estimation/fit_result.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant {
 
@@ -10,6 +11,12 @@ std::vector<int> SheetComparison::missing_frames() const {
     if (!std::ranges::binary_search(frames, frame)) missing.push_back(frame);
   }
   return missing;
+}
+
+void add_starts(StartRecord starts, StudyResult& result) {
+  const std::string alone = lone_start(starts);
+  if (!alone.empty()) result.assumptions.push_back(alone);
+  result.starts.push_back(std::move(starts));
 }
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/judgement.h"
 #include "pliant/estimation/lab_figures.h"
+#include "pliant/estimation/start_search.h"
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -33,6 +34,7 @@ struct ParameterEstimate {
   std::optional<double> limit;  ///< one-sided 95 % limit where it is at a bound
   bool at_bound = false;
   bool fixed = false;
+  bool of_friction = false;
   std::optional<double> between_specimen_sd;
   std::string told_by = {};  ///< experiments, by their shares of what is known of it
   std::string note;          ///< e.g. the strain of a control point
@@ -100,12 +102,6 @@ struct FitStage {
   bool accepted = true;
 };
 
-struct StartCount {
-  std::string component;
-  std::vector<double> ends;  ///< rms of the weighted residuals where each start has led
-  int reached_best = 0;
-};
-
 /// One friction model of a comparison ([T] Fig. 5.3).
 struct ModelRank {
   std::string component, name;
@@ -160,7 +156,7 @@ struct StudyResult {
   std::vector<LabFigure> figures;  ///< of the material's components, in the order of their names
   std::optional<EquilibriumWork> work;  ///< of sheets: fits, their predictions and uncertainty
   std::vector<FitStage> stages;
-  std::vector<StartCount> starts;
+  std::vector<StartRecord> starts;
   std::vector<ModelRank> models;
   std::vector<Profile> profiles;
   std::vector<std::string> assumptions, undetermined, warnings;
@@ -170,5 +166,8 @@ struct StudyResult {
   Judgement judgement;
   Material material;
 };
+
+/// Adds a record of starts, and to the assumptions where one of them stands alone.
+void add_starts(StartRecord starts, StudyResult& result);
 
 }  // namespace pliant

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/fit_journal.h"
 
 namespace pliant {
 namespace {
@@ -47,8 +48,7 @@ double weigh(const Eigen::VectorXd& values, Problem& problem) {
   return change;
 }
 
-/// The values, the cost, and whether the last search converged.
-Journal::Numbers search(Problem& problem, const StopToken& stop) {
+LeastSquaresSummary search(Problem& problem, const StopToken& stop) {
   LeastSquaresSummary found;
   found.parameters = starts_of(problem.unknowns());
   weigh_alike(problem);
@@ -59,10 +59,7 @@ Journal::Numbers search(Problem& problem, const StopToken& stop) {
       throw SolverError("the joint prediction of all experiments", found.iterations, 0);
     }
   }
-  Journal::Numbers numbers(found.parameters.begin(), found.parameters.end());
-  numbers.push_back(found.cost);
-  numbers.push_back(found.converged ? 1 : 0);
-  return numbers;
+  return found;
 }
 
 }  // namespace
@@ -70,20 +67,19 @@ Journal::Numbers search(Problem& problem, const StopToken& stop) {
 JointFit fit_jointly(const JointProblem& joint, const RunContext& context) {
   ProgressTask task(context.progress, "fit together", 2);
   JointFit fit;
-  const Journal::Numbers found = context.journal.answer("fit of everything together", [&] {
+  const LeastSquaresSummary found = answered(context.journal, "fit of everything together", [&] {
     Problem problem = problem_of(joint, context);
-    Journal::Numbers numbers = search(problem, context.stop);
+    LeastSquaresSummary end = search(problem, context.stop);
     fit.work += problem.work();
-    return numbers;
+    return end;
   });
   task.advance(1);
-  const auto count = static_cast<Eigen::Index>(joint.unknowns.size());
-  fit.values = Eigen::VectorXd::Map(found.data(), count);
-  fit.converged = found.back() > 0;
+  fit.values = found.parameters;
+  fit.converged = found.converged;
   // Anew, so that a fit that was stopped and one that was not find the same equilibria.
   const Problem problem = problem_of(joint, context);
   fit.uncertainty = uncertainty_of(problem, fit.values);
-  fit.rms = std::sqrt(2 * found[found.size() - 2] / std::max(problem.rows(), 1));
+  fit.rms = std::sqrt(2 * found.cost / std::max(problem.rows(), 1));
   fit.work += problem.work();
   return fit;
 }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/verdict.h"
 #include "pliant/experiment/registry.h"
 
 namespace pliant {
@@ -42,12 +43,6 @@ struct Figure {
   double excess = 0;
   std::string reason;
 };
-
-std::string percent(double share) {
-  constexpr double kNothing = 1e-6;  // what rounding leaves of zero
-  if (std::abs(share) >= 1) return fmt::format("{:.0f} %", 100 * share);
-  return fmt::format("{:.2g} %", std::abs(share) < kNothing ? 0 : 100 * share);
-}
 
 // Of what the best model that knows nothing of the material leaves beyond noise: where weight alone
 // makes a force, that is more than a constant. Noise that is a third of it leaves nothing to judge.
@@ -83,8 +78,8 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   own.errors["rms"] = e.points == 0 ? INFINITY : e.rms_percent / 100;
   std::vector<Figure> figures{
       {e.rms_percent / 100 / accept.rms,
-       fmt::format("RMS error {} of {} (accepted: {})", percent(e.rms_percent / 100),
-                   reference_of(e), percent(accept.rms))}};
+       fmt::format("RMS error {} of {} (accepted: {})", in_percent(e.rms_percent / 100),
+                   reference_of(e), in_percent(accept.rms))}};
   if (e.points == 0) figures.push_back({INFINITY, "nothing of it can be predicted"});
   const std::size_t missing = e.sheet ? e.sheet->missing_frames().size() : 0;
   if (missing > 0 && e.points > 0) {
@@ -105,17 +100,18 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
     own.errors["unexplained"] = 1 - *own.explained;
     figures.push_back(
         {own.errors["unexplained"] / accept.unexplained,
-         fmt::format("{} of {} is explained (accepted: {})", percent(std::max(*own.explained, 0.0)),
+         fmt::format("{} of {} is explained (accepted: {})",
+                     in_percent(std::max(*own.explained, 0.0)),
                      e.limp_rms ? "what a strip without stiffness leaves" : "the variance",
-                     percent(1 - accept.unexplained))});
+                     in_percent(1 - accept.unexplained))});
   }
   if (e.measured_loop && e.predicted_loop) {
     const double measured = e.measured_loop->loop_loss, predicted = e.predicted_loop->loop_loss;
     if (measured >= kHardlyALoop) own.loop_ratio = predicted / measured;
     own.errors["loop"] = std::abs(predicted - measured) / std::max(measured, kHardlyALoop);
-    figures.push_back(
-        {own.errors["loop"] / accept.loop,
-         fmt::format("the loop loses {}, predicted {}", percent(measured), percent(predicted))});
+    figures.push_back({own.errors["loop"] / accept.loop,
+                       fmt::format("the loop loses {}, predicted {}", in_percent(measured),
+                                   in_percent(predicted))});
   }
   for (Figure& figure : figures) {
     if (std::isnan(figure.excess)) figure.excess = INFINITY;
@@ -213,6 +209,12 @@ std::string headline_of(const StudyResult& result, const Judgement& judgement, b
 
 }  // namespace
 
+std::string in_percent(double share) {
+  constexpr double kNothing = 1e-6;  // what rounding leaves of zero
+  if (std::abs(share) >= 1) return fmt::format("{:.0f} %", 100 * share);
+  return fmt::format("{:.2g} %", std::abs(share) < kNothing ? 0 : 100 * share);
+}
+
 std::string_view name_of(Fitness fitness) {
   switch (fitness) {
     case Fitness::fit:
@@ -234,11 +236,11 @@ std::vector<std::pair<std::string_view, double>> limits_of(const Acceptance& acc
 
 std::string CriterionJudgement::text() const {
   if (!worst) {
-    return fmt::format("{} (limit {}): no experiment tells it", words_of(key), percent(limit));
+    return fmt::format("{} (limit {}): no experiment tells it", words_of(key), in_percent(limit));
   }
   return fmt::format("{} {} ({}; limit {}): {}", words_of(key),
-                     std::isinf(*worst) ? "without end" : percent(*worst), experiment,
-                     percent(limit), passed() ? "pass" : "fail");
+                     std::isinf(*worst) ? "without end" : in_percent(*worst), experiment,
+                     in_percent(limit), passed() ? "pass" : "fail");
 }
 
 Fitness ExperimentJudgement::fitness() const { return fitness_of(excess); }
@@ -261,6 +263,8 @@ Judgement judge(const StudyResult& result, const Acceptance& accept, bool evalua
   }
   if (!result.converged) judgement.fitness = Fitness::unfit;
   judgement.headline = headline_of(result, judgement, validated, evaluation);
+  judgement.details = verdict(result, accept, evaluation);
+  judgement.undetermined = undetermined_with_reasons(result, evaluation);
   return judgement;
 }
 

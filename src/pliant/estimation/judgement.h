@@ -60,9 +60,14 @@ struct CriterionJudgement {
 struct Judgement {
   Fitness fitness = Fitness::reservations;
   std::string headline;                          ///< one or two sentences
+  std::string details;                           ///< what the numbers say, below it
+  std::vector<std::string> undetermined;         ///< by the data, with reasons
   std::vector<ExperimentJudgement> experiments;  ///< the worst first
   std::vector<CriterionJudgement> criteria;      ///< as `limits_of` has them
 };
+
+/// "1.8 %" of 0.018.
+std::string in_percent(double share);
 
 /// Judges all experiments of a result. A fit that did not converge is not fit for use; one of which
 /// nothing was kept for validation has that for a reservation.

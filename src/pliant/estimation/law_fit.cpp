@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "pliant/estimation/fit_journal.h"
 #include "pliant/estimation/linear_start.h"
 #include "pliant/estimation/monotone_stress.h"
 
@@ -11,7 +14,6 @@ namespace pliant {
 namespace {
 
 constexpr int kMostLinearStarts = 3;
-constexpr double kReachedShare = 1e-3;
 constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
 
 /// How far a search goes.
@@ -66,12 +68,17 @@ int residual_count(const Problem& problem) {
   return problem.rows() + static_cast<int>(problem.priors().size());
 }
 
+// Per degree of freedom.
+double rms_of(double cost, const LawFit& fit, int residuals) {
+  return std::sqrt(2 * cost / std::max(residuals - free_count(fit.unknowns), 1));
+}
+
 void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSummary& solution,
                    int residuals) {
   fit.solution = solution;
   fit.law = shape.with_parameters(solution.parameters);
   fit.nuisance = solution.parameters.tail(solution.parameters.size() - shape.parameter_count());
-  fit.rms = std::sqrt(2 * solution.cost / std::max(residuals - free_count(fit.unknowns), 1));
+  fit.rms = rms_of(solution.cost, fit, residuals);
 }
 
 LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
@@ -84,21 +91,21 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
   const Problem rows = problem_of(problem, fit);
   const LeastSquaresProblem least_squares = rows.least_squares();
   const double exact = residual_count(rows) * kExactRms * kExactRms / 2;
-  std::vector<double> costs;
-  LeastSquaresSummary best;
-  best.cost = std::numeric_limits<double>::infinity();
-  for (const ComponentLaw& law : starting_laws(problem, shape, extra)) {
-    const LeastSquaresSummary solution =
-        solve_least_squares(least_squares, start_vector(law, fit),
-                            trial(std::max(best.cost, exact), effort), problem.stop());
-    costs.push_back(solution.cost);
-    if (solution.cost < best.cost || best.parameters.size() == 0) best = solution;
-  }
-  take_solution(fit, shape, best, residual_count(rows));
-  const int degrees = std::max(residual_count(rows) - free_count(fit.unknowns), 1);
-  for (const double cost : costs) {
-    fit.start_ends.push_back(std::sqrt(2 * cost / degrees));
-    if (cost <= best.cost * (1 + kReachedShare) + exact) ++fit.starts_reached;
+  const std::vector<ComponentLaw> laws = starting_laws(problem, shape, extra);
+  std::vector<LeastSquaresSummary> ends;
+  const auto follow = [&](std::size_t start, double least) {
+    const std::string question = fmt::format("start {} of {}", start + 1, component_of(problem));
+    ends.push_back(answered(problem.journal(), question, [&] {
+      return solve_least_squares(least_squares, start_vector(laws[start], fit),
+                                 trial(std::max(least, exact), effort), problem.stop());
+    }));
+    return ends.back().cost;
+  };
+  const StartSearch search = search_from(laws.size(), follow, {.exact = exact});
+  take_solution(fit, shape, ends[search.best], residual_count(rows));
+  fit.starts = {component_of(problem), "law", unit_of_residuals(problem), {}, search.reached_best};
+  for (const double cost : search.costs) {
+    fit.starts.ends.push_back(rms_of(cost, fit, residual_count(rows)));
   }
   return fit;
 }
@@ -120,6 +127,13 @@ const std::string& component_of(const ComponentProblem& problem) {
   return problem.experiments().front()->info().component;
 }
 
+std::string unit_of_residuals(const ComponentProblem& problem) {
+  const bool stated = std::ranges::any_of(problem.experiments(), [](const auto* experiment) {
+    return experiment->info().force_noise || experiment->info().length_noise;
+  });
+  return stated ? "times the noise" : "% of range";
+}
+
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
                const FitOptions& options, const std::vector<ComponentLaw>& extra) {
   return refit(problem, best_trial(problem, shape, options, extra, kTrial));
@@ -133,21 +147,21 @@ LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shap
 LawFit refit(const ComponentProblem& problem, const LawFit& fit) {
   LawFit again = fit;
   const Problem rows = problem_of(problem, fit);
-  take_solution(
-      again, fit.law,
-      solve_least_squares(rows.least_squares(), fit.solution.parameters, finish(), problem.stop()),
-      residual_count(rows));
+  const LeastSquaresSummary solution =
+      answered(problem.journal(), "search of " + component_of(problem), [&] {
+        return solve_least_squares(rows.least_squares(), fit.solution.parameters, finish(),
+                                   problem.stop());
+      });
+  take_solution(again, fit.law, solution, residual_count(rows));
   return again;
 }
 
 LawFit reweighed(const ComponentProblem& problem, const LawFit& fit) {
   LawFit again = fit;
   const Problem rows = problem_of(problem, fit);
-  const LeastSquaresProblem least_squares = rows.least_squares();
-  Eigen::VectorXd residual(least_squares.residuals);
-  if (!least_squares.evaluate(fit.solution.parameters, residual, nullptr)) return again;
   LeastSquaresSummary solution = fit.solution;
-  solution.cost = residual.squaredNorm() / 2;
+  solution.cost = cost_at(rows.least_squares(), solution.parameters);
+  if (!std::isfinite(solution.cost)) return again;
   take_solution(again, fit.law, solution, residual_count(rows));
   return again;
 }

@@ -3,6 +3,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/estimation/component_problem.h"
 #include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/start_search.h"
 
 namespace pliant {
 
@@ -15,9 +16,7 @@ struct LawFit {
   LeastSquaresSummary solution;
   double rms = 0;  ///< of the weighted residuals, per degree of freedom: a useless parameter does
                    ///< not lower it
-  std::vector<double> start_ends;  ///< where each start has led, as `rms`; one without hope was
-                                   ///< left on its way
-  int starts_reached = 0;          ///< that ended within 0.1 % of the best cost
+  StartRecord starts;  ///< ends as `rms`; one without hope was left on its way
 };
 
 /// Fits stiffness values, friction and nuisance parameters of a law by bounded least squares, from
@@ -37,6 +36,10 @@ LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shap
 
 /// Fits again from the solution itself, after the problem's noise has changed.
 LawFit refit(const ComponentProblem& problem, const LawFit& fit);
+
+/// The unit of the weighted residuals while the noise is not known yet: they are weighed by stated
+/// noise, or by 1 % of the measured range.
+std::string unit_of_residuals(const ComponentProblem& problem);
 
 /// The same fit, its cost in units of the problem's new noise: for a noise that has changed by one
 /// factor, which moves no minimum.

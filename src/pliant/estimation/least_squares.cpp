@@ -160,13 +160,11 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
 
   if (!last.at(summary.parameters)) {
     summary.cost = std::numeric_limits<double>::infinity();
-    summary.message = "the start has no prediction";
     return summary;
   }
   summary.cost = last.residual().squaredNorm() / 2;
   if (parameters.size() == 0) {
     summary.converged = true;
-    summary.message = "no free parameter";
     return summary;
   }
 
@@ -189,7 +187,6 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
   summary.cost = report.final_cost;
   summary.converged = report.termination_type == ceres::CONVERGENCE || callback.settled();
   summary.iterations = static_cast<int>(report.iterations.size());
-  summary.message = report.message;
   return summary;
 }
 
@@ -279,13 +276,13 @@ double largest_curvature(const LeastSquaresProblem& problem, const Eigen::Vector
   return (jacobian * problem.scale.asDiagonal()).colwise().squaredNorm().maxCoeff();
 }
 
-double cost_of(const LeastSquaresProblem& problem, const Eigen::VectorXd& p) {
+}  // namespace
+
+double cost_at(const LeastSquaresProblem& problem, const Eigen::VectorXd& values) {
   Eigen::VectorXd residual(problem.residuals);
-  const bool found = problem.evaluate(p, residual, nullptr);
+  const bool found = problem.evaluate(values, residual, nullptr);
   return found ? residual.squaredNorm() / 2 : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
                                         const Eigen::VectorXd& start,
@@ -311,7 +308,7 @@ LeastSquaresSummary solve_least_squares(const LeastSquaresProblem& problem,
     weight *= 2;
   }
   summary.converged = summary.converged && holds();
-  summary.cost = cost_of(problem, summary.parameters);
+  summary.cost = cost_at(problem, summary.parameters);
   return summary;
 }
 

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <limits>
-#include <string>
 
 #include <Eigen/Core>
 
@@ -40,8 +39,10 @@ struct LeastSquaresSummary {
   double cost = 0;  ///< 1/2 |residual|^2
   bool converged = false;
   int iterations = 0;
-  std::string message;  ///< why it stopped
 };
+
+/// The cost at some values; infinite where they have no residual.
+double cost_at(const LeastSquaresProblem& problem, const Eigen::VectorXd& values);
 
 /// Trust-region Levenberg-Marquardt with bounds (Ceres). Where a solution violates `not_negative`
 /// the search goes on with an augmented Lagrangian until it does not.

@@ -86,8 +86,12 @@ void require_positive(const std::vector<double>& values, const DataRows& data,
                       std::string_view column) {
   const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !(v > 0); });
   if (bad == values.end()) return;
+  // Zero is where extensions begin, and lengths never.
+  const bool is_length = column == "length";
   throw InputError(data.location(static_cast<int>(bad - values.begin()), column), "is not positive",
-                   "a value above 0");
+                   is_length ? "the distance of the clamps, above 0; is it an extension, counted "
+                               "from the gauge length (a column `extension`)?"
+                             : "a value above 0");
 }
 
 void require_change(const std::vector<double>& values, const DataRows& data,

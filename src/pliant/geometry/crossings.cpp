@@ -44,24 +44,52 @@ std::vector<Corners> corners_of(const Eigen::Matrix3Xd& positions,
   return all;
 }
 
-}  // namespace
-
-std::optional<std::vector<std::array<int, 2>>> crossing_triangles(
-    const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles) {
-  const std::vector<Corners> corners = corners_of(positions, triangles);
+std::vector<Box> boxes_of(const std::vector<Corners>& corners) {
   std::vector<Box> boxes;
   for (std::size_t t = 0; t < corners.size(); ++t) {
     CGAL::Bbox_3 box;
     for (const Point& corner : corners[t]) box += corner.bbox();
     boxes.emplace_back(box, static_cast<int>(t));
   }
+  return boxes;
+}
+
+bool cross(const Corners& one, const Corners& other) {
+  return side_pierces(one, other) || side_pierces(other, one);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<int, 2>>> crossing_triangles(
+    const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles) {
+  const std::vector<Corners> corners = corners_of(positions, triangles);
+  std::vector<Box> boxes = boxes_of(corners);
   std::vector<std::array<int, 2>> pairs;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     const auto [first, second] = std::minmax({a.info(), b.info()});
-    const Corners &one = corners[static_cast<std::size_t>(first)],
-                  &other = corners[static_cast<std::size_t>(second)];
-    if (side_pierces(one, other) || side_pierces(other, one)) pairs.push_back({first, second});
+    if (cross(corners[static_cast<std::size_t>(first)],
+              corners[static_cast<std::size_t>(second)])) {
+      pairs.push_back({first, second});
+    }
   });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::optional<std::vector<std::array<int, 2>>> crossing_triangles(const Eigen::Matrix3Xd& positions,
+                                                                  const Eigen::Matrix3Xi& one,
+                                                                  const Eigen::Matrix3Xi& other) {
+  const std::vector<Corners> ours = corners_of(positions, one),
+                             theirs = corners_of(positions, other);
+  std::vector<Box> our_boxes = boxes_of(ours), their_boxes = boxes_of(theirs);
+  std::vector<std::array<int, 2>> pairs;
+  CGAL::box_intersection_d(our_boxes.begin(), our_boxes.end(), their_boxes.begin(),
+                           their_boxes.end(), [&](const Box& a, const Box& b) {
+                             if (cross(ours[static_cast<std::size_t>(a.info())],
+                                       theirs[static_cast<std::size_t>(b.info())])) {
+                               pairs.push_back({a.info(), b.info()});
+                             }
+                           });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -73,6 +101,12 @@ std::optional<std::vector<std::array<int, 2>>> crossing_triangles(
 namespace pliant {
 
 std::optional<std::vector<std::array<int, 2>>> crossing_triangles(const Eigen::Matrix3Xd&,
+                                                                  const Eigen::Matrix3Xi&) {
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::array<int, 2>>> crossing_triangles(const Eigen::Matrix3Xd&,
+                                                                  const Eigen::Matrix3Xi&,
                                                                   const Eigen::Matrix3Xi&) {
   return std::nullopt;
 }

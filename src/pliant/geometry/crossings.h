@@ -17,4 +17,9 @@ namespace pliant {
 std::optional<std::vector<std::array<int, 2>>> crossing_triangles(
     const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles);
 
+/// The same between some triangles and others; each with its own number, the first of `one`.
+std::optional<std::vector<std::array<int, 2>>> crossing_triangles(const Eigen::Matrix3Xd& positions,
+                                                                  const Eigen::Matrix3Xi& one,
+                                                                  const Eigen::Matrix3Xi& other);
+
 }  // namespace pliant

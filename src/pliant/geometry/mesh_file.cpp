@@ -1,9 +1,7 @@
 #include "pliant/geometry/mesh_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +10,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/geometry/mesh_quality.h"
+#include "pliant/geometry/world_positions.h"
 
 namespace pliant {
 namespace {
@@ -25,26 +24,6 @@ constexpr double kLargestPanelMismatch = 4;
 constexpr double kNotableMismatch = 1.05;
 
 std::string area_text(double area) { return format_number(area, 4) + " m^2"; }
-
-/// Rows of a rotation from the file's axes to the world's.
-Eigen::Matrix3d world_axes(const std::string& up, const std::string& file) {
-  struct Axes {
-    std::string_view up;
-    std::array<int, 9> rows;
-  };
-  constexpr std::array<Axes, 6> kAxes{{{"z", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
-                                       {"-z", {1, 0, 0, 0, -1, 0, 0, 0, -1}},
-                                       {"y", {1, 0, 0, 0, 0, -1, 0, 1, 0}},
-                                       {"-y", {1, 0, 0, 0, 0, 1, 0, -1, 0}},
-                                       {"x", {0, 0, -1, 0, 1, 0, 1, 0, 0}},
-                                       {"-x", {0, 0, 1, 0, 1, 0, -1, 0, 0}}}};
-  for (const Axes& axes : kAxes) {
-    if (axes.up != up) continue;
-    return Eigen::Map<const Eigen::Matrix<int, 3, 3, Eigen::RowMajor>>(axes.rows.data())
-        .cast<double>();
-  }
-  throw InputError({file, 0, "up"}, "unknown axis " + quoted_value(up), "x, -x, y, -y, z or -z");
-}
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
@@ -114,9 +93,7 @@ class SheetMaker {
   }
 
   void place_in_world() {
-    const Eigen::Matrix3d axes = world_axes(options_.up, file_);
-    mesh().positions = axes * (options_.unit * polygons_.positions);
-    if (!mesh().positions.allFinite()) fail("unit", "positions overflow", "a smaller unit");
+    mesh().positions = world_positions(polygons_, options_.unit, options_.up);
   }
 
   void set_rest_shape() {

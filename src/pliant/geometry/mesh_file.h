@@ -29,11 +29,10 @@ struct MeshFile {
 
 /// Makes a sheet of the faces of a file.
 ///
-/// The file is turned, not mirrored: with `up` y its -z becomes the world's y (as Blender does),
-/// with x its -z becomes x. Vertices keep their numbers. Faces of more than three corners are cut
-/// into triangles, in the rest plane with `rest: uv` and in their own plane else. Where all faces
-/// run clockwise at rest, their corners are reversed, so that weft and warp keep their directions
-/// and the sheet's front becomes its back.
+/// The file is turned as `world_positions` has it. Vertices keep their numbers. Faces of more than
+/// three corners are cut into triangles, in the rest plane with `rest: uv` and in their own plane
+/// else. Where all faces run clockwise at rest, their corners are reversed, so that weft and warp
+/// keep their directions and the sheet's front becomes its back.
 /// @throws InputError
 ///  - for options that are missing or do not fit the file, and faces that are not convex;
 ///  - with `rest: uv`, where some faces run clockwise and others do not, and where the areas at

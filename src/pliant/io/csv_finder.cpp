@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include "pliant/base/letter_case.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/io/csv.h"
@@ -18,6 +21,20 @@ constexpr int kRowsThatTell = 50;     // no table of results is longer
 bool is_bracketed(std::string_view text) {
   return text.size() >= 2 && ((text.front() == '(' && text.back() == ')') ||
                               (text.front() == '[' && text.back() == ']'));
+}
+
+/// What follows the label of a list of units in its cell; none where a cell begins otherwise.
+std::optional<std::string_view> after_units_label(std::string_view cell) {
+  constexpr std::array<std::string_view, 4> kLabels = {"units", "unit", "einheiten", "einheit"};
+  cell.remove_prefix(std::min(cell.find_first_not_of("# "), cell.size()));
+  for (const std::string_view label : kLabels) {
+    const std::string_view rest = cell.substr(std::min(label.size(), cell.size()));
+    if (!same_letters(cell.substr(0, label.size()), label)) continue;
+    if (rest.empty() || rest.front() == ':' || rest.front() == ' ' || rest.front() == '=') {
+      return rest.substr(std::min(rest.find_first_not_of(":= "), rest.size()));
+    }
+  }
+  return std::nullopt;
 }
 
 struct SeparatorCounts {
@@ -48,9 +65,8 @@ std::size_t start_of_content(std::string_view text, std::size_t at) {
   return std::min(text.size(), text.find_first_not_of(" \r\n", at));
 }
 
-bool are_units(const std::vector<std::string_view>& cells) {
-  return !cells.empty() && std::ranges::all_of(cells, may_be_csv_unit);
-}
+/// Of a quantity that has none, as a row's number.
+bool is_dash(std::string_view cell) { return cell == "-" || cell == "--"; }
 
 /// A row that is of numbers mostly.
 bool is_row(const std::vector<std::string_view>& cells, char separator) {
@@ -67,13 +83,13 @@ int rows_of_table(std::string_view text, std::size_t at, char separator, bool nu
     return start_of_content(text, next_csv_line(text, line));
   };
   const std::vector<std::string_view> first = csv_cells(text, at, separator);
-  if (first.size() < 2 || are_units(first) || first.front().starts_with('#')) return 0;
+  if (first.size() < 2 || are_csv_units(first) || first.front().starts_with('#')) return 0;
   const auto is_number = [&](const auto& c) { return is_csv_number(c, separator); };
   if (numbered ? !std::ranges::all_of(first, is_number) : std::ranges::any_of(first, is_number)) {
     return 0;
   }
   std::size_t row = numbered ? at : row_after(at);
-  if (are_units(csv_cells(text, row, separator))) row = row_after(row);
+  if (are_csv_units(csv_cells(text, row, separator))) row = row_after(row);
   if (!is_row(csv_cells(text, row, separator), separator)) return 0;
   int rows = 0;
   for (; row < text.size() && rows < kRowsThatTell; row = next_csv_line(text, row), ++rows) {
@@ -84,8 +100,32 @@ int rows_of_table(std::string_view text, std::size_t at, char separator, bool nu
 
 }  // namespace
 
-bool may_be_csv_unit(std::string_view cell) {
-  return cell.empty() || is_bracketed(cell) || is_unit(cell);
+bool are_csv_units(const std::vector<std::string_view>& cells) {
+  const auto is_told = [](std::string_view cell) { return is_bracketed(cell) || is_unit(cell); };
+  const auto may_be = [&](std::string_view cell) {
+    return cell.empty() || is_dash(cell) || is_told(cell);
+  };
+  return std::ranges::any_of(cells, is_told) && std::ranges::all_of(cells, may_be);
+}
+
+std::string_view csv_unit(std::string_view cell) {
+  if (is_bracketed(cell)) cell = trimmed(cell.substr(1, cell.size() - 2));
+  return is_dash(cell) ? std::string_view() : cell;
+}
+
+std::vector<std::string_view> csv_units_above(std::string_view preamble, std::size_t columns) {
+  std::vector<std::string_view> found;
+  for (std::size_t at = 0; at < preamble.size(); at = next_csv_line(preamble, at)) {
+    std::vector<std::string_view> cells = csv_cells(preamble, at, csv_separator(preamble, at));
+    if (cells.empty()) continue;
+    const auto rest = after_units_label(cells.front());
+    if (!rest) continue;
+    // A label in a cell of its own stands above the first column, or before it.
+    cells.front() = *rest;
+    if (rest->empty() && cells.size() == columns + 1) cells.erase(cells.begin());
+    if (cells.size() == columns && are_csv_units(cells)) found = std::move(cells);
+  }
+  return found;
 }
 
 bool is_csv_number(std::string_view cell, char separator) {

@@ -36,8 +36,16 @@ std::size_t next_csv_line(std::string_view text, std::size_t at);
 /// Whether a cell is a number, with a decimal comma too where the separator is none.
 bool is_csv_number(std::string_view cell, char separator);
 
-/// Whether a cell may stand in a row of units: a unit, brackets, or nothing.
-bool may_be_csv_unit(std::string_view cell);
+/// Whether cells are a row of units: each a unit, in brackets, a dash or nothing.
+bool are_csv_units(const std::vector<std::string_view>& cells);
+
+/// The unit that a cell of such a row tells: without its brackets; empty for a dash.
+std::string_view csv_unit(std::string_view cell);
+
+/// The units of columns that an instrument lists above the table in a line of their own, `Units: N,
+/// mm, s` or `Unit;;N;mm`: one a column, or a label and one for each column but the first. Empty
+/// where no line does.
+std::vector<std::string_view> csv_units_above(std::string_view preamble, std::size_t columns);
 
 /// Columns that stand in a table several times, group after group: a specimen a group.
 struct RepeatedColumns {

@@ -55,8 +55,10 @@ class CsvParser {
     table_.decimal_comma_allowed_ = separator_ != ',';
     bool more = read_header();
     if (more && is_units_row()) {
-      take_units();
+      take_units(record_cells());
       more = next_record();
+    } else {
+      take_units(csv_units_above(table_.preamble(), table_.columns_.size()));
     }
     if (!more && !rows_optional_) fail_without_rows();
     while (more) {
@@ -257,23 +259,21 @@ class CsvParser {
 
   bool is_units_row() {
     drop_empty_cells_beyond(table_.columns_.size());
-    return record_.size() <= table_.columns_.size() &&
-           std::all_of(record_.begin(), record_.end(),
-                       [&](const Cell& cell) { return may_be_csv_unit(view(cell)); });
+    return record_.size() <= table_.columns_.size() && are_csv_units(record_cells());
+  }
+
+  std::vector<std::string_view> record_cells() const {
+    std::vector<std::string_view> cells;
+    for (const Cell& cell : record_) cells.push_back(view(cell));
+    return cells;
   }
 
   void drop_empty_cells_beyond(std::size_t columns) {
     while (record_.size() > columns && record_.back().size == 0) record_.pop_back();
   }
 
-  void take_units() {
-    for (std::size_t i = 0; i < record_.size(); ++i) {
-      const std::string_view unit = view(record_[i]);
-      if (unit.empty()) continue;
-      table_.columns_[i].unit = unit.front() == '(' || unit.front() == '['
-                                    ? trimmed(unit.substr(1, unit.size() - 2))
-                                    : unit;
-    }
+  void take_units(const std::vector<std::string_view>& units) {
+    for (std::size_t i = 0; i < units.size(); ++i) table_.columns_[i].unit = csv_unit(units[i]);
   }
 
   void add_row() {

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace pliant {
+
+/// The bytes of numbers that stand side by side.
+/// @param numbers  outlive the result
+template <class Array>
+std::string_view as_bytes(const Array& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()),
+          sizeof(*numbers.data()) * static_cast<std::size_t>(numbers.size())};
+}
 
 /// SHA-256 in lower-case hexadecimal, as `sha256sum` prints it.
 std::string sha256_of(std::string_view bytes);

@@ -27,14 +27,29 @@ Numbers numbers_of(const Json& json) {
   return numbers;
 }
 
+Json json_of(const std::vector<Journal::Entry>& entries) {
+  Json json = Json::array();
+  for (const Journal::Entry& entry : entries) {
+    json.push_back({entry.question, bytes_of(entry.answer)});
+  }
+  return json;
+}
+
+std::vector<Journal::Entry> entries_of(const Json& json) {
+  std::vector<Journal::Entry> entries;
+  for (const Json& entry : json) entries.push_back({entry.at(0), numbers_of(entry.at(1))});
+  return entries;
+}
+
 Journal::Content content_of(const Json& json) {
   Journal::Content content;
-  for (const Json& entry : json.at("entries")) {
-    content.entries.push_back({entry.at(0), numbers_of(entry.at(1))});
-  }
+  content.entries = entries_of(json.at("entries"));
   content.reached = numbers_of(json.at("reached"));
   for (const auto& [name, numbers] : json.at("kept").items()) {
     content.kept[name] = numbers_of(numbers);
+  }
+  for (const auto& [name, entries] : json.at("parts").items()) {
+    content.parts[name] = entries_of(entries);
   }
   return content;
 }
@@ -42,12 +57,13 @@ Journal::Content content_of(const Json& json) {
 }  // namespace
 
 std::string journal_bytes(const Journal::Content& content) {
-  Json entries = Json::array(), kept = Json::object();
-  for (const Journal::Entry& entry : content.entries) {
-    entries.push_back({entry.question, bytes_of(entry.answer)});
-  }
+  Json kept = Json::object(), parts = Json::object();
   for (const auto& [name, numbers] : content.kept) kept[name] = bytes_of(numbers);
-  const Json json{{"entries", entries}, {"reached", bytes_of(content.reached)}, {"kept", kept}};
+  for (const auto& [name, entries] : content.parts) parts[name] = json_of(entries);
+  const Json json{{"entries", json_of(content.entries)},
+                  {"reached", bytes_of(content.reached)},
+                  {"kept", kept},
+                  {"parts", parts}};
   std::string cbor;
   Json::to_cbor(json, cbor);
   return sealed_bytes(kType, cbor);

@@ -1,12 +1,12 @@
 #include "pliant/material/bending_conversion.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
-#include <limits>
 #include <memory>
 
-#include <Eigen/QR>
-
 #include "pliant/base/assert.h"
+#include "pliant/material/bounded_factors.h"
 #include "pliant/material/grid_bending.h"
 #include "pliant/material/plate_patch.h"
 
@@ -16,8 +16,9 @@ namespace {
 // How a mesh answers to its hinges, and which directions are to be met.
 struct SheetModel {
   std::function<RigidityShares(const BendingVector&)> shares;
-  Eigen::Vector4d direction_weights;  // of squared relative errors
-  bool is_sheet = true;               // there are hinges enough to speak of a sheet
+  std::function<BentShape(const BendingVector&)> shape;  // of hinges with a stiffness at rest
+  Eigen::Vector4d direction_weights;                     // of squared relative errors
+  bool is_sheet = true;  // there are hinges enough to speak of a sheet
 };
 
 Eigen::Vector4d direction_weights(Diagonals diagonals) {
@@ -28,49 +29,25 @@ Eigen::Vector4d direction_weights(Diagonals diagonals) {
 
 SheetModel sheet_model(const TriangleMesh& mesh, const std::vector<Hinge>& hinges) {
   if (const auto pattern = grid_pattern(mesh, hinges)) {
+    const BentShape shape = [=](const HingeStress& stress) {
+      return bent_cell(*pattern, stress, kSlipCurvature);
+    };
     return {[=](const BendingVector& k) { return grid_rigidity(*pattern, k); },
-            direction_weights(pattern->diagonals)};
+            [=](const BendingVector&) { return shape; }, direction_weights(pattern->diagonals)};
   }
   constexpr std::size_t kMinHinges = 30;
   const auto patch = std::make_shared<PlatePatch>(mesh);
-  return {[patch](const BendingVector& k) { return patch->rigidity(k); },
+  // Irregular meshes relax by little. That friction hinders them is left out: a plate would have to
+  // be solved anew for each direction, again and again.
+  const auto elastic_shape = [patch](const BendingVector& k) -> BentShape {
+    return [bent = patch->bent(k)](const HingeStress&) { return bent; };
+  };
+  return {[patch](const BendingVector& k) { return patch->rigidity(k); }, elastic_shape,
           direction_weights(Diagonals::alternating), patch->hinge_count() >= kMinHinges};
 }
 
 Eigen::Vector4d by_direction(const BendingVector& stiffness) {
   return {stiffness(0), stiffness(1), stiffness(2), stiffness(2)};
-}
-
-// Hinges a hundred times softer than the sheet fold almost freely, and ten times stiffer ones
-// hardly bend: beyond, factors would change nothing but the conditioning.
-constexpr double kLeastFactor = 0.01, kGreatestFactor = 10;
-
-// Least squares of a x = b between the limits of factors. With three unknowns every choice of those
-// that stand on a limit can be tried; the solution is the best candidate within the limits.
-Eigen::Vector3d bounded_least_squares(const Eigen::Matrix<double, 4, 3>& a,
-                                      const Eigen::Vector4d& b) {
-  constexpr int kChoices = 3;  // of each unknown: at its lower limit, at its upper limit, free
-  Eigen::Vector3d best = Eigen::Vector3d::Ones();
-  double least = std::numeric_limits<double>::infinity();
-  for (int choice = 0; choice < kChoices * kChoices * kChoices; ++choice) {
-    const int choices[3] = {choice % kChoices, choice / kChoices % kChoices,
-                            choice / (kChoices * kChoices)};
-    Eigen::Matrix<double, 4, 3> free_columns = Eigen::Matrix<double, 4, 3>::Zero();
-    Eigen::Vector3d x;
-    for (int j = 0; j < 3; ++j) {
-      x(j) = choices[j] == 1 ? kGreatestFactor : kLeastFactor;
-      if (choices[j] == 2) free_columns.col(j) = a.col(j);
-    }
-    // Least change: none of the unknowns whose columns are zero.
-    x += free_columns.completeOrthogonalDecomposition().solve(b - a * x).eval();
-    const bool is_within = x.minCoeff() >= kLeastFactor && x.maxCoeff() <= kGreatestFactor;
-    const double error = (a * x - b).squaredNorm();
-    if (is_within && error < least) {
-      least = error;
-      best = x;
-    }
-  }
-  return best;
 }
 
 // What the sheet shows over what it should, less 1.
@@ -97,8 +74,7 @@ BendingVector solve_factors(const SheetModel& model, const BendingVector& sheet)
   for (int i = 0; i < kMaxIterations && error > kTolerance; ++i) {
     const RigidityShares shares = model.shares(factors.cwiseProduct(sheet));
     const BendingVector step =
-        bounded_least_squares(scale.asDiagonal() * shares * sheet.asDiagonal(), root_weights) -
-        factors;
+        bounded_factors(scale.asDiagonal() * shares * sheet.asDiagonal(), root_weights) - factors;
     double length = 1, next = error_at(factors + step);
     while (next > error && length > kLeastStep) {
       length /= 2;
@@ -113,6 +89,21 @@ BendingVector solve_factors(const SheetModel& model, const BendingVector& sheet)
 }
 
 }  // namespace
+
+BendingLaws bending_laws(const Material& material) {
+  BendingLaws laws;
+  for (std::size_t c = 0; c < laws.size(); ++c) {
+    constexpr std::array kNames{"bend.weft", "bend.warp", "bend.diagonal"};
+    const auto law = law_of(material, kNames[c]);
+    PLIANT_ASSERT(law.has_value(), "a component that was not measured has no law");
+    laws[c] = *law;
+  }
+  return laws;
+}
+
+BendingVector stiffness_at_rest(const BendingLaws& laws) {
+  return {laws[0].elastic_tangent(0), laws[1].elastic_tangent(0), laws[2].elastic_tangent(0)};
+}
 
 struct BendingConverter::Mesh {
   SheetModel model;
@@ -130,6 +121,22 @@ BendingConversion BendingConverter::operator()(const BendingVector& sheet_stiffn
   if (model.is_sheet) conversion.factors = solve_factors(model, sheet_stiffness);
   conversion.errors = relative_errors(model, sheet_stiffness, conversion.factors);
   return conversion;
+}
+
+BendingConversion BendingConverter::operator()(const BendingLaws& sheet) const {
+  const BendingVector at_rest = stiffness_at_rest(sheet);
+  BendingConversion conversion = (*this)(at_rest);
+  conversion.slip = slip(sheet, conversion.factors);
+  return conversion;
+}
+
+BendingVector BendingConverter::slip(const BendingLaws& sheet, const BendingVector& factors) const {
+  const SheetModel& model = mesh_->model;
+  const bool rubs =
+      std::ranges::any_of(sheet, [](const ComponentLaw& law) { return law.remembers(); });
+  if (!rubs || !model.is_sheet) return BendingVector::Ones();
+  const BentShape shape = model.shape(factors.cwiseProduct(stiffness_at_rest(sheet)));
+  return hinge_slip(sheet, factors, model.direction_weights, shape);
 }
 
 Eigen::Matrix3d BendingConverter::factors_by_sheet(const BendingVector& sheet_stiffness) const {

@@ -6,15 +6,17 @@
 #include <Eigen/Core>
 
 #include "pliant/geometry/hinge_direction.h"
-#include "pliant/material/cylinder_rigidity.h"
+#include "pliant/material/hinge_slip.h"
 
 namespace pliant {
 
 /// From the bending stiffness of a sheet to that of the hinges of a mesh.
 struct BendingConversion {
-  /// Hinge stiffness over sheet stiffness of each component. A whole law is multiplied: its
-  /// stiffness curve and the a and b of its friction, not tau.
+  /// Hinge stiffness over sheet stiffness of each component. A whole law is multiplied, friction
+  /// included.
   BendingVector factors = BendingVector::Ones();
+  /// And the friction of each is then put on another scale of strain (`with_slip`).
+  BendingVector slip = BendingVector::Ones();
   /// Stiffness that the sheet then shows, over the one asked for, less 1; by CurvatureDirection.
   /// Near 0 where the mesh can be such a sheet (`bending_conversion`).
   Eigen::Vector4d errors = Eigen::Vector4d::Zero();
@@ -39,13 +41,27 @@ struct BendingConversion {
 BendingConversion bending_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
                                      const BendingVector& sheet_stiffness);
 
+/// The laws of bending of a material. Friction is that of positive strain.
+/// @throws AssertionError when a component was not measured
+BendingLaws bending_laws(const Material& material);
+
+/// Elastic stiffness at zero curvature of each component (N m).
+BendingVector stiffness_at_rest(const BendingLaws& laws);
+
 /// The same for many sheets on one mesh.
 class BendingConverter {
  public:
   BendingConverter(const TriangleMesh& mesh, const std::vector<Hinge>& hinges);
   ~BendingConverter();
 
+  /// Of an elastic sheet.
   BendingConversion operator()(const BendingVector& sheet_stiffness) const;
+
+  /// Of a sheet with friction. On irregular meshes its shape is taken as that of an elastic sheet.
+  BendingConversion operator()(const BendingLaws& sheet) const;
+
+  /// Of `BendingConversion`, for factors that are known.
+  BendingVector slip(const BendingLaws& sheet, const BendingVector& factors) const;
 
   /// d factors / d sheet stiffness (1/(N m)), a row for each factor: by differences, as factors of
   /// a mesh that can only nearly be such a sheet follow no equation.

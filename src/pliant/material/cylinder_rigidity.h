@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
+
+#include "pliant/geometry/hinge_direction.h"
 
 namespace pliant {
 
@@ -22,5 +26,20 @@ inline Eigen::Matrix<double, 4, 3> cylinder_curvatures() {
 /// energy is least. The shares depend on the ratios of the stiffness therefore, and the product is
 /// concave in the stiffness with the shares as its derivative.
 using RigidityShares = Eigen::Matrix<double, 4, 3>;
+
+/// Hinges that are alike, in a sheet that is bent to a cylinder of curvature 1 in each direction.
+struct BentHinge {
+  BendingVector parts;         ///< of the components in these hinges
+  double area = 0;             ///< of the hinges, three times their fraction of the sheet's
+  Eigen::RowVector4d bends{};  ///< dihedral angle over mean height, by CurvatureDirection
+};
+
+inline RigidityShares rigidity_shares(const std::vector<BentHinge>& hinges) {
+  RigidityShares shares = RigidityShares::Zero();
+  for (const BentHinge& hinge : hinges) {
+    shares += hinge.area * hinge.bends.cwiseAbs2().transpose() * hinge.parts.transpose();
+  }
+  return shares;
+}
 
 }  // namespace pliant

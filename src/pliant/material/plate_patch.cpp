@@ -153,7 +153,7 @@ PlatePatch::Heights PlatePatch::relaxed(const BendingVector& hinge_stiffness) {
   return heights;
 }
 
-RigidityShares PlatePatch::rigidity(const BendingVector& hinge_stiffness) {
+std::vector<BentHinge> PlatePatch::bent(const BendingVector& hinge_stiffness) {
   PLIANT_ASSERT((hinge_stiffness.array() > 0).all(), "hinges have a positive stiffness");
   const Heights heights = relaxed(hinge_stiffness);
   // What to impose for the core to have the curvature of a cylinder, one a column.
@@ -161,13 +161,14 @@ RigidityShares PlatePatch::rigidity(const BendingVector& hinge_stiffness) {
   if (unknowns_ > 0) core_curvature = curvature_of_ * heights;
   const Eigen::Matrix<double, 3, 4> imposed =
       core_curvature.inverse() * cylinder_curvatures().transpose();
-  RigidityShares shares = RigidityShares::Zero();
+  std::vector<BentHinge> result;
   for (const PlateHinge& hinge : hinges_) {
+    if (hinge.core_area == 0) continue;
     // Of the energies k (3 bend)^2 / 2 an area and 3 k curvature^2 / 2: a factor of three is left.
-    const Eigen::RowVector4d energy = 3 * (bends(hinge, heights) * imposed).cwiseAbs2();
-    shares += hinge.core_area / core_area_ * energy.transpose() * hinge.weights.transpose();
+    result.push_back(
+        {hinge.weights, 3 * hinge.core_area / core_area_, bends(hinge, heights) * imposed});
   }
-  return shares;
+  return result;
 }
 
 }  // namespace pliant

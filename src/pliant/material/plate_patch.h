@@ -28,8 +28,12 @@ class PlatePatch {
 
   std::size_t hinge_count() const { return hinges_.size(); }
 
+  /// The hinges of the core.
   /// @param hinge_stiffness  N m (or any unit: only ratios matter), > 0
-  RigidityShares rigidity(const BendingVector& hinge_stiffness);
+  std::vector<BentHinge> bent(const BendingVector& hinge_stiffness);
+  RigidityShares rigidity(const BendingVector& hinge_stiffness) {
+    return rigidity_shares(bent(hinge_stiffness));
+  }
 
  private:
   struct PlateHinge {

@@ -39,6 +39,7 @@ const std::vector<Label>& labels() {
         "klemmenabstand",
         "einspannabstand",
         "freie einspannlänge",
+        "einspannlänge bei startposition",
         "l0",
         "length"},
        Dimension::length},
@@ -97,11 +98,18 @@ std::string_view without_ordinal(std::string_view text) {
   return is_next_cell && is_number ? rest : text;
 }
 
+/// What follows the symbol that a standard gives a size, as in `Probenbreite b0;50;mm`.
+std::string_view without_symbol(std::string_view words) {
+  const bool is_symbol = words.size() > 2 && is_letter(words[0]) && words[1] == '0' &&
+                         !is_letter(words[2]) && !(words[2] >= '0' && words[2] <= '9');
+  return is_symbol ? trimmed(words.substr(2)) : words;
+}
+
 /// What follows a label at the beginning of a line; none where another word does.
 std::optional<std::string_view> after_label(std::string_view line, std::string_view label) {
   if (!lower_case(line.substr(0, label.size())).starts_with(label)) return std::nullopt;
   const std::string_view rest = line.substr(label.size());
-  const std::string_view words = trimmed(rest);
+  const std::string_view words = without_symbol(trimmed(rest));
   if (words.empty() || is_letter(rest.front())) return std::nullopt;
   const bool goes_on = is_letter(words.front()) && !words.starts_with("in ");
   return goes_on ? std::nullopt : std::optional(without_ordinal(words));
@@ -173,6 +181,18 @@ std::optional<std::string> told_value(const Label& label, std::string_view line)
   return std::nullopt;
 }
 
+/// A specimen is often named after its direction: `Specimen label;warp 1`.
+void add_direction_of_name(std::vector<TesterFact>& facts) {
+  if (find_fact(facts, "direction")) return;
+  for (const char* field : {"specimen", "material"}) {
+    const TesterFact* name = find_fact(facts, field);
+    const std::string direction = name ? told_direction(name->value) : std::string();
+    if (direction.empty()) continue;
+    facts.push_back({"direction", direction, name->written, name->line});
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<TesterFact> tester_facts(std::string_view preamble) {
@@ -194,6 +214,7 @@ std::vector<TesterFact> tester_facts(std::string_view preamble) {
       }
     }
   }
+  add_direction_of_name(facts);
   return facts;
 }
 

@@ -19,7 +19,8 @@ struct TesterFact {
 
 /// What is known of the words of testing machines, English and German, in the lines above a table:
 /// `Gauge length;100;mm`, `Probenbreite: 50,0 mm`, `"Width (mm)","50"`. Each field once, by its
-/// first line that tells it; a size that names no unit is not told.
+/// first line that tells it; a size that names no unit is not told. Without a line on the direction
+/// the name of the specimen or of the fabric may tell it.
 std::vector<TesterFact> tester_facts(std::string_view preamble);
 
 /// The fact of a field; null where there is none.

@@ -1,7 +1,6 @@
 #include "pliant/mechanics/cloth.h"
 
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -24,9 +23,6 @@ struct Law {
   std::vector<int> places;
   std::vector<std::string> field_names;
 };
-
-// Makes the law of components of a material.
-using LawOf = std::function<Law(const std::vector<std::string>& components)>;
 
 Law make_law(const Material& material, const std::vector<std::string>& components,
              const DensityOptions& options, System& system) {
@@ -94,18 +90,15 @@ const std::vector<std::string>& bending_components() {
   return names;
 }
 
-// What the laws of the components are multiplied by on this mesh.
-BendingVector hinge_factors(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
-                            const Material& material, Cloth& cloth) {
-  if (material.bending_of != "sheet") return BendingVector::Ones();
-  BendingVector stiffness;
-  for (int i = 0; i < 3; ++i) {
-    const auto law = law_of(material, bending_components()[static_cast<size_t>(i)]);
-    PLIANT_ASSERT(law.has_value(), "a component that was not measured has no law");
-    stiffness(i) = law->elastic_tangent(0);
-  }
-  if (stiffness.minCoeff() <= 0) return BendingVector::Ones();
-  const BendingConversion conversion = bending_conversion(mesh, hinges, stiffness);
+// What makes hinges of the laws of a sheet on this mesh.
+BendingConversion hinge_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
+                                   const Material& material, bool friction, Cloth& cloth) {
+  if (material.bending_of != "sheet") return {};
+  const BendingLaws laws = bending_laws(material);
+  const BendingVector stiffness = stiffness_at_rest(laws);
+  if (stiffness.minCoeff() <= 0) return {};
+  const BendingConverter converter(mesh, hinges);
+  const BendingConversion conversion = friction ? converter(laws) : converter(stiffness);
   constexpr double kNoticeable = 0.05;
   if (conversion.errors.cwiseAbs().maxCoeff() > kNoticeable) {
     cloth.warnings.push_back(
@@ -113,20 +106,24 @@ BendingVector hinge_factors(const TriangleMesh& mesh, const std::vector<Hinge>& 
         " does in every direction: its bending stiffness differs by up to " +
         std::to_string(std::lround(100 * conversion.errors.cwiseAbs().maxCoeff())) + " %");
   }
-  return conversion.factors;
+  return conversion;
 }
 
 void add_shells(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
-                const std::vector<int>& triangles, const LawOf& law_of_components, Cloth& cloth) {
+                const std::vector<int>& triangles, const DensityOptions& options, Cloth& cloth) {
   const std::vector<Hinge> hinges = hinges_of(mesh, triangles);
   if (hinges.empty()) return;
   const std::vector<BendingVector> weights = bending_weights(hinges, bending_rule(mesh));
-  const BendingVector factors = hinge_factors(mesh, hinges, material, cloth);
+  const BendingConversion conversion =
+      hinge_conversion(mesh, hinges, material, options.friction, cloth);
   for (int c = 0; c < 3; ++c) {
-    const Law law = law_of_components({bending_components()[static_cast<size_t>(c)]});
+    const std::string& name = bending_components()[static_cast<size_t>(c)];
+    Material slipping = material;
+    slipping.components.at(name) = with_slip(material.components.at(name), conversion.slip(c));
+    const Law law = make_law(slipping, {name}, options, system);
     Stencils<DiscreteShells> stencils;
     for (size_t h = 0; h < hinges.size(); ++h) {
-      const double part = weights[h](c) * factors(c);
+      const double part = weights[h](c) * conversion.factors(c);
       if (part <= 0) continue;
       const auto& v = hinges[h].vertices;
       stencils.add({v[0] + first_point, v[1] + first_point, v[2] + first_point, v[3] + first_point},
@@ -163,7 +160,7 @@ Eigen::VectorXd vertex_areas(const TriangleMesh& mesh) {
 Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
                 const std::vector<int>& triangles, const DensityOptions& options) {
   Cloth cloth;
-  const LawOf law = [&](const std::vector<std::string>& components) {
+  const auto law = [&](const std::vector<std::string>& components) {
     return make_law(material, components, options, system);
   };
   const std::optional<GridSprings> springs =
@@ -189,7 +186,7 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
     add_springs(system, springs->bending_diagonal, first_point, true, law({"bend.diagonal"}),
                 cloth);
   } else {
-    add_shells(system, mesh, first_point, material, triangles, law, cloth);
+    add_shells(system, mesh, first_point, material, triangles, options, cloth);
   }
   return cloth;
 }

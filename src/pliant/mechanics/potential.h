@@ -15,14 +15,26 @@ namespace pliant {
 /// Energy in two parts: what positions alone decide, and work done since the last accepted step
 /// against friction, damping and drag.
 struct Energy {
-  double stored = 0;  ///< J
-  double work = 0;    ///< J
+  double stored = 0;   ///< J
+  double work = 0;     ///< J
+  double contact = 0;  ///< of what is stored, in contacts
+  double rubbing = 0;  ///< of the work, against the friction of contacts
 
   double total() const { return stored + work; }
   Energy& operator+=(const Energy& other) {
     stored += other.stored;
     work += other.work;
+    contact += other.contact;
+    rubbing += other.rubbing;
     return *this;
+  }
+  void add_contact(double energy) {
+    stored += energy;
+    contact += energy;
+  }
+  void add_rubbing(double energy) {
+    work += energy;
+    rubbing += energy;
   }
 };
 
@@ -78,7 +90,7 @@ class Potential {
 
   /// Moves points out of the way of what is led from outside: to where the step may begin.
   /// @param at         its configuration: of the last accepted step
-  /// @param positions  to be moved; others may have moved them before (m)
+  /// @param positions  to be moved; what is led, and others before, may have moved some (m)
   /// @return false where it found no room
   virtual bool make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
     static_cast<void>(at), static_cast<void>(positions);

@@ -86,13 +86,14 @@ const double* System::history_of(const Potential& potential, const State& state)
 
 Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
 
-std::optional<Eigen::Matrix3Xd> System::made_way(const Configuration& at,
+std::optional<Eigen::Matrix3Xd> System::made_way(const Eigen::Matrix3Xd& led,
                                                  const Conditions& under) const {
-  Eigen::Matrix3Xd positions = at.positions;
+  Eigen::Matrix3Xd positions = led;
   for (const Part& part : parts_) {
-    if (!part.potential->make_way(evaluation(part, at, under), positions)) return std::nullopt;
+    const Evaluation last = evaluation(part, under.from.configuration, under);
+    if (!part.potential->make_way(last, positions)) return std::nullopt;
   }
-  return positions - at.positions;
+  return positions - led;
 }
 
 bool System::obstructs() const {

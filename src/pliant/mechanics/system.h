@@ -65,7 +65,9 @@ class System {
 
   /// How far each point has to move before a step begins, so that nothing that is led from outside
   /// has passed it (m); nothing where there is no room.
-  std::optional<Eigen::Matrix3Xd> made_way(const Configuration& at, const Conditions& under) const;
+  /// @param led  where the last step ended, but for points that are led: those may be where they go
+  std::optional<Eigen::Matrix3Xd> made_way(const Eigen::Matrix3Xd& led,
+                                           const Conditions& under) const;
   /// Whether anything may be in a point's way.
   bool obstructs() const;
   /// How much of its straight way each point may go at once.

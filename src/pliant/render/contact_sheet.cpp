@@ -28,8 +28,9 @@ SheetLayout sheet_layout(int count) {
   return layout;
 }
 
-Image contact_sheet(const std::vector<Image>& pictures, int right_margin) {
-  const SheetLayout layout = sheet_layout(static_cast<int>(pictures.size()));
+Image contact_sheet(const std::vector<Image>& pictures, const SheetLayout& layout,
+                    int right_margin) {
+  PLIANT_ASSERT(std::ssize(pictures) <= long(layout.columns) * layout.rows, "all have a place");
   const int width = pictures.front().width(), height = pictures.front().height();
   Image sheet(layout.columns * width + right_margin, layout.rows * height);
   for (int i = 0; const Image& picture : pictures) {

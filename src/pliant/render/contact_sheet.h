@@ -17,9 +17,10 @@ struct SheetLayout {
 SheetLayout sheet_layout(int count);
 
 /// Pictures side by side, row after row, on white.
-/// @param pictures     one or more, of one size
+/// @param pictures     one or more, of one size, as many as there is room for
 /// @param right_margin  pixels left free at the right edge, for a legend
-Image contact_sheet(const std::vector<Image>& pictures, int right_margin);
+Image contact_sheet(const std::vector<Image>& pictures, const SheetLayout& layout,
+                    int right_margin);
 
 /// Of times in ascending order, `count` (or all, where there are fewer) that are spread evenly, the
 /// first and the last among them: their places in the list.

@@ -217,18 +217,26 @@ Image frame_picture(const SimulationFrames& simulation, const SimulationFrame& f
   return image;
 }
 
-Image sheet_picture(const SimulationFrames& simulation, const std::vector<SimulationFrame>& frames,
-                    const PictureSetting& setting, const PictureOptions& options,
-                    const RunContext& run) {
+SheetLayout layout_of(const std::vector<SheetPart>& parts) {
+  const int count = static_cast<int>(parts.front().frames.size());
+  if (parts.size() == 1) return sheet_layout(count);
+  return {.columns = count, .rows = static_cast<int>(parts.size())};
+}
+
+Image sheet_picture(const std::vector<SheetPart>& parts, const PictureSetting& setting,
+                    const PictureOptions& options, const RunContext& run) {
+  const SheetLayout layout = layout_of(parts);
   std::vector<Image> pictures;
-  ProgressTask task(run.progress, "drawing frames", double(frames.size()));
-  for (const SimulationFrame& frame : frames) {
-    pictures.push_back(timed_picture(simulation, frame, setting, options, run));
-    task.advance(double(pictures.size()));
+  ProgressTask task(run.progress, "drawing frames", double(layout.columns) * layout.rows);
+  for (const SheetPart& part : parts) {
+    for (const SimulationFrame& frame : part.frames) {
+      pictures.push_back(timed_picture(*part.simulation, frame, setting, options, run));
+      task.advance(double(pictures.size()));
+    }
   }
-  if (!setting.legend) return contact_sheet(pictures, 0);
+  if (!setting.legend) return contact_sheet(pictures, layout, 0);
   const TextStyle style = label_style(options.size.height);
-  Image sheet = contact_sheet(pictures, colour_bar_width(*setting.legend, style));
+  Image sheet = contact_sheet(pictures, layout, colour_bar_width(*setting.legend, style));
   draw_colour_bar(sheet, *setting.legend, style);
   return sheet;
 }

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "pliant/base/run_context.h"
+#include "pliant/geometry/simulation_frames.h"
 #include "pliant/render/annotations.h"
+#include "pliant/render/contact_sheet.h"
 #include "pliant/render/render.h"
-#include "pliant/render/simulation_frames.h"
 
 namespace pliant {
 
@@ -60,10 +61,21 @@ Image frame_picture(const SimulationFrames& simulation, const SimulationFrame& f
                     const PictureSetting& setting, const PictureOptions& options,
                     const RunContext& run);
 
+/// Frames of one simulation on a sheet.
+struct SheetPart {
+  const SimulationFrames* simulation = nullptr;
+  std::vector<SimulationFrame> frames;  ///< one or more
+};
+
+/// How the frames of a sheet are arranged: those of one simulation as `sheet_layout` has it, those
+/// of several with a row for each.
+SheetLayout layout_of(const std::vector<SheetPart>& parts);
+
 /// Several frames with their times and one colour bar. `options.size` is that of each.
+/// @param parts    one or more, of one mesh and of as many frames each
+/// @param setting  that of the first simulation, in which all are seen
 /// @throws InputError; Interrupted
-Image sheet_picture(const SimulationFrames& simulation, const std::vector<SimulationFrame>& frames,
-                    const PictureSetting& setting, const PictureOptions& options,
-                    const RunContext& run);
+Image sheet_picture(const std::vector<SheetPart>& parts, const PictureSetting& setting,
+                    const PictureOptions& options, const RunContext& run);
 
 }  // namespace pliant

@@ -12,7 +12,6 @@
 #include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/readable_unit.h"
-#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -146,9 +145,10 @@ class FigureColumn {
 
 /// What stands where a component has no friction.
 std::string without_friction(const Results& results, const std::string& component) {
-  const std::vector<std::string> loading_only = loading_only_components(results);
-  return std::ranges::find(loading_only, component) != loading_only.end() ? "not determined"
-                                                                          : kNoValue;
+  const bool wanted = std::ranges::any_of(
+      results.judgement.undetermined,
+      [&](const std::string& item) { return item.starts_with("friction of " + component); });
+  return wanted ? "not determined" : kNoValue;
 }
 
 std::string or_none(std::string cell) { return cell.empty() ? std::string(kNoValue) : cell; }

@@ -4,7 +4,6 @@
 #include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sections.h"
-#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -17,7 +16,7 @@ std::string assumptions(const Results& results) {
 }
 
 std::string more_warnings(const Results& results) {
-  const std::vector<std::string> others = warnings_of(results, /*on_page_one=*/false);
+  const std::vector<std::string> others = results.warnings_of(/*on_page_one=*/false);
   return others.empty() ? std::string() : "<h3>More warnings</h3>\n" + bullet_list(others);
 }
 
@@ -26,15 +25,21 @@ std::string starts(const Results& results) {
   for (const MultiStart& start : results.starts) {
     std::vector<std::string> ends;
     for (const double end : start.ends) ends.push_back(format_significant(end, 3));
-    lines.push_back(fmt::format(
-        "{}: {} of {} starts reached the same best fit{}", start.component, start.reached_best,
-        start.tried,
-        ends.empty() ? ""
-                     : fmt::format(" (RMS in units of the noise: {})", fmt::join(ends, ", "))));
+    const std::string what = start.followed
+                                 ? fmt::format("{}: {} of {} starts reached the same best fit",
+                                               start.component, start.reached_best, start.tried)
+                                 : fmt::format("{}, {}: the best of {} starts was followed",
+                                               start.component, start.search, start.tried);
+    lines.push_back(what + (ends.empty() ? ""
+                                         : fmt::format(" (RMS {}, {}: {})",
+                                                       start.followed ? "there" : "as they begin",
+                                                       start.unit, fmt::join(ends, ", "))));
   }
   if (lines.empty()) return {};
-  return "<h3>Starts</h3>\n<p>The search was started from several points; where only one of many "
-         "reaches the best fit, a better one may exist.</p>\n" +
+  return "<h3>Starts</h3>\n<p>Searches of strips are started from several points; where only one "
+         "of "
+         "many reaches the best fit, a better one may exist. Searches of sheets take long: their "
+         "starts are compared where they begin, and the best alone is followed.</p>\n" +
          bullet_list(lines);
 }
 

@@ -6,7 +6,6 @@
 
 #include "pliant/material/material.h"
 #include "pliant/report/page_one_loops.h"
-#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -57,10 +56,10 @@ int height_of_material(const Results& results) {
 }
 
 int height_of_columns(const Results& results) {
-  std::vector<std::string> undetermined = undetermined_with_reasons(results);
+  std::vector<std::string> undetermined = results.judgement.undetermined;
   undetermined.resize(std::min(undetermined.size(), std::size_t{5}));
   return kHeading +
-         std::max(height_of_list(warnings_of(results, /*on_page_one=*/true), kLettersOfColumn),
+         std::max(height_of_list(results.warnings_of(/*on_page_one=*/true), kLettersOfColumn),
                   height_of_list(undetermined, kLettersOfColumn)) +
          kLine;
 }

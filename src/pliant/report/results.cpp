@@ -172,8 +172,13 @@ std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {
 }
 
 MultiStart read_start(const JsonReader& json) {
-  return {json.text_or("component", ""), json.integer_or("tried", 0),
-          json.integer_or("reached_best", 0), json.numbers("ends")};
+  return {json.text_or("component", ""),
+          json.text_or("search", "law"),
+          json.text_or("unit", "times the noise"),
+          json.integer_or("tried", 0),
+          json.integer_or("reached_best", 0),
+          json.flag_or("followed", true),
+          json.numbers("ends")};
 }
 
 RankedModel read_model(const JsonReader& json) {
@@ -206,6 +211,8 @@ ResultJudgement read_judgement(const std::optional<JsonReader>& json) {
   if (!json) return judgement;
   judgement.fitness = json->text("fitness");
   judgement.headline = json->text("headline");
+  judgement.details = json->text_or("details", "");
+  judgement.undetermined = json->texts("undetermined");
   for (const JsonReader& e : json->objects("experiments")) {
     if (e.text("fitness") != "fit") judgement.misses.push_back(e.text("name"));
   }
@@ -281,12 +288,21 @@ Results read_results(const std::filesystem::path& directory) {
   r.models = read_all(json, "models", read_model);
   r.profiles = read_all(json, "profiles", read_profile);
   r.judgement = read_judgement(json.object("judgement"));
-  r.undetermined = json.texts("undetermined");
+  // Earlier versions did not judge them.
+  if (r.judgement.undetermined.empty()) r.judgement.undetermined = json.texts("undetermined");
   r.assumptions = json.texts("assumptions");
   r.warnings = json.texts("warnings");
   r.questions = json.texts("questions");
   r.skipped = read_all(json, "skipped", read_skipped);
   return r;
+}
+
+std::vector<std::string> Results::warnings_of(bool on_page_one) const {
+  constexpr std::size_t kOnPageOne = 4;
+  const std::size_t first = std::min(questions.size(), warnings.size());
+  const std::size_t last = std::min(first + kOnPageOne, warnings.size());
+  const auto at = [&](std::size_t i) { return warnings.begin() + static_cast<std::ptrdiff_t>(i); };
+  return on_page_one ? std::vector(at(first), at(last)) : std::vector(at(last), warnings.end());
 }
 
 bool Results::has_figures(const std::string& component) const {

@@ -71,9 +71,10 @@ struct FitStage {
 };
 
 struct MultiStart {
-  std::string component;
+  std::string component, search, unit;
   int tried = 0, reached_best = 0;
-  std::vector<double> ends;  ///< RMS of the weighted residuals where each start has led
+  bool followed = true;      ///< else the starts were compared where they begin
+  std::vector<double> ends;  ///< RMS where each start has led, in `unit`
 };
 
 struct RankedModel {
@@ -102,9 +103,10 @@ struct FitWork {
 
 /// What the fit says of its own fitness for use; empty in results of earlier versions.
 struct ResultJudgement {
-  std::string fitness, headline;
-  std::vector<std::string> misses;    ///< experiments that are not accepted, the worst first
-  std::vector<std::string> criteria;  ///< each limit of the study, and whether it is kept
+  std::string fitness, headline, details;
+  std::vector<std::string> undetermined;  ///< by the data, with reasons
+  std::vector<std::string> misses;        ///< experiments that are not accepted, the worst first
+  std::vector<std::string> criteria;      ///< each limit of the study, and whether it is kept
 };
 
 /// What a laboratory reads off the material; values in `unit` (SI).
@@ -142,14 +144,16 @@ struct Results {
   std::vector<MultiStart> starts;
   std::vector<RankedModel> models;
   std::vector<ProfileLikelihood> profiles;
-  /// What the fit says is not determined, with reasons; may be empty although something is not.
-  std::vector<std::string> undetermined;
   std::vector<std::string> assumptions, warnings;
   std::vector<std::string> questions;  ///< the first of the warnings: they stay on page one
   std::vector<std::string> skipped;    ///< experiments that were not predicted, and why
   ResultJudgement judgement;
 
   bool has_figures(const std::string& component) const;
+
+  /// The warnings beside the questions: the first of them, which stand on page one, or the others,
+  /// so that each comes once.
+  std::vector<std::string> warnings_of(bool on_page_one) const;
 };
 
 /// Reads `directory`/fit.json, or evaluation.json where there is no fit.json.

@@ -13,7 +13,6 @@
 #include "pliant/report/material_table.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/sheet_figures.h"
-#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -24,74 +23,6 @@ constexpr double kMicro = 1e-6;
 
 bool is_fitted(const ReportData& data, std::size_t i) {
   return !data.results.evaluation && !data.results.experiments[i].validation;
-}
-
-/// The sessions of a role, and the largest of their errors.
-struct Errors {
-  int of_forces = 0, of_positions = 0;
-  bool of_strips = false;
-  double force = 0, percent = 0;  // N, of the largest component of a force
-  double distance = 0;            // m
-
-  void add(const ResultExperiment& e, const SheetData& sheet) {
-    if (!sheet.rms_clip_force) {
-      ++of_positions;
-      distance = std::max(distance, sheet.rms_distance.value_or(0));
-      return;
-    }
-    ++of_forces;
-    force = std::max(force, *sheet.rms_clip_force);
-    if (e.peak_force.value_or(0) > 0) {
-      percent = std::max(percent, 100 * *sheet.rms_clip_force / *e.peak_force);
-    }
-  }
-};
-
-Errors errors_of(const ReportData& data, bool fitted) {
-  Errors errors;
-  errors.of_strips = data.is_of_strips();
-  for (std::size_t i = 0; i < data.sheets.size(); ++i) {
-    if (is_fitted(data, i) == fitted) errors.add(data.results.experiments[i], *data.sheets[i]);
-  }
-  return errors;
-}
-
-std::string counted(int count, std::string_view role, bool strips) {
-  return fmt::format("{}{}{}{}{}", count, role.empty() ? "" : " ", role,
-                     strips ? " strip" : " session", count == 1 ? "" : "s");
-}
-
-/// @param opening  "It predicts"
-/// @param role     of the sessions, "fitted"
-std::string sentence(const Errors& errors, std::string_view opening, std::string_view role) {
-  std::vector<std::string> parts;
-  if (errors.of_forces > 0) {
-    parts.push_back(fmt::format("{} {} with RMS errors up to {} N ({} of the largest)",
-                                errors.of_strips ? "the force of" : "the forces of clips in",
-                                counted(errors.of_forces, role, errors.of_strips),
-                                format_significant(errors.force, 2),
-                                format_percent(errors.percent)));
-  }
-  if (errors.of_positions > 0) {
-    parts.push_back(fmt::format("the shapes in {} with RMS distances up to {} mm",
-                                counted(errors.of_positions, role, false),
-                                format_significant(1e3 * errors.distance, 2)));
-  }
-  if (parts.empty()) return {};
-  return fmt::format("{} {}. ", opening, fmt::join(parts, ", and "));
-}
-
-std::string undetermined_sentence(const Results& results) {
-  std::vector<std::string> items = undetermined(results);
-  for (std::string& item : items) item = parameter_in_words(item);
-  if (results.evaluation || items.empty()) return {};
-  constexpr std::size_t kMost = 3;
-  const std::size_t named = items.size() > kMost ? kMost - 1 : items.size();
-  std::string text =
-      fmt::format("The data do not determine {}",
-                  fmt::join(items.begin(), items.begin() + std::ptrdiff_t(named), ", "));
-  if (named < items.size()) text += fmt::format(" and {} more", items.size() - named);
-  return text + ". ";
 }
 
 /// What the thesis calls a test in its tables.
@@ -219,19 +150,6 @@ std::string cord_sentence(const Results& results) {
 }
 
 }  // namespace
-
-std::string sheet_verdict(const ReportData& data) {
-  std::string text;
-  if (!data.results.converged) {
-    text += "The fit did not converge: its numbers are where it stopped, not an optimum. ";
-  }
-  text += sentence(errors_of(data, true), "The material reproduces", "fitted");
-  text += data.results.evaluation ? sentence(errors_of(data, false), "The material predicts", "")
-                                  : sentence(errors_of(data, false), "It predicts", "other");
-  text += undetermined_sentence(data.results);
-  text.pop_back();
-  return text;
-}
 
 std::string stiffness_table(const ReportData& data) {
   if (data.results.parameters.empty() || !data.material) return {};

@@ -8,9 +8,6 @@
 
 namespace pliant::report {
 
-/// How well a material goes with full-field sessions, in a few sentences.
-std::string sheet_verdict(const ReportData& data);
-
 /// Tables of page one of a study of full-field sessions beside that of the material: stiffness of
 /// what has no figures of a laboratory, friction, the residuals as [T] Tables A.1-A.4 give them.
 /// Those that are not empty.

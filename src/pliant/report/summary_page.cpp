@@ -15,7 +15,6 @@
 #include "pliant/report/readable_unit.h"
 #include "pliant/report/sections.h"
 #include "pliant/report/sheet_summary.h"
-#include "pliant/report/verdict.h"
 
 namespace pliant::report {
 namespace {
@@ -199,7 +198,7 @@ std::string experiment_table(const Results& results, std::size_t shown) {
 
 std::string not_determined(const ReportData& data) {
   const Results& results = data.results;
-  std::vector<std::string> items = undetermined_with_reasons(results);
+  std::vector<std::string> items = results.judgement.undetermined;
   if (data.is_of_sheets()) {
     for (std::string& item : items) item = parameter_in_words(item);
   }
@@ -222,24 +221,21 @@ std::string doubts(const Results& results) {
 }
 
 std::string warnings(const Results& results) {
-  const std::vector<std::string> first = warnings_of(results, /*on_page_one=*/true);
-  const std::size_t more = warnings_of(results, /*on_page_one=*/false).size();
+  const std::vector<std::string> first = results.warnings_of(/*on_page_one=*/true);
+  const std::size_t more = results.warnings_of(/*on_page_one=*/false).size();
   if (first.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
   return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(first) +
          (more > 0 ? element("p", fmt::format("{} more below.", more)) : std::string()) +
          "</section>\n";
 }
 
-std::string details(const ReportData& data) {
-  return shortened(data.is_of_sheets() ? sheet_verdict(data) : verdict(data.results), 560);
-}
+std::string details(const Results& results) { return shortened(results.judgement.details, 560); }
 
-std::string headline(const ReportData& data) {
-  const ResultJudgement& judgement = data.results.judgement;
-  const std::string text = escape_html(details(data));
-  if (judgement.headline.empty()) return fmt::format("<p class=\"verdict\">{}</p>\n", text);
+std::string headline(const Results& results) {
+  const ResultJudgement& judgement = results.judgement;
+  if (judgement.headline.empty()) return {};
   return fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n", judgement.fitness,
-                     escape_html(judgement.headline), text);
+                     escape_html(judgement.headline), escape_html(details(results)));
 }
 
 std::string criteria(const Results& results) {
@@ -289,7 +285,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   html +=
       results.evaluation ? " <span>evaluation of a material</span>" : " <span>material fit</span>";
   html += "</h1></header>\n";
-  html += headline(data);
+  html += headline(results);
   const std::string accepted = criteria(results);
   if (!accepted.empty()) html += element("p", "Acceptance: " + accepted + ".");
   html += doubts(results);
@@ -297,7 +293,7 @@ std::string summary_page(const ReportData& data, FigureSheet& figures) {
   const std::vector<std::string> tables =
       data.is_of_sheets() ? sheet_tables(data) : std::vector<std::string>();
   const PageBudget budget = page_budget(
-      results, results.judgement.headline.size() + details(data).size() + accepted.size(),
+      results, results.judgement.headline.size() + details(results).size() + accepted.size(),
       fabric.size(), rows_of(tables));
   html += facts(fabric, budget.facts);
   html += page_one_loops(data, budget.loops, budget.height_of_loops, figures);

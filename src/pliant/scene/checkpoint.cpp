@@ -86,12 +86,14 @@ SimulationState read_state(const Json& json, const State& start) {
   state.steps = json.at("steps");
   state.work = json.at("work");
   state.drag = json.at("drag");
+  state.rubbing = json.at("rubbing");
   fill_state(json.at("state"), state.state);
   state.records.seconds = list_of<double>(json.at("seconds"));
   state.records.substeps = list_of<int>(json.at("substeps"));
   state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
   state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
   state.records.distances = list_of<double>(json.at("distances"));
+  state.records.contacts = list_of<int>(json.at("contacts"));
   state.energies = list_of<EnergyRow>(json.at("energies"));
   state.clips = list_of<ClipRow>(json.at("clips"));
   return state;
@@ -135,6 +137,11 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
       add_file_of(region.faces, files);
     }
   }
+  for (const SceneObstacle& obstacle : scene.obstacles) {
+    if (const BodySource* body = obstacle.surface()) {
+      files.insert(files.end(), body->files.begin(), body->files.end());
+    }
+  }
   for (const ScenePin& pin : scene.pins) add_file_of(pin.vertices, files);
   for (const SceneClip& clip : scene.clips) add_file_of(clip.vertices, files);
   return files;
@@ -152,8 +159,9 @@ Json read_content(const std::filesystem::path& file) {
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler) {
   Node document = read_yaml(scene.file).root;
   remove_duration(document);
-  // Of a path of equilibria the duration says the step.
-  std::string digests = sha256_of(text_of(document) + format_number(scene.time.step));
+  // Of a path of equilibria the duration says the step; friction may be left out of any scene.
+  std::string digests =
+      sha256_of(text_of(document) + format_number(scene.time.step) + name_of(scene.time.friction));
   for (const std::filesystem::path& file : files_of(scene)) digests += sha256_of_file(file);
   if (!filler.empty()) digests += sha256_of_file(filler);
   return sha256_of(digests);
@@ -164,12 +172,14 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
                   {"steps", state.steps},
                   {"work", state.work},
                   {"drag", state.drag},
+                  {"rubbing", state.rubbing},
                   {"state", state_json(state.state)},
                   {"seconds", bytes_of(state.records.seconds)},
                   {"substeps", bytes_of(state.records.substeps)},
                   {"newton_iterations", bytes_of(state.records.newton_iterations)},
                   {"linear_iterations", bytes_of(state.records.linear_iterations)},
                   {"distances", bytes_of(state.records.distances)},
+                  {"contacts", bytes_of(state.records.contacts)},
                   {"energies", bytes_of(state.energies)},
                   {"clips", bytes_of(state.clips)}};
   std::string content;
@@ -182,7 +192,7 @@ SimulationState read_checkpoint(const std::filesystem::path& file, const Simulat
   const Json json = read_content(file);
   if (json.at("identity") != identity) {
     throw InputError({file.string(), 0, ""}, "is a checkpoint of another scene",
-                     "one of this scene, with the same files and --fill");
+                     "one of this scene, with the same files, --fill and --no-friction");
   }
   try {
     return read_state(json, simulation.now().state);

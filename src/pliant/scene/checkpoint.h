@@ -8,8 +8,8 @@
 namespace pliant {
 
 /// What tells a scene from any other: the digest of what its document says, of every file that it
-/// names, and of what fills its materials. How long it lasts is left out: what was simulated can be
-/// gone on with for longer.
+/// names, of what fills its materials, and of whether they have friction. How long it lasts is left
+/// out: what was simulated can be gone on with for longer.
 /// @param filler  the file of `--fill`; may be empty
 std::string scene_identity(const Scene& scene, const std::filesystem::path& filler);
 

@@ -1,5 +1,9 @@
 #include "pliant/scene/cloth.h"
 
+#include <cstdint>
+#include <limits>
+
+#include "pliant/base/random.h"
 #include "pliant/io/named_file.h"
 #include "pliant/io/result_name.h"
 #include "pliant/io/vector_fields.h"
@@ -40,8 +44,27 @@ RolledShape read_shape(const Value& value) {
   if (auto v = inner.optional("side")) {
     shape.towards_back = v->choice({"front", "back"}) == "back";
   }
+  if (auto v = inner.optional("pitch")) shape.pitch = v->positive_quantity(Dimension::length);
   inner.finish();
   return shape;
+}
+
+PositionNoise read_noise(const Value& value) {
+  Fields fields = value.fields();
+  PositionNoise noise;
+  noise.amplitude = fields.require("amplitude").positive_quantity(Dimension::length);
+  if (auto v = fields.optional("seed")) {
+    noise.seed = v->integer(0, std::numeric_limits<int>::max());
+  }
+  fields.finish();
+  return noise;
+}
+
+Eigen::Matrix3Xd moved_at_random(const PositionNoise& noise, const Eigen::Matrix3Xd& positions) {
+  RandomStream random(static_cast<std::uint64_t>(noise.seed));
+  Eigen::Matrix3Xd moved = positions;
+  for (double& coordinate : moved.reshaped()) coordinate += noise.amplitude * random.normal();
+  return moved;
 }
 
 Pose read_place(const Value& value) {
@@ -66,6 +89,7 @@ SceneCloth read_scene_cloth(const Value& value, std::set<std::string>& taken) {
     for (const Value& region : v->items()) cloth.regions.push_back(read_region(region));
   }
   if (auto v = fields.optional("shape")) cloth.shape = read_shape(*v);
+  if (auto v = fields.optional("noise")) cloth.noise = read_noise(*v);
   if (auto v = fields.optional("place")) cloth.place = read_place(*v);
   if (auto v = fields.optional("velocity")) cloth.velocity = read_vector(*v);
   fields.finish();
@@ -73,8 +97,9 @@ SceneCloth read_scene_cloth(const Value& value, std::set<std::string>& taken) {
 }
 
 Eigen::Matrix3Xd initial_positions(const SceneCloth& cloth, const Eigen::Matrix3Xd& positions) {
-  if (cloth.shape) require_flat(*cloth.shape, positions);
+  if (cloth.shape) require_rollable(*cloth.shape, positions);
   Eigen::Matrix3Xd initial = cloth.shape ? rolled(*cloth.shape, positions) : positions;
+  if (cloth.noise.amplitude > 0) initial = moved_at_random(cloth.noise, initial);
   for (Eigen::Index i = 0; i < initial.cols(); ++i) {
     initial.col(i) = cloth.place.apply(initial.col(i));
   }

@@ -30,16 +30,24 @@ struct SceneRegion {
   IndexList faces;
 };
 
+/// Where a cloth starts is uncertain by so much: each vertex is moved at random, with a normal
+/// distribution along each axis.
+struct PositionNoise {
+  double amplitude = 0;  ///< standard deviation, m
+  int seed = 0;
+};
+
 /// A cloth of a scene/1 file.
 ///
 /// Its own coordinates are those of its mesh, in metres; for grids and rectangles (u, v, 0). From
-/// there it is shaped, then placed in the world.
+/// there it is shaped, moved by its noise, then placed in the world.
 struct SceneCloth {
   std::string name;
   MeshSource mesh;
   SceneMaterial material;
   std::vector<SceneRegion> regions;
   std::optional<RolledShape> shape;
+  PositionNoise noise;
   Pose place;
   std::optional<Eigen::Vector3d> velocity;  ///< at the start, m/s; at rest when absent
   Location where;
@@ -55,7 +63,7 @@ SceneCloth read_scene_cloth(const Value& value, std::set<std::string>& taken);
 /// @throws InputError where a cloth that is rolled is not flat
 Eigen::Matrix3Xd initial_positions(const SceneCloth& cloth, const Eigen::Matrix3Xd& positions);
 
-/// The same for a point of the cloth's own space.
+/// The same for a point of the cloth's own space, without noise.
 Eigen::Vector3d initial_position(const SceneCloth& cloth, const Eigen::Vector3d& point);
 
 }  // namespace pliant

@@ -9,6 +9,7 @@
 #include "pliant/geometry/irregular_mesh.h"
 #include "pliant/geometry/mesh_file.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/geometry/tube.h"
 
 namespace pliant {
 namespace {
@@ -25,6 +26,13 @@ ClothMesh make_mesh(const GridMesh& grid) {
 
 ClothMesh make_mesh(const RectangleMesh& rectangle) {
   return {irregular_rectangle(rectangle.width, rectangle.height, rectangle.edge), {}, {}};
+}
+
+ClothMesh make_mesh(const TubeMesh& source) {
+  return {tube(source.circumference, source.length, source.nodes_around, source.nodes_along,
+               source.diagonals),
+          {},
+          {}};
 }
 
 /// The region of each face: 0 for none, else 1 + its number.
@@ -58,6 +66,10 @@ Plausibility::Reading size_of(const GridMesh& grid, Plausibility& cloth) {
 
 Plausibility::Reading size_of(const RectangleMesh& rectangle, Plausibility& cloth) {
   return cloth.field("rectangle", Dimension::length, rectangle.width);
+}
+
+Plausibility::Reading size_of(const TubeMesh& tube, Plausibility& cloth) {
+  return cloth.field("tube", Dimension::length, tube.circumference);
 }
 
 template <class Source>

@@ -76,10 +76,10 @@ std::string vtu_bytes(const Simulation& simulation) {
 }
 
 std::string energy_table(const Simulation& simulation) {
-  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J,drag_J\n";
+  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J,drag_J,contact_J,rubbing_J\n";
   for (const EnergyRow& row : simulation.now().energies) {
-    table += fmt::format("{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work,
-                         row.total(), row.drag);
+    table += fmt::format("{},{},{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work,
+                         row.total(), row.drag, row.contact, row.rubbing);
   }
   return table;
 }
@@ -147,7 +147,7 @@ std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
   if (simulation.scene().output.has(FrameFormat::vtu)) {
     files.emplace_back(fmt::format("frames/{:06}.vtu", index), vtu_bytes(simulation));
   }
-  if (has_led_obstacles(simulation.scene().obstacles)) {
+  if (has_moving_obstacles(simulation.scene().obstacles)) {
     files.emplace_back(fmt::format("obstacles/{:06}.obj", index), obstacles_obj(simulation));
   }
   return files;
@@ -178,7 +178,8 @@ std::string obstacles_obj(const Simulation& simulation) {
     box.extend(Eigen::AlignedBox3d(cloth.mesh.positions.rowwise().minCoeff(),
                                    cloth.mesh.positions.rowwise().maxCoeff()));
   }
-  return write_obj(obstacle_mesh(simulation.scene().obstacles, box, simulation.now().state.time));
+  return write_obj(obstacle_mesh(simulation.scene().obstacles, simulation.built().bodies, box,
+                                 simulation.now().state.time));
 }
 
 }  // namespace pliant

@@ -16,11 +16,13 @@ enum class CylinderAxis {
 /// A flat cloth rolled onto a cylinder without stretching it; its rest shape stays flat.
 ///
 /// The line through (0, 0) along the axis stays where it is, and the cloth's plane there is the
-/// cylinder's tangent plane.
+/// cylinder's tangent plane. With a pitch it is rolled up to the involute of a circle, whose turns
+/// are equally far apart: its radius of curvature grows with the angle from that line.
 struct RolledShape {
-  double radius = 0;  ///< m, > 0
+  double radius = 0;  ///< m, > 0; with a pitch, along the line that stays
   CylinderAxis axis = CylinderAxis::u;
   bool towards_back = false;  ///< the cylinder lies on the side of -z, else on that of +z
+  double pitch = 0;           ///< distance of each turn from the next, m, >= 0
   Location where;
 };
 
@@ -28,7 +30,7 @@ struct RolledShape {
 /// it.
 Eigen::Matrix3Xd rolled(const RolledShape& shape, const Eigen::Matrix3Xd& points);
 
-/// @throws InputError where points are not in the plane z = 0
-void require_flat(const RolledShape& shape, const Eigen::Matrix3Xd& points);
+/// @throws InputError where points are not in the plane z = 0, or lie within the innermost turn
+void require_rollable(const RolledShape& shape, const Eigen::Matrix3Xd& points);
 
 }  // namespace pliant

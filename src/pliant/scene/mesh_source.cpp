@@ -20,20 +20,6 @@ void require_countable(const Value& value, double vertices) {
              fmt::format("at most {:.0f}", kMostVertices));
 }
 
-double read_unit(Fields& fields) {
-  const std::string expected = fmt::format("the length unit of the file's coordinates: {}",
-                                           fmt::join(units_of(Dimension::length), ", "));
-  const auto value = fields.optional("unit");
-  if (!value) {
-    Location where = fields.location();
-    where.field += ".unit";
-    throw InputError(where, "is missing", expected);
-  }
-  const std::optional<double> unit = unit_scale(value->text(), Dimension::length);
-  if (!unit) value->fail(quoted_value(value->text()), expected);
-  return *unit;
-}
-
 /// Only OBJ files hold texture coordinates.
 bool may_have_uv(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
@@ -44,8 +30,8 @@ FileMesh read_file_mesh(const Value& file, Fields& fields) {
   FileMesh mesh;
   mesh.file = read_named_file(file, "a mesh file");
   MeshFileOptions& options = mesh.options;
-  options.unit = read_unit(fields);
-  if (auto v = fields.optional("up")) options.up = v->choice({"x", "y", "z", "-x", "-y", "-z"});
+  options.unit = read_file_unit(fields);
+  options.up = read_file_up(fields).value_or(options.up);
   options.rest = may_have_uv(mesh.file) ? RestShape::uv : RestShape::shape;
   if (auto v = fields.optional("rest")) {
     options.rest = v->choice({"uv", "shape"}) == "uv" ? RestShape::uv : RestShape::shape;
@@ -75,6 +61,24 @@ GridMesh read_grid(const Value& grid, Fields& fields) {
   return mesh;
 }
 
+TubeMesh read_tube(const Value& tube, Fields& fields) {
+  constexpr int kFewestAround = 3;
+  TubeMesh mesh;
+  std::tie(mesh.circumference, mesh.length) = read_extents(tube);
+  const Value nodes = fields.require("nodes");
+  std::tie(mesh.nodes_around, mesh.nodes_along) = read_counts(nodes, 2, kMostNodesAlong);
+  require_countable(nodes, static_cast<double>(mesh.nodes_around) * mesh.nodes_along);
+  if (mesh.nodes_around < kFewestAround) {
+    nodes.fail("makes no tube", "at least 3 vertices around it");
+  }
+  mesh.diagonals = read_diagonals(fields);
+  if (mesh.diagonals == Diagonals::alternating && mesh.nodes_around % 2 != 0) {
+    nodes.fail("is odd around the tube, where diagonals alternate",
+               "an even number around it, or `diagonals: rising`");
+  }
+  return mesh;
+}
+
 RectangleMesh read_rectangle(const Value& rectangle, Fields& fields) {
   RectangleMesh mesh;
   std::tie(mesh.width, mesh.height) = read_extents(rectangle);
@@ -90,20 +94,41 @@ RectangleMesh read_rectangle(const Value& rectangle, Fields& fields) {
 
 }  // namespace
 
+double read_file_unit(Fields& fields) {
+  const std::string expected = fmt::format("the length unit of the file's coordinates: {}",
+                                           fmt::join(units_of(Dimension::length), ", "));
+  const auto value = fields.optional("unit");
+  if (!value) {
+    Location where = fields.location();
+    where.field += ".unit";
+    throw InputError(where, "is missing", expected);
+  }
+  const std::optional<double> unit = unit_scale(value->text(), Dimension::length);
+  if (!unit) value->fail(quoted_value(value->text()), expected);
+  return *unit;
+}
+
+std::optional<std::string> read_file_up(Fields& fields) {
+  const auto value = fields.optional("up");
+  if (!value) return std::nullopt;
+  return value->choice({"x", "y", "z", "-x", "-y", "-z"});
+}
+
 MeshSource read_mesh_source(const Value& value) {
   Fields fields = value.fields();
   MeshSource source;
   source.where = value.location();
   const auto file = fields.optional("file"), grid = fields.optional("grid");
-  const auto rectangle = fields.optional("rectangle");
+  const auto rectangle = fields.optional("rectangle"), tube = fields.optional("tube");
   if (static_cast<int>(file.has_value()) + static_cast<int>(grid.has_value()) +
-          static_cast<int>(rectangle.has_value()) !=
+          static_cast<int>(rectangle.has_value()) + static_cast<int>(tube.has_value()) !=
       1) {
-    value.fail("is not one mesh", "one of `file`, `grid` and `rectangle`");
+    value.fail("is not one mesh", "one of `file`, `grid`, `rectangle` and `tube`");
   }
   if (file) source.kind = read_file_mesh(*file, fields);
   if (grid) source.kind = read_grid(*grid, fields);
   if (rectangle) source.kind = read_rectangle(*rectangle, fields);
+  if (tube) source.kind = read_tube(*tube, fields);
   fields.finish();
   return source;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "pliant/base/errors.h"
@@ -29,17 +31,33 @@ struct RectangleMesh {
   double edge = 0;               ///< length that edges aim at, m
 };
 
+/// A regular grid that is sewn to a tube about the z axis, which stands on z = 0.
+struct TubeMesh {
+  double circumference = 0, length = 0;   ///< m, along weft and along warp
+  int nodes_around = 0, nodes_along = 0;  ///< vertices
+  Diagonals diagonals = Diagonals::alternating;
+};
+
 /// How a cloth comes by its mesh.
 struct MeshSource {
-  std::variant<FileMesh, GridMesh, RectangleMesh> kind;
+  std::variant<FileMesh, GridMesh, RectangleMesh, TubeMesh> kind;
   Location where;
 
   /// Whether the cloth is a rectangle, so that it has named edges and corners.
-  bool is_rectangle() const { return !std::holds_alternative<FileMesh>(kind); }
+  bool is_rectangle() const {
+    return std::holds_alternative<GridMesh>(kind) || std::holds_alternative<RectangleMesh>(kind);
+  }
 };
 
-/// `{file, unit, up, rest, uv_scale}`, `{grid, nodes, diagonals}` or `{rectangle, edge}`.
+/// `{file, unit, up, rest, uv_scale}`, `{grid, nodes, diagonals}`, `{rectangle, edge}` or
+/// `{tube, nodes, diagonals}`.
 /// @throws InputError, also for a file that does not exist; its content is not looked at
 MeshSource read_mesh_source(const Value& value);
+
+/// `unit` of the coordinates of a file, which has to be there: m per unit.
+double read_file_unit(Fields& fields);
+
+/// `up`: the axis of a file that becomes the world's z.
+std::optional<std::string> read_file_up(Fields& fields);
 
 }  // namespace pliant

@@ -25,7 +25,7 @@ void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
   int inside = 0;
   double deepest = 0;
   for (const int point : cloth.points) {
-    const double distance = distance_to(obstacle.shape, cloth.positions.col(point));
+    const double distance = distance_to(*obstacle.shape(), cloth.positions.col(point));
     inside += distance <= 0 ? 1 : 0;
     deepest = std::min(deepest, distance);
   }
@@ -41,7 +41,7 @@ void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
 void warn_of_deep_starts(const SceneObstacle& obstacle, double thickness,
                          const TouchingCloth& cloth, std::vector<std::string>& warnings) {
   const auto deep = std::ranges::count_if(cloth.points, [&](int point) {
-    return distance_to(obstacle.shape, cloth.positions.col(point)) < thickness / 4;
+    return distance_to(*obstacle.shape(), cloth.positions.col(point)) < thickness / 4;
   });
   if (deep == 0) return;
   warnings.push_back(fmt::format(
@@ -53,7 +53,7 @@ void warn_of_deep_starts(const SceneObstacle& obstacle, double thickness,
 void warn_of_led_points(const SceneObstacle& obstacle, const TouchingCloth& cloth,
                         std::vector<std::string>& warnings) {
   const auto inside = std::ranges::count_if(cloth.led, [&](int point) {
-    return distance_to(obstacle.shape, cloth.positions.col(point)) <= 0;
+    return distance_to(*obstacle.shape(), cloth.positions.col(point)) <= 0;
   });
   if (inside == 0) return;
   warnings.push_back(
@@ -64,7 +64,7 @@ void warn_of_led_points(const SceneObstacle& obstacle, const TouchingCloth& clot
 
 void warn_of_long_edges(const SceneObstacle& obstacle, const Scene& scene,
                         const TouchingCloth& cloth, std::vector<std::string>& warnings) {
-  const double sag = sag_over(obstacle.shape, cloth.longest_edge);
+  const double sag = sag_over(*obstacle.shape(), cloth.longest_edge);
   if (sag <= scene.contact.thickness / 2) return;
   warnings.push_back(fmt::format(
       "vertices keep off {}, faces between them may come {} nearer, which is more than half the "
@@ -80,12 +80,13 @@ std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
   const double per_mass = contact_stiffness_per_mass(scene.time);
   int led = 0;
   for (const SceneObstacle& obstacle : scene.obstacles) {
+    if (!obstacle.shape()) continue;
     refuse_overlap(obstacle, cloth);
     warn_of_deep_starts(obstacle, scene.contact.thickness, cloth, warnings);
     warn_of_led_points(obstacle, cloth, warnings);
     warn_of_long_edges(obstacle, scene, cloth, warnings);
     contacts.push_back(std::make_shared<ObstacleContact>(
-        obstacle.shape, cloth.points, per_mass * cloth.masses(cloth.points),
+        *obstacle.shape(), cloth.points, per_mass * cloth.masses(cloth.points),
         scene.contact.thickness, obstacle.friction, obstacle.motion ? led++ : -1));
   }
   return contacts;

@@ -18,8 +18,8 @@ struct TouchingCloth {
   double longest_edge = 0;  ///< at rest, m
 };
 
-/// The contacts of a cloth's points with the obstacles of a scene, in their order. The barrier of a
-/// point is as stiff as would stop its mass within a few time steps: 4 m / step^2.
+/// The contacts of a cloth's points with the convex obstacles of a scene, in their order. The
+/// barrier of a point is as stiff as would stop its mass within a few time steps: 4 m / step^2.
 /// Those that are led have the numbers of bodies in the order in which they stand.
 /// @param warnings  gets what faces may do between their vertices
 /// @throws InputError where cloth begins inside an obstacle

@@ -94,16 +94,29 @@ void move_from(size_t first, const Pose& pose, ObjMesh& mesh) {
   }
 }
 
+void add_body(const MeshBody& body, double time, ObjMesh& mesh) {
+  const int first = static_cast<int>(mesh.positions.size());
+  const Eigen::Matrix3Xd positions = body.positions(time);
+  for (const Eigen::Vector3d position : positions.colwise()) add_point(position, mesh);
+  for (const auto& triangle : body.triangles().colwise()) {
+    mesh.faces.add(std::array{first + triangle(0), first + triangle(1), first + triangle(2)});
+  }
+}
+
 }  // namespace
 
-ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles, const Eigen::AlignedBox3d& cloth,
+ObjMesh obstacle_mesh(std::span<const SceneObstacle> obstacles,
+                      const std::vector<BodyPiece>& bodies, const Eigen::AlignedBox3d& cloth,
                       double time) {
   ObjMesh mesh;
   for (const SceneObstacle& obstacle : obstacles) {
+    const ObstacleShape* shape = obstacle.shape();
+    if (!shape) continue;
     const size_t first = mesh.positions.size();
-    std::visit([&](const auto& body) { add_shape(body, cloth, mesh); }, obstacle.shape);
+    std::visit([&](const auto& body) { add_shape(body, cloth, mesh); }, *shape);
     if (obstacle.motion) move_from(first, pose_at(*obstacle.motion, time), mesh);
   }
+  for (const BodyPiece& piece : bodies) add_body(*piece.body, time, mesh);
   return mesh;
 }
 

@@ -55,17 +55,27 @@ Box read_box(const Value& value) {
   return box;
 }
 
-ObstacleShape read_shape(Fields& fields, const Value& value) {
-  const auto plane = fields.optional("plane"), sphere = fields.optional("sphere");
-  const auto capsule = fields.optional("capsule"), box = fields.optional("box");
-  const int given = (plane ? 1 : 0) + (sphere ? 1 : 0) + (capsule ? 1 : 0) + (box ? 1 : 0);
-  if (given != 1) {
-    value.fail(given == 0 ? "has no shape" : "has several shapes",
-               "one of `plane`, `sphere`, `capsule` and `box`");
+using Body = std::variant<ObstacleShape, BodySource>;
+
+Body read_body(Fields& fields, const Value& value) {
+  using Read = Body (*)(const Value&);
+  constexpr std::pair<std::string_view, Read> kKinds[] = {
+      {"plane", [](const Value& v) -> Body { return read_plane(v); }},
+      {"sphere", [](const Value& v) -> Body { return read_sphere(v); }},
+      {"capsule", [](const Value& v) -> Body { return read_capsule(v); }},
+      {"box", [](const Value& v) -> Body { return read_box(v); }},
+      {"mesh", [](const Value& v) -> Body { return read_body_mesh(v); }},
+      {"sequence", [](const Value& v) -> Body { return read_body_sequence(v); }}};
+  std::vector<std::pair<Value, Read>> given;
+  for (const auto& [key, read] : kKinds) {
+    if (auto v = fields.optional(key)) given.emplace_back(*v, read);
   }
-  if (plane) return read_plane(*plane);
-  if (sphere) return read_sphere(*sphere);
-  return capsule ? ObstacleShape(read_capsule(*capsule)) : read_box(*box);
+  if (given.size() != 1) {
+    value.fail(given.empty() ? "has no shape" : "has several shapes",
+               "one of `plane`, `sphere`, `capsule`, `box`, `mesh` and `sequence`");
+  }
+  const auto& [shape, read] = given.front();
+  return read(shape);
 }
 
 double read_coefficient(const Value& value) {
@@ -112,16 +122,28 @@ SceneObstacle read_scene_obstacle(const Value& value, std::set<std::string>& tak
   SceneObstacle obstacle;
   obstacle.where = value.location();
   obstacle.name = read_result_name(fields.require("name"), "an obstacle", taken);
-  obstacle.shape = read_shape(fields, value);
-  if (auto v = fields.optional("friction")) obstacle.friction = read_friction(*v);
-  if (auto v = fields.optional("motion")) obstacle.motion = read_obstacle_motion(*v);
+  obstacle.body = read_body(fields, value);
+  const bool is_sequence = obstacle.surface() && obstacle.surface()->rate > 0;
+  if (auto v = fields.optional("friction")) {
+    obstacle.friction = read_friction(*v);
+    if (obstacle.surface() && obstacle.friction.sticking != obstacle.friction.sliding) {
+      v->fail("has two coefficients", "one coefficient, of a body that is a mesh");
+    }
+  }
+  if (auto v = fields.optional("motion")) {
+    if (is_sequence) v->fail("moves what its frames move", "a sequence without `motion`");
+    obstacle.motion = read_obstacle_motion(*v);
+  }
   fields.finish();
   return obstacle;
 }
 
-bool has_led_obstacles(std::span<const SceneObstacle> obstacles) {
-  return std::ranges::any_of(obstacles,
-                             [](const SceneObstacle& o) { return o.motion.has_value(); });
+bool SceneObstacle::moves() const {
+  return motion.has_value() || (surface() && surface()->files.size() > 1);
+}
+
+bool has_moving_obstacles(std::span<const SceneObstacle> obstacles) {
+  return std::ranges::any_of(obstacles, &SceneObstacle::moves);
 }
 
 SceneContact read_scene_contact(const Value& value) {

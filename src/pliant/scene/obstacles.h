@@ -4,11 +4,13 @@
 #include <set>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "pliant/contact/coulomb.h"
 #include "pliant/contact/obstacle_shape.h"
 #include "pliant/io/fields.h"
+#include "pliant/scene/body_source.h"
 #include "pliant/scene/motion.h"
 
 namespace pliant {
@@ -16,10 +18,16 @@ namespace pliant {
 /// A solid body that keeps cloth out.
 struct SceneObstacle {
   std::string name;
-  ObstacleShape shape;
-  CoulombFriction friction;           ///< of cloth on it
+  std::variant<ObstacleShape, BodySource> body;
+  CoulombFriction friction;           ///< of cloth on it; of a surface one coefficient
   std::optional<Motion> motion = {};  ///< of a body that is led, from where it stands
   Location where;
+
+  /// A convex body; null for another.
+  const ObstacleShape* shape() const { return std::get_if<ObstacleShape>(&body); }
+  /// A surface of triangles; null for another.
+  const BodySource* surface() const { return std::get_if<BodySource>(&body); }
+  bool moves() const;
 };
 
 /// How cloth touches.
@@ -29,7 +37,7 @@ struct SceneContact {
   Location where = {};
 };
 
-bool has_led_obstacles(std::span<const SceneObstacle> obstacles);
+bool has_moving_obstacles(std::span<const SceneObstacle> obstacles);
 
 /// Reads an element of the list `obstacles`.
 /// @param taken  names of the obstacles so far; gets the new one

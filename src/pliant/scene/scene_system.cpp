@@ -10,10 +10,10 @@
 #include "pliant/material/use_warnings.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
-#include "pliant/scene/cloth_contact.h"
 #include "pliant/scene/cloth_mesh.h"
 #include "pliant/scene/held_vertices.h"
 #include "pliant/scene/obstacle_contacts.h"
+#include "pliant/scene/surface_contacts.h"
 
 namespace pliant {
 namespace {
@@ -98,14 +98,16 @@ class SceneBuilder {
 
   SceneSystem build() && {
     read_cloths();
+    read_bodies();
     count_points();
     result_.system = std::make_unique<System>(positions_, masses_);
     for (size_t i = 0; i < scene_.pins.size(); ++i) add_pin(scene_.pins[i], held_.pins[i]);
     for (size_t i = 0; i < scene_.clips.size(); ++i) add_clip(scene_.clips[i], held_.clips[i]);
     add_materials();
     add_forces();
+    add_bodies();
     add_obstacles();
-    add_cloth_contact();
+    add_surface_contact();
     result_.system->finish();
     set_schedule();
     result_.start = result_.system->initial_state();
@@ -136,18 +138,35 @@ class SceneBuilder {
     held_ = held_vertices(scene_, vertices);
   }
 
-  // Positions, masses and faces of all points: vertices, then the points of cords.
+  void read_bodies() {
+    for (const SceneObstacle& obstacle : scene_.obstacles) {
+      if (!obstacle.surface()) continue;
+      result_.bodies.push_back(
+          {obstacle.name, std::make_shared<const MeshBody>(*obstacle.surface(), obstacle.motion)});
+    }
+  }
+
+  // Positions, masses and faces of all points.
   void count_points() {
     int attachments = 0, faces = 0;
     for (const SceneClip& clip : scene_.clips) {
       for (const SceneCord& cord : clip.cords) attachments += cord.vertex ? 0 : 1;
     }
     for (const ClothPiece& cloth : result_.cloths) faces += cloth.mesh.triangle_count();
-    positions_.resize(3, result_.vertices + attachments);
+    int points = result_.vertices + attachments;
+    for (BodyPiece& piece : result_.bodies) {
+      piece.first_point = points;
+      points += static_cast<int>(piece.body->vertex_count());
+    }
+    positions_.resize(3, points);
     masses_ = Eigen::VectorXd::Zero(positions_.cols());
     result_.faces.resize(3, faces);
     place_cloths();
     place_clips();
+    for (const BodyPiece& piece : result_.bodies) {
+      positions_.middleCols(piece.first_point, piece.body->vertex_count()) =
+          piece.body->positions(0);
+    }
   }
 
   void place_cloths() {
@@ -294,18 +313,31 @@ class SceneBuilder {
     for (const ClothPiece& piece : result_.cloths) {
       cloth.longest_edge = std::max(cloth.longest_edge, mesh_quality(piece.mesh).longest_edge);
     }
-    result_.contacts = obstacle_contacts(scene_, cloth, result_.warnings);
-    for (const auto& contact : result_.contacts) system().add(contact);
+    result_.obstacle_contacts = obstacle_contacts(scene_, cloth, result_.warnings);
+    for (const auto& contact : result_.obstacle_contacts) system().add(contact);
     for (const SceneObstacle& obstacle : scene_.obstacles) {
-      if (!obstacle.motion) continue;
+      if (!obstacle.shape() || !obstacle.motion) continue;
       drives_.push_back([motion = *obstacle.motion](Controls& controls) {
         controls.bodies.push_back(pose_at(motion, controls.time));
       });
     }
   }
 
-  void add_cloth_contact() {
-    if (!scene_.contact.friction) return;
+  void add_bodies() {
+    for (const BodyPiece& piece : result_.bodies) {
+      const int count = static_cast<int>(piece.body->vertex_count());
+      for (int i = 0; i < count; ++i) system().coordinates().prescribe(piece.first_point + i);
+      if (!piece.body->moves()) continue;
+      drives_.push_back([piece](Controls& controls) {
+        const Eigen::Matrix3Xd places = piece.body->positions(controls.time);
+        for (int i = 0; i < places.cols(); ++i) {
+          controls.places.push_back({piece.first_point + i, places.col(i)});
+        }
+      });
+    }
+  }
+
+  void add_surface_contact() {
     double shortest_edge = INFINITY;
     for (const ClothPiece& piece : result_.cloths) {
       shortest_edge = std::min(shortest_edge, mesh_quality(piece.mesh).shortest_edge);
@@ -314,11 +346,12 @@ class SceneBuilder {
     for (int point = 0; point < system().points(); ++point) {
       moves.push_back(!system().coordinates().is_prescribed(point));
     }
-    result_.cloth_contact = cloth_contact(scene_,
-                                          {positions_, result_.faces, std::move(moves), masses_,
-                                           resistance_to_stretch(), shortest_edge},
-                                          result_.warnings);
-    system().add(result_.cloth_contact);
+    result_.surface_contact =
+        surface_contact(scene_,
+                        {positions_, result_.faces, result_.bodies, std::move(moves), masses_,
+                         resistance_to_stretch(), shortest_edge},
+                        result_.warnings);
+    if (result_.surface_contact) system().add(result_.surface_contact);
   }
 
   // Of the stiffest cloth at each point (N/m).

@@ -11,6 +11,7 @@
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/system.h"
 #include "pliant/scene/scene.h"
+#include "pliant/scene/scene_crossings.h"
 
 namespace pliant {
 
@@ -23,15 +24,16 @@ struct ClothPiece {
 };
 
 /// A scene made into a mechanical system. The points are the vertices of all cloths, one cloth
-/// after the other, then the points of clips that cords pull at.
+/// after the other, then the points of clips that cords pull at, then the vertices of all bodies.
 struct SceneSystem {
   std::unique_ptr<System> system;
   std::vector<ClothPiece> cloths;
-  Eigen::Matrix3Xi faces;  ///< of all cloths, as points of the system
-  int vertices = 0;        ///< of all cloths
-  std::vector<std::shared_ptr<ObstacleContact>> contacts;  ///< one for each obstacle
-  std::shared_ptr<SurfaceContact> cloth_contact;           ///< of cloth with cloth; may be null
-  Schedule schedule;                                       ///< what comes from outside
+  Eigen::Matrix3Xi faces;         ///< of all cloths, as points of the system
+  int vertices = 0;               ///< of all cloths
+  std::vector<BodyPiece> bodies;  ///< of triangles
+  std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts;  ///< one for each convex one
+  std::shared_ptr<SurfaceContact> surface_contact;  ///< with cloth and bodies; may be null
+  Schedule schedule;                                ///< what comes from outside
   State start;
   std::vector<std::string> warnings;  ///< for the user
 };

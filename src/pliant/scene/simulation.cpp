@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
+#include "pliant/scene/met_bodies.h"
 #include "pliant/solver/static_path.h"
 #include "pliant/solver/time_stepper.h"
 
@@ -17,8 +17,9 @@ struct Simulation::StepResult {
   int substeps = 0;
   int newton_iterations = 0;
   int linear_iterations = 0;
-  double work = 0;  // against friction, damping and air (J)
-  double drag = 0;  // of it, against the air
+  double work = 0;     // against friction, damping and air (J)
+  double drag = 0;     // of it, against the air
+  double rubbing = 0;  // of it, against the friction of contacts
 };
 
 /// Takes a simulation's state through one step.
@@ -35,8 +36,9 @@ namespace {
 // fine mesh would not notice gravity.
 double default_tolerance(const System& system) {
   constexpr double kOfThesis = 1e-5, kOfWeight = 1e-3;
-  const double weight = kStandardGravity * system.masses().sum() / system.points();
-  return weight > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
+  const auto heavy = (system.masses().array() > 0).count();  // all but vertices of bodies
+  const double weight = kStandardGravity * system.masses().sum() / static_cast<double>(heavy);
+  return heavy > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
 TimeStepOptions time_step_options(const Scene& scene, const SceneSystem& built) {
@@ -63,7 +65,9 @@ double seconds_now() {
 class Simulation::TimeSteps : public Simulation::Stepper {
  public:
   TimeSteps(const Scene& scene, const SceneSystem& built)
-      : adaptive_(scene.time.adaptive),
+      : scene_(scene),
+        built_(built),
+        adaptive_(scene.time.adaptive),
         stepper_(*built.system, time_step_options(scene, built), built.faces),
         step_(scene.time.step) {}
 
@@ -90,17 +94,23 @@ class Simulation::TimeSteps : public Simulation::Stepper {
       ++result.substeps;
       result.work += summary.work + summary.drag;
       result.drag += summary.drag;
+      result.rubbing += summary.rubbing;
       std::swap(state, next_);
       return;
     }
     if (!adaptive_ || halvings == kMostHalvings) {
-      throw SolverError(fmt::format("the step to {:.6g} s{}", state.time + step,
-                                    summary.has_room ? ""
-                                                     : ", in which what is led leaves what it "
-                                                       "meets no room,"),
-                        summary.newton_iterations, summary.residual);
+      throw SolverError(failure_of(state, step, summary.has_room), summary.newton_iterations,
+                        summary.residual);
     }
     for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
+  }
+
+  std::string failure_of(const State& state, double step, bool has_room) const {
+    std::string text = fmt::format("the step to {:.6g} s", state.time + step);
+    const std::string nearest = nearest_text(met_bodies(scene_, built_, state));
+    if (!has_room) text += ", in which what is led leaves what it meets no room";
+    if (!nearest.empty()) text += (has_room ? ", before which " : ": ") + nearest;
+    return has_room && nearest.empty() ? text : text + ",";
   }
 
   // Takes `next_` where a step leads.
@@ -114,6 +124,8 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     }
   }
 
+  const Scene& scene_;
+  const SceneSystem& built_;
   bool adaptive_;
   TimeStepper stepper_;
   double step_;
@@ -180,17 +192,19 @@ void Simulation::record_frame() {
   const Controls controls = built_.schedule(now_.state.time);
   built_.system->evaluate(now_.state.configuration, {.from = now_.state, .controls = controls},
                           Curvature::exact, derivatives);
-  record_energy(derivatives.energy.stored);
+  record_energy(derivatives.energy);
   record_clips(gradient);
 }
 
-void Simulation::record_energy(double stored) {
+void Simulation::record_energy(const Energy& energy) {
   EnergyRow row;
   row.time = now_.state.time;
   row.kinetic = now_.state.velocities.colwise().squaredNorm().dot(built_.system->masses()) / 2;
-  row.stored = stored;
+  row.stored = energy.stored;
   row.work = now_.work;
   row.drag = now_.drag;
+  row.contact = energy.contact;
+  row.rubbing = now_.rubbing;
   now_.energies.push_back(row);
 }
 
@@ -219,25 +233,21 @@ void Simulation::advance() {
   now_.state.time = now_.steps * scene_.time.step;
   now_.work += result.work;
   now_.drag += result.drag;
+  now_.rubbing += result.rubbing;
   now_.records.seconds.push_back(seconds_now() - begin);
   now_.records.substeps.push_back(result.substeps);
   now_.records.newton_iterations.push_back(result.newton_iterations);
   now_.records.linear_iterations.push_back(result.linear_iterations);
-  record_distance();
+  record_contacts();
 }
 
-void Simulation::record_distance() {
-  if (built_.contacts.empty() && !built_.cloth_contact) return;
-  const Eigen::Matrix3Xd& positions = now_.state.configuration.positions;
-  const Controls controls = built_.schedule(now_.state.time);
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& contact : built_.contacts) {
-    least = std::min(least, contact->least_distance(positions, controls));
-  }
-  if (built_.cloth_contact) {
-    least = std::min(least, built_.cloth_contact->touching(positions).least_distance);
-  }
-  now_.records.distances.push_back(least);
+void Simulation::record_contacts() {
+  const auto bodies = met_bodies(scene_, built_, now_.state);
+  if (bodies.empty()) return;
+  int count = 0;
+  for (const MetBody& body : bodies) count += body.touching.count;
+  now_.records.contacts.push_back(count);
+  now_.records.distances.push_back(bodies.front().touching.least_distance);
 }
 
 }  // namespace pliant

@@ -14,9 +14,11 @@ namespace pliant {
 struct EnergyRow {
   double time = 0;
   double kinetic = 0;
-  double stored = 0;  ///< elastic energy, gravity and cords
-  double work = 0;    ///< done against friction, damping and air since the start
-  double drag = 0;    ///< of it, against the air
+  double stored = 0;   ///< elastic energy, gravity and cords
+  double work = 0;     ///< done against friction, damping and air since the start
+  double drag = 0;     ///< of it, against the air
+  double contact = 0;  ///< of what is stored, in contacts
+  double rubbing = 0;  ///< of the work, against the friction of contacts
 
   double total() const { return kinetic + stored + work; }
 };
@@ -40,6 +42,8 @@ struct StepRecords {
   /// Least one of contact at the end, m: from an obstacle, or of cloth from cloth where that is
   /// nearer than the thickness; none without contact.
   std::vector<double> distances;
+  /// Points and pairs that touch at the end; none without contact.
+  std::vector<int> contacts;
 };
 
 /// Everything that a simulation is at the end of a step: what it takes to go on to the same bits.
@@ -48,6 +52,7 @@ struct SimulationState {
   State state;
   double work = 0;  ///< see EnergyRow
   double drag = 0;
+  double rubbing = 0;
   StepRecords records;
   std::vector<EnergyRow> energies;  ///< one a frame
   std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene
@@ -87,9 +92,9 @@ class Simulation {
   class TimeSteps;
   class Equilibria;
 
-  void record_energy(double stored);
+  void record_energy(const Energy& energy);
   void record_clips(const Eigen::Matrix3Xd& gradient);
-  void record_distance();
+  void record_contacts();
 
   Scene scene_;
   int threads_;

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pliant/geometry/crossings.h"
 #include "pliant/scene/frame_files.h"
 
 namespace pliant {
@@ -63,14 +62,14 @@ Json not_modelled(const Scene& scene) {
 }
 
 Json crossing_pairs(const Simulation& simulation) {
-  const auto pairs =
-      crossing_triangles(simulation.now().state.configuration.positions, simulation.built().faces);
-  return pairs ? Json(pairs->size()) : Json(nullptr);
+  const auto crossings = scene_crossings(simulation.now().state.configuration.positions,
+                                         simulation.built().faces, simulation.built().bodies);
+  return crossings ? Json(crossings->count()) : Json(nullptr);
 }
 
 Json obstacles_path(const Scene& scene) {
   if (scene.obstacles.empty()) return nullptr;
-  return has_led_obstacles(scene.obstacles) ? "obstacles" : "obstacles.obj";
+  return has_moving_obstacles(scene.obstacles) ? "obstacles" : "obstacles.obj";
 }
 
 Json least_distance(const StepRecords& records) {
@@ -109,6 +108,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"peak_memory_MB", facts.peak_memory},
             {"not_modelled", not_modelled(scene)},
             {"crossing_pairs", crossing_pairs(simulation)},
+            {"contacts", statistics(now.records.contacts)},
             {"min_contact_distance", least_distance(now.records)},
             {"mesh", "cloth.obj"},
             {"obstacles", obstacles_path(scene)},

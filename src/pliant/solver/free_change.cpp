@@ -80,9 +80,9 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
   return free;
 }
 
-std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& at) {
+std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& led) {
   const Coordinates& coordinates = objective.system().coordinates();
-  const auto found = objective.system().made_way(at, objective.conditions());
+  const auto found = objective.system().made_way(led.positions, objective.conditions());
   if (!found) return std::nullopt;
   const Eigen::Matrix3Xd& ways = *found;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates.unknowns());

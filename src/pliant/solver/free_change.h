@@ -21,6 +21,7 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
 
 /// The change that takes points out of the way of what is led from outside; a clip goes as far as
 /// its point that has to go furthest. Nothing where there is no room.
-std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& at);
+/// @param led  where the last step ended, but for what is led: that may be where it goes
+std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& led);
 
 }  // namespace pliant

@@ -109,6 +109,7 @@ struct TimeStepper::Trial {
   const std::optional<AirDrag>& drag;
   const Eigen::Matrix3Xd start;  // where there is no velocity
   double time = 0;               // new velocity = (x - start) / time
+  bool closed = false;           // nothing is led
   Eigen::VectorXd guess;         // the change of the unknowns
 };
 
@@ -118,6 +119,7 @@ double TimeStepper::settle(const Trial& trial, Configuration at, State& to,
                            StepSummary& summary) const {
   const Energy energy = system_.advance_history(at, trial.under, to.history);
   summary.work = energy.work;
+  summary.rubbing = energy.rubbing;
   if (trial.drag) summary.drag = trial.drag->work(trial.from.configuration, at);
   to.velocities = (at.positions - trial.start) / trial.time;
   to.configuration = std::move(at);
@@ -160,14 +162,13 @@ StepSummary TimeStepper::searched_at(const Trial& trial, double most_energy, Con
 StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configuration at, State& to) {
   constexpr int kMostTimes = 30;
   constexpr int kMostMore = 5;  // iterations while the total of all energies has grown
-  const bool closed = led.has_arrived() && trial.under.controls.bodies.empty();
   const FreeChange guess = free_change(trial.objective, at, trial.guess, led.way_left());
   led.go(guess.led, at);
   // Where something is in the way, the guess may hold more energy than there was.
   const double most_energy = system_.obstructs() ? trial.objective.energy(at).total() : INFINITY;
-  const double total = closed ? most_energy - trial.inertia.energy(at.positions) +
-                                    kinetic_energy(system_, trial.from.velocities)
-                              : INFINITY;
+  const double total = trial.closed ? most_energy - trial.inertia.energy(at.positions) +
+                                          kinetic_energy(system_, trial.from.velocities)
+                                    : INFINITY;
   at = system_.coordinates().moved(at, guess.each);
   StepSummary summary = searched_at(trial, most_energy, at);
   for (int times = 1; !led.has_arrived(); ++times) {
@@ -186,15 +187,27 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
   return summary;
 }
 
+// What meets what is led goes with it, as far as there is room.
+// @param led  where the last step ended, but for what is led: that may be where it goes
+std::optional<TimeStepper::Begin> TimeStepper::beginning(const Objective& objective,
+                                                         const Configuration& led) const {
+  constexpr double kKept = 0.01;  // of the distances to what is passed
+  const Configuration& before = objective.conditions().from.configuration;
+  const auto way = made_way(objective, led);
+  if (!way) return std::nullopt;
+  const Configuration at = way->isZero(0) ? led : system_.coordinates().moved(led, *way);
+  if (!system_.obstructs() || at.positions == before.positions) return Begin{at, *way};
+  const WayLimits limits = system_.way_limits(before, at, objective.conditions(), kKept);
+  const bool is_free = !limits.obstructed && std::isfinite(objective.energy(at).total());
+  return is_free ? std::optional(Begin{at, *way}) : std::nullopt;
+}
+
 StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   const Scheme scheme(options_.integrator, step, from);
   const double time = from.time + step;
   const Controls controls = options_.schedule ? options_.schedule(time) : kNoControls;
-  Configuration at = from.configuration;
-  system_.coordinates().apply(controls, at);
-  LedMotion led(from.configuration, at);
-  at.positions = from.configuration.positions;
-
+  Configuration end = from.configuration;  // of what is led
+  system_.coordinates().apply(controls, end);
   const Eigen::Matrix3Xd start = scheme.mix(from.configuration.positions, from.last_positions);
   const Eigen::Matrix3Xd velocities = scheme.mix(from.velocities, from.last_velocities);
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
@@ -209,17 +222,21 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     objective.add(*drag);
   }
 
-  const StepSummary no_room{.converged = false, .has_room = false, .residual = INFINITY};
-  const auto found = made_way(objective, at);
-  if (!found) return no_room;
-  const Eigen::VectorXd& way = *found;
-  if (!way.isZero(0)) {
-    at = system_.coordinates().moved(at, way);
-    if (!std::isfinite(objective.energy(at).total())) return no_room;
+  LedMotion led(from.configuration, end);
+  const bool closed = led.has_arrived() && controls.bodies.empty();
+  std::optional<Begin> begin = beginning(objective, end);
+  if (begin) {
+    led.go(1, begin->at);
+  } else {
+    end.positions = from.configuration.positions;
+    begin = beginning(objective, end);
   }
+  if (!begin) return {.converged = false, .has_room = false, .residual = INFINITY};
+  auto& [at, way] = *begin;
   const Trial trial{
-      from, under, objective,   inertia,
-      drag, start, scheme.time, coasting(system_.coordinates(), at, from.velocities, step, way)};
+      from,        under,  objective,
+      inertia,     drag,   start,
+      scheme.time, closed, coasting(system_.coordinates(), at, from.velocities, step, way)};
   StepSummary summary;
   if (options_.solve == StepSolve::linearized) {
     led.go(1, at);

@@ -30,6 +30,7 @@ struct StepSummary {
   double residual = 0;  ///< largest force left (N); unless converged, that of the linear system
   double work = 0;      ///< done against friction and damping during the step (J)
   double drag = 0;      ///< done against the air (J)
+  double rubbing = 0;   ///< of the work, against the friction of contacts (J)
 };
 
 /// Steps a system through time by minimising its incremental potential: |x - x^|^2_M / (2 t^2) plus
@@ -55,6 +56,12 @@ class TimeStepper {
   struct Scheme;  // the weights of the step's formula
 
   struct Trial;  // a step before it is accepted
+  struct Begin {
+    Configuration at;
+    Eigen::VectorXd way;  // the change of the unknowns since the last step
+  };
+
+  std::optional<Begin> beginning(const Objective& objective, const Configuration& end) const;
 
   StepSummary linearized(const Trial& trial, Configuration at, State& to);
   StepSummary searched(const Trial& trial, LedMotion led, Configuration at, State& to);

@@ -6,6 +6,7 @@
 
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/parallel.h"
+#include "pliant/estimation/fit_journal.h"
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
 
@@ -28,9 +29,10 @@ std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
   return works;
 }
 
-void fit_one(ComponentWork& work, const StudyFitOptions& options, const StopToken& stop) {
+void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunContext& context) {
   if (work.fitted.empty()) return;
-  work.problem.emplace(work.fitted, stop, work.plan.fit.loss);
+  work.problem.emplace(work.fitted, context.stop, work.plan.fit.loss,
+                       context.journal.part(work.component));
   work.fit = fit_component(*work.problem, work.plan);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
     work.models = compare_friction(*work.problem, work.fit, work.plan);
@@ -61,6 +63,9 @@ std::vector<ComponentWork> fit_components(const FitSettings& settings,
                                           StudyResult& result) {
   std::vector<ComponentWork> works = group_by_component(experiments);
   share_threads(experiments, works.size(), context.threads);
+  std::string data;
+  for (const auto& experiment : experiments) data += digest_of(*experiment);
+  begin_fit(context.journal, settings, data);
   for (ComponentWork& work : works) {
     if (work.fitted.empty()) {
       result.warnings.push_back(work.component + " has validation experiments alone: not fitted");
@@ -72,7 +77,7 @@ std::vector<ComponentWork> fit_components(const FitSettings& settings,
   ProgressTask task(context.progress, "fit", static_cast<double>(works.size()));
   std::mutex reporting;
   parallel_for(static_cast<int>(works.size()), context.threads, [&](int i) {
-    fit_one(works[static_cast<size_t>(i)], options, context.stop);
+    fit_one(works[static_cast<size_t>(i)], options, context);
     const std::lock_guard lock(reporting);
     task.advance(++done);
   });

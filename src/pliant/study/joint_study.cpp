@@ -268,7 +268,8 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   std::ranges::move(stated_options(study.fit), std::back_inserter(result.assumptions));
   if (!fits_strips(study)) require_known_parameters(study, tests_to_fit(data));
 
-  std::vector<ComponentWork> works = fit_components(study, strips, options, context, result);
+  std::vector<ComponentWork> works =
+      fit_components(settings_of(study), strips, options, context, result);
   leave_out_unseen_friction(study, works, result);
   const KnownComponents known = known_components(study, works);
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(data), names_of(known));
@@ -301,6 +302,7 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   }
   warn_of_unmatched_options(study.fit, result);
   result.stages.push_back({"all", "together", "times the noise", joint.rms, true});
+  add_starts({"all", "together", "times the noise", {joint.rms}, 1}, result);
   result.assumptions.push_back(about_everything(study, layout.problem.experiments.size()));
   if (!result.profiles.empty() || !result.models.empty()) {
     result.assumptions.emplace_back(

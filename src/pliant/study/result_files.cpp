@@ -140,10 +140,9 @@ Json figure_json(const LabFigure& figure) {
 }
 
 Json judgement_json(const Judgement& judgement) {
-  Json json{{"fitness", name_of(judgement.fitness)},
-            {"headline", judgement.headline},
-            {"experiments", Json::array()},
-            {"criteria", Json::array()}};
+  Json json{{"fitness", name_of(judgement.fitness)}, {"headline", judgement.headline},
+            {"details", judgement.details},          {"undetermined", judgement.undetermined},
+            {"experiments", Json::array()},          {"criteria", Json::array()}};
   for (const ExperimentJudgement& e : judgement.experiments) {
     json["experiments"].push_back({{"name", e.experiment},
                                    {"fitness", name_of(e.fitness())},
@@ -218,10 +217,13 @@ void add_searches(const StudyResult& result, Json& json) {
                               {"accepted", s.accepted}});
   }
   json["starts"] = Json::array();
-  for (const StartCount& s : result.starts) {
+  for (const StartRecord& s : result.starts) {
     json["starts"].push_back({{"component", s.component},
+                              {"search", s.search},
                               {"tried", s.ends.size()},
+                              {"followed", s.followed},
                               {"reached_best", s.reached_best},
+                              {"unit", s.unit},
                               {"ends", s.ends}});
   }
   json["models"] = Json::array();

@@ -209,6 +209,7 @@ Candidate best_fit(const FitSettings& settings, const std::vector<SheetStage>& p
       fit.material = start.material;
       fit.cords = start.cords;
       fit.stages.clear();
+      fit.starts.clear();
       fit.work = {};
       consider(std::move(fit), "no search found better than the solution of " + start.variant);
     });
@@ -290,6 +291,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   result.converged = result.converged && fit.converged;
   result.stages.insert(result.stages.end(), fit.stages.begin(), fit.stages.end());
   result.warnings.insert(result.warnings.end(), fit.warnings.begin(), fit.warnings.end());
+  for (const StartRecord& starts : fit.starts) add_starts(starts, result);
   for (Eigen::Index i = 0; i < uncertainty.values.size(); ++i) {
     ParameterEstimate estimate = estimate_of(uncertainty, fit.material.membrane, i);
     const bool cord = !uncertainty.unknowns[static_cast<std::size_t>(i)].of_material;

@@ -82,7 +82,7 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   const std::vector<std::string> stated = stated_options(study.fit);
   result.assumptions.insert(result.assumptions.end(), stated.begin(), stated.end());
   const std::vector<ComponentWork> works =
-      fit_components(study, experiments, options, context, result);
+      fit_components(settings_of(study), experiments, options, context, result);
   for (const ComponentWork& work : works) {
     if (work.problem) add_component(work, result);
   }

@@ -44,21 +44,24 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
   return material;
 }
 
-std::vector<double> first_bending(const Material& material, const ComponentGroup& group) {
+std::vector<ComponentLaw> first_bending(const Material& material, const ComponentGroup& group) {
   const auto known = [&](const char* component) {
     return law_of(material.components.at(component)).elastic_secant(0);
   };
-  std::vector<double> values;
+  std::vector<ComponentLaw> laws;
+  const auto add = [&](double stiffness) {
+    laws.push_back({ScalarCurve::hermite({0.0}, {stiffness}, is_even(group.front()))});
+  };
   if (group.front() == "bend.diagonal") {
     const double mean = (known("bend.weft") + known("bend.warp")) / 2;
-    for (const double share : {2.0, 1.0, 0.5, 0.25}) values.push_back(share * mean);
-    return values;
+    for (const double share : {2.0, 1.0, 0.5, 0.25}) add(share * mean);
+    return laws;
   }
   const bool springs = material.bending == "spring";
   for (double value = springs ? 0.1 : 1e-3; value > (springs ? 1e-4 : 3e-8); value *= 0.4) {
-    values.push_back(value);
+    add(value);
   }
-  return values;
+  return laws;
 }
 
 ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int power) {

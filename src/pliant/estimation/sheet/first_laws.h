@@ -19,10 +19,10 @@ using KnownComponents = std::map<std::string, MaterialComponent>;
 /// @param known  components whose laws are known, and kept
 Material first_sheet_material(const FitSettings& settings, const KnownComponents& known = {});
 
-/// Stiffnesses that a search for bending may begin at, stiff ones first: soft sheets fold, and take
-/// long. What bends diagonally is not far from what bends along the threads.
+/// Laws of one stiffness that a search for bending may begin at, stiff ones first: soft sheets
+/// fold, and take long. What bends diagonally is not far from what bends along the threads.
 /// @param material  so far
-std::vector<double> first_bending(const Material& material, const ComponentGroup& group);
+std::vector<ComponentLaw> first_bending(const Material& material, const ComponentGroup& group);
 
 /// A curve through other control points, from 0 to a strain: at equal distances, or by a power of
 /// them denser towards rest.

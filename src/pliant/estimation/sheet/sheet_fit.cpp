@@ -264,7 +264,7 @@ class Fitter {
     SheetProblem without = problem_of(stage);
     if (!search_.shows_loop(stage, without)) return false;
     const bool own = asks_for_friction(settings_, group);
-    if (own && !begin_at_best(stage, group,
+    if (own && !begin_at_best(stage, group, "friction",
                               first_friction(law_of(fit_.material, group), strain_of(group)))) {
       fit_.warnings.push_back("friction of " + group.front() + " was not fitted: the sheets of " +
                               names_of(stage.tests) + " have no path of equilibria with it");
@@ -276,28 +276,31 @@ class Fitter {
   /// The addends that the study asks for, those that remember or the others.
   /// @return whether there are any
   bool guess_addends(const SheetStage& stage, const ComponentGroup& group, bool remembering) {
-    const ComponentModel model = model_of(settings_, group);
-    return begin_at_best(
-        stage, group,
-        first_addends(law_of(fit_.material, group), model, strain_of(group), remembering));
+    return begin_at_best(stage, group, remembering ? "addends that remember" : "elastic addends",
+                         first_addends(law_of(fit_.material, group), model_of(settings_, group),
+                                       strain_of(group), remembering));
   }
 
   /// Gives a group the law of some whose differences are least; none of them where they have no
-  /// equilibria.
-  bool begin_at_best(const SheetStage& stage, const ComponentGroup& group,
-                     const std::vector<ComponentLaw>& laws) {
-    ComponentLaw best = law_of(fit_.material, group);
-    double least = INFINITY;
-    for (const ComponentLaw& law : laws) {
-      set_law(fit_.material, group, law);
+  /// equilibria. Each needs the equilibria of all frames, and so does each step of a search: only
+  /// the best is followed.
+  bool begin_at_best(const SheetStage& stage, const ComponentGroup& group, const char* what,
+                     const std::vector<ComponentLaw>& laws, const StartOptions& options = {}) {
+    if (laws.empty()) return false;
+    const ComponentLaw before = law_of(fit_.material, group);
+    StartRecord record{group.front(), what, unit_of(stage), {}, 0, /*followed=*/false};
+    const auto begin = [&](std::size_t start, double least) {
+      set_law(fit_.material, group, laws[start]);
       SheetProblem problem = problem_of(stage);
-      const double cost = search_.cost_at_start(stage, problem, least);
-      if (cost >= least) continue;
-      least = cost;
-      best = law;
-    }
-    set_law(fit_.material, group, best);
-    return std::isfinite(least);
+      const LeastSquaresSummary begun = search_.at_start(stage, problem, least);
+      record.ends.push_back(in_unit(stage, problem.rms(begun)));
+      return begun.cost;
+    };
+    const StartSearch starts = search_from(laws.size(), begin, options);
+    set_law(fit_.material, group, starts.found() ? laws[starts.best] : before);
+    record.reached_best = starts.reached_best;
+    fit_.starts.push_back(std::move(record));
+    return starts.found();
   }
 
   double strain_of(const ComponentGroup& group) const { return largest_strain(fit_, group); }
@@ -328,31 +331,9 @@ class Fitter {
   /// One stiffness to begin with. Forces tell it at once; how far a sheet hangs is tried from stiff
   /// to soft.
   void guess(const SheetStage& stage, const ComponentGroup& group) {
-    if (is_fixed(group)) return;
-    const bool even = is_even(group.front());
-    const ComponentGroup all = going_along({group}).front();
-    const auto constant = [&](double value) {
-      give_stiffness(all, ScalarCurve::hermite({0.0}, {value}, even));
-    };
-    constant(stiffness_of(group).value(0));
-    if (!is_bending(group.front())) return;
-    constexpr double kPlateau = 1.1;  // of the least cost: stiffness may not matter yet
-    double least = INFINITY, best = 0;
-    int worse = 0;
-    for (const double value : first_bending(fit_.material, group)) {
-      constant(value);
-      SheetProblem problem(stage.tests, fit_.material, stage.groups, usual_strains(stage),
-                           context_);
-      const double cost = search_.cost_at_start(stage, problem, least);
-      const bool nothing_yet = !std::isfinite(least);
-      worse = nothing_yet || cost < kPlateau * least ? 0 : worse + 1;
-      if (cost < least) {
-        least = cost;
-        best = value;
-      }
-      if (worse == 2) break;
-    }
-    constant(best);
+    if (is_fixed(group) || !is_bending(group.front())) return;
+    begin_at_best(stage, going_along({group}).front(), "stiffness",
+                  first_bending(fit_.material, group), {.patience = 2});
   }
 
   /// Without a test of shear the sheet has a fifth of its stretch stiffness.
@@ -365,6 +346,14 @@ class Fitter {
     fit_.material.components.at("shear").stiffness =
         ScalarCurve::hermite({0.0}, {0.2 * stretch}, true);
     return true;
+  }
+
+  static const char* unit_of(const SheetStage& stage) {
+    return is_about_positions(stage) ? "mm" : "N";
+  }
+  /// @param rms  N or m
+  static double in_unit(const SheetStage& stage, double rms) {
+    return is_about_positions(stage) ? 1e3 * rms : rms;
   }
 
   double solve_and_record(const SheetStage& stage) {
@@ -405,7 +394,6 @@ class Fitter {
   }
 
   void record(const SheetStage& stage, double rms, bool accepted) {
-    const bool positions = is_about_positions(stage);
     std::vector<std::string> components;
     for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
     const int points = stiffness_of(stage.groups.front()).size();
@@ -417,8 +405,8 @@ class Fitter {
       const bool rubs = law_of(fit_.material, stage.groups.front()).remembers();
       what += rubs ? " and friction" : " and cords";
     }
-    fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what,
-                           positions ? "mm" : "N", positions ? 1e3 * rms : rms, accepted});
+    fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what, unit_of(stage),
+                           in_unit(stage, rms), accepted});
   }
 
   const FitSettings& settings_;

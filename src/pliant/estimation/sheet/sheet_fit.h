@@ -22,6 +22,7 @@ struct SheetFit {
   std::vector<std::shared_ptr<const SheetTest>> thinned;  ///< tests of the plan without the frames
                                                           ///< that have no equilibrium
   std::vector<FitStage> stages;
+  std::vector<StartRecord> starts;
   std::vector<std::string> warnings;
   std::map<std::string, double> strains;  ///< largest of the fitted sheets, by component
   EquilibriumWork work;  ///< seconds: of this run alone, where it went on from another

@@ -3,9 +3,9 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <string_view>
 
 #include "pliant/base/assert.h"
+#include "pliant/estimation/fit_journal.h"
 #include "pliant/io/digest.h"
 #include "pliant/material/material_file.h"
 
@@ -18,24 +18,18 @@ constexpr std::array kCounts{&EquilibriumCounts::equilibria,     &EquilibriumCou
                              &EquilibriumCounts::factors,        &EquilibriumCounts::unstable,
                              &EquilibriumCounts::differentiated, &EquilibriumCounts::differences};
 
-template <class Array>
-std::string_view bytes_of(const Array& array) {
-  return {reinterpret_cast<const char*>(array.data()),
-          sizeof(*array.data()) * static_cast<std::size_t>(array.size())};
-}
-
 /// Digest of the shapes and of what is compared.
 std::string digest_of(const SheetTest& test) {
-  std::string digests = sha256_of(bytes_of(test.session().rest.positions));
+  std::string digests = sha256_of(as_bytes(test.session().rest.positions));
   for (int frame = 0; frame < test.frame_count(); ++frame) {
     const SessionFrame& seen = test.session().frames[static_cast<std::size_t>(frame)];
-    digests += sha256_of(bytes_of(seen.positions));
+    digests += sha256_of(as_bytes(seen.positions));
     for (const Pose& pose : seen.poses) {
       digests +=
-          sha256_of(bytes_of(pose.translation)) + sha256_of(bytes_of(pose.rotation.coeffs()));
+          sha256_of(as_bytes(pose.translation)) + sha256_of(as_bytes(pose.rotation.coeffs()));
     }
     const Eigen::VectorXd compared = test.measured(frame);
-    digests += sha256_of(bytes_of(compared));
+    digests += sha256_of(as_bytes(compared));
   }
   return sha256_of(digests);
 }
@@ -64,15 +58,12 @@ std::vector<Eigen::Matrix3Xd> shapes_of(const Numbers& numbers) {
 
 SheetGuesses begin_journal(Journal& journal, const FitSettings& settings,
                            const std::vector<SheetStage>& plan, const Material* start) {
-  std::string digests = settings.digest;
+  std::string digests;
   for (const SheetStage& stage : plan) {
     for (const SheetTest* test : stage.tests) digests += digest_of(*test);
   }
   if (start) digests += sha256_of(material_text(*start));
-  journal.answer("fit of " + settings.name + ", " + sha256_of(digests), [&] {
-    journal.keep({});
-    return Numbers{};
-  });
+  begin_fit(journal, settings, digests);
   SheetGuesses shapes;
   for (const auto& [test, numbers] : journal.kept()) shapes[test] = shapes_of(numbers);
   return shapes;

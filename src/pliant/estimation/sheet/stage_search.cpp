@@ -100,17 +100,17 @@ StageSearch::Numbers StageSearch::search(const SheetStage& stage, SheetProblem& 
   return found;
 }
 
-double StageSearch::cost_at_start(const SheetStage& stage, SheetProblem& problem, double others) {
+LeastSquaresSummary StageSearch::at_start(const SheetStage& stage, SheetProblem& problem,
+                                          double others) {
+  problem.set_noise(accuracy_of(stage));
+  LeastSquaresSummary start{.parameters = problem.start()};
   const auto cost = [&] {
-    problem.set_noise(accuracy_of(stage));
-    const LeastSquaresProblem squares = problem.least_squares();
-    Eigen::VectorXd residual(squares.residuals);
-    const bool found = squares.evaluate(problem.start(), residual, nullptr);
-    const double own = found ? residual.squaredNorm() / 2 : INFINITY;
+    const double own = cost_at(problem.least_squares(), start.parameters);
     if (own < others) keep_shapes(problem);
     return Numbers{own};
   };
-  return ask("cost", stage, problem, cost).front();
+  start.cost = ask("cost", stage, problem, cost).front();
+  return start;
 }
 
 double StageSearch::largest_strain(const SheetStage& stage, SheetProblem& problem,

@@ -41,9 +41,9 @@ class StageSearch {
   /// @throws SolverError where it begins without equilibria
   Solution least(const SheetStage& stage, SheetProblem& problem);
 
-  /// Half the squared differences where a search would begin; infinite without equilibria. The next
-  /// search begins at their shapes where that is less than `others` had.
-  double cost_at_start(const SheetStage& stage, SheetProblem& problem, double others);
+  /// A search that is left where it would begin; its cost is infinite without equilibria. The next
+  /// search begins at the shapes of this one where they cost less than `others` did.
+  LeastSquaresSummary at_start(const SheetStage& stage, SheetProblem& problem, double others);
 
   /// What all but the outliers of the sheets' strains stay below where a search would begin.
   double largest_strain(const SheetStage& stage, SheetProblem& problem,

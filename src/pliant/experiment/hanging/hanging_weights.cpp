@@ -58,9 +58,12 @@ std::vector<std::string> questions_of(const HangingWeights& weights, const Exper
                                       double density) {
   StripFigures strip(*spec.test, density);
   const auto weight = strip.column("weight", Dimension::force, unit_of_weights(data));
-  strip.add(figures::kHungWeight, std::ranges::max(read_weights(data)), {{weight}});
+  const double largest = std::ranges::max(read_weights(data));
+  strip.add(figures::kHungWeight, largest, {{weight}});
   if (const double mass = spec_of<HangingWeightsSpec>(spec).clip_mass; mass > 0) {
-    strip.add(figures::kClip, mass, {{strip.field("clip_mass", Dimension::mass, mass)}});
+    const auto clip = strip.field("clip_mass", Dimension::mass, mass);
+    strip.add(figures::kClip, mass, {{clip}});
+    strip.add(figures::kClipShare, mass * kStandardGravity / largest, {{clip}, {weight, -1}});
   }
   const auto other_slip = strip.add_pull(rows, weight);
   return first_asked({swap_question(weights, "length", "weight"), other_slip, strip.question()});

@@ -87,14 +87,15 @@ bool SessionPredictor::predict(const Eigen::VectorXd& values, const std::vector<
                            : next++);
   }
   const Eigen::VectorXd own = values.head(material_count);
-  const Chain chain =
-      bending_ ? through(bending_->hinges(own).by_values, by_material) : direct(by_material);
+  const Chain chain = bending_ && !by_material.empty()
+                          ? through(bending_->hinges_by_values(own), by_material)
+                          : direct(by_material);
   auto shapes = sheets_->predict(simulated(values), chain.simulated, workers.threads, workers.stop);
   if (!shapes) return false;
   const Eigen::VectorXd widths = test_.cord_widths(values.tail(values.size() - material_count));
   for (int frame = 0; frame < test_.frame_count(); ++frame) {
     SheetShape& shape = (*shapes)[static_cast<std::size_t>(frame)];
-    if (bending_ && !by.empty()) {
+    if (bending_ && !by_material.empty()) {
       shape.positions_by_parameter *= chain.asked_by_simulated;
       shape.clip_forces_by_parameter *= chain.asked_by_simulated;
     }
@@ -133,7 +134,7 @@ int SessionPredictor::of_material(const Eigen::VectorXd& values) const {
 
 Eigen::VectorXd SessionPredictor::simulated(const Eigen::VectorXd& values) const {
   const Eigen::VectorXd own = values.head(of_material(values));
-  return bending_ ? bending_->hinges(own).values : own;
+  return bending_ ? bending_->hinges(own) : own;
 }
 
 /// A test of weft says nothing about the strains that warp has.

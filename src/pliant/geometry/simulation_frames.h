@@ -31,6 +31,9 @@ struct SimulationFrames {
   std::filesystem::path obstacles_of(const SimulationFrame& frame) const;
 };
 
+/// The frame at a time (s), of two simulations whose steps are rounded; null where there is none.
+const SimulationFrame* frame_at(const SimulationFrames& simulation, double time);
+
 /// Reads `directory`/simulation.json.
 /// @throws InputError
 SimulationFrames read_simulation_frames(const std::filesystem::path& directory);

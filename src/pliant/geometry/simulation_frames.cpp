@@ -1,6 +1,6 @@
-#include "pliant/render/simulation_frames.h"
+#include "pliant/geometry/simulation_frames.h"
 
-#include <limits>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -67,6 +67,14 @@ std::filesystem::path SimulationFrames::file_of(const SimulationFrame& frame) co
 std::filesystem::path SimulationFrames::obstacles_of(const SimulationFrame& frame) const {
   if (!std::filesystem::is_directory(obstacles)) return obstacles;
   return obstacles / fmt::format("{:06}.obj", frame.index);
+}
+
+const SimulationFrame* frame_at(const SimulationFrames& simulation, double time) {
+  constexpr double kSame = 1e-6;  // s
+  for (const SimulationFrame& frame : simulation.frames) {
+    if (std::abs(frame.time - time) < kSame) return &frame;
+  }
+  return nullptr;
 }
 
 SimulationFrames read_simulation_frames(const std::filesystem::path& directory) {

@@ -5,6 +5,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/geometry/simulation_frames.h"
+#include "pliant/geometry/topology.h"
 #include "pliant/io/atomic_file.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/mechanics/shape_difference.h"
@@ -60,7 +61,7 @@ Eigen::Matrix3Xd shape_of(const SimulationFrames& simulation, const SimulationFr
                           const TriangleMesh& cloth) {
   const std::filesystem::path file = simulation.file_of(frame);
   FrameMesh mesh = read_frame(file);
-  if (mesh.triangles != cloth.triangles) {
+  if (!same_triangles(mesh.triangles, cloth.triangles)) {
     throw InputError({file.string()}, "is of another mesh", "frames of one mesh");
   }
   return std::move(mesh.positions);

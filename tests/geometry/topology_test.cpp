@@ -14,6 +14,16 @@ namespace {
 
 using testing::ElementsAre;
 
+TEST(SameTriangles, ComparesMeshesOfAnySize) {
+  const TriangleMesh mesh = regular_grid(1, 1, 3, 3);
+  EXPECT_TRUE(same_triangles(mesh.triangles, regular_grid(2, 1, 3, 3).triangles));
+  EXPECT_FALSE(same_triangles(mesh.triangles, regular_grid(1, 1, 2, 3).triangles));
+  EXPECT_FALSE(same_triangles(regular_grid(1, 1, 2, 3).triangles, mesh.triangles));
+  Eigen::Matrix3Xi turned = mesh.triangles;
+  turned.col(0).reverseInPlace();
+  EXPECT_FALSE(same_triangles(mesh.triangles, turned));
+}
+
 TEST(Edges, AreAsManyAsEulerSays) {
   const TriangleMesh mesh = regular_grid(0.3, 0.2, 5, 4);
   const std::vector<MeshEdge> edges = find_edges(mesh.triangles);

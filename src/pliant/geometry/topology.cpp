@@ -14,6 +14,10 @@ std::pair<int, int> edge_of(const TriangleSide& side) { return std::minmax(side.
 
 }  // namespace
 
+bool same_triangles(const Eigen::Matrix3Xi& a, const Eigen::Matrix3Xi& b) {
+  return a.cols() == b.cols() && a == b;
+}
+
 std::vector<TriangleSide> sides_by_edge(const Eigen::Matrix3Xi& triangles) {
   std::vector<TriangleSide> sides;
   sides.reserve(3 * static_cast<std::size_t>(triangles.cols()));

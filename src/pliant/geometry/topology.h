@@ -9,6 +9,9 @@
 
 namespace pliant {
 
+/// Whether two meshes, of any size, have the same triangles: the same vertices at each corner.
+bool same_triangles(const Eigen::Matrix3Xi& a, const Eigen::Matrix3Xi& b);
+
 /// A side of a triangle, in the triangle's direction.
 struct TriangleSide {
   int from = 0, to = 0;  ///< vertices

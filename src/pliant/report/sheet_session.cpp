@@ -11,6 +11,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/session/sheet_system.h"
+#include "pliant/geometry/topology.h"
 #include "pliant/io/csv.h"
 #include "pliant/report/numbers_or_none.h"
 
@@ -18,10 +19,11 @@ namespace pliant::report {
 namespace {
 
 void require_alike(const SheetSession& sheet, const std::filesystem::path& folder) {
-  const bool alike = sheet.measured.frame_count() == sheet.predicted.frame_count() &&
-                     sheet.measured.rest.triangles == sheet.predicted.rest.triangles &&
-                     std::ranges::equal(sheet.measured.clips, sheet.predicted.clips, {},
-                                        &SessionClip::clamped, &SessionClip::clamped);
+  const bool alike =
+      sheet.measured.frame_count() == sheet.predicted.frame_count() &&
+      same_triangles(sheet.measured.rest.triangles, sheet.predicted.rest.triangles) &&
+      std::ranges::equal(sheet.measured.clips, sheet.predicted.clips, {}, &SessionClip::clamped,
+                         &SessionClip::clamped);
   if (alike) return;
   throw InputError({(folder / "predicted").string(), 0, {}}, "is not of the session in measured",
                    "the same frames, clips and mesh");

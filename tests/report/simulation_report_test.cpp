@@ -104,6 +104,12 @@ TEST(SimulationReport, StatesTheMethod) {
                 "steps halved where they fail</dd>"));
 }
 
+TEST(SimulationReport, TellsWhatTheTimeOfAStepGoesTo) {
+  const std::string html = report_of({});
+  EXPECT_THAT(html, HasSubstr("forces and Hessians"));
+  EXPECT_THAT(html, HasSubstr("what is near, and free ways"));
+}
+
 TEST(SimulationReport, TellsThatStepsWereHalved) {
   EXPECT_THAT(report_of({.most_substeps = 4}),
               HasSubstr("<td>Parts that a step was taken in</td><td class=\"number\">1</td>"));
@@ -169,7 +175,7 @@ std::vector<double> values_of(const report::EnergyFigure& energy, std::size_t se
 
 TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
   const auto energy = report::energy_figure(results_with(
-      {{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}, {0, 0, 0}}));
+      {{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}, {0, 0, 0}, {0, 0, 0}}));
   ASSERT_EQ(energy.legend.size(), 4u);
   EXPECT_THAT(values_of(energy, 0), ElementsAre(0, 0.25, 0.125));
   EXPECT_THAT(values_of(energy, 1), ElementsAre(0, -0.5, -0.75));
@@ -179,8 +185,15 @@ TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
 
 TEST(EnergyFigure, OfAPathOfEquilibriaHasNoKineticEnergy) {
   const auto energy =
-      report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}, {0, 0}}));
+      report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}, {0, 0}, {0, 0}}));
   EXPECT_EQ(energy.legend.size(), 3u);
+}
+
+TEST(EnergyFigure, DrawsTheWorkOfWhatIsMoved) {
+  const auto energy =
+      report::energy_figure(results_with({{0, 1}, {0, 2}, {1, 2}, {0, 0.5}, {0, 0}, {0, 4}}));
+  ASSERT_EQ(energy.legend.size(), 5u);
+  EXPECT_THAT(values_of(energy, 3), ElementsAre(0, 4));
 }
 
 TEST(EnergyFigure, KeepsPeaksOfALongSimulation) {

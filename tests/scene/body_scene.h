@@ -50,6 +50,8 @@ class BodyScene {
                                     -half, half, height));
   }
 
+  void write(const std::string& file, const std::string& text) const { folder_.write(file, text); }
+
   Scene read(const std::string& text) const {
     return read_scene(folder_.write("scene.yaml", "pliant: scene/1\n" + text));
   }

@@ -144,6 +144,24 @@ void ObstacleContact::evaluate_point(size_t i, const Pose& body, const Evaluatio
                                                 derivatives.hessian->matrix);
 }
 
+// On the way of the places of the body where points stood when the step began.
+double ObstacleContact::outside_work(const Evaluation& at, const Configuration& from,
+                                     const Controls&) const {
+  if (body_ < 0) return 0;
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, from.positions.cols());
+  Derivatives derivatives;
+  derivatives.gradient = &gradient;
+  evaluate(at, derivatives);
+  const Pose body = at.controls.body(body_);
+  double work = 0;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const int point = points_[i];
+    const Eigen::Vector3d way = body.apply(memory_of(i, at).position) - from.positions.col(point);
+    work -= gradient.col(point).dot(way);
+  }
+  return work;
+}
+
 double ObstacleContact::largest_friction(const Memory& memory) const {
   return memory.normal_force * (memory.slides ? friction_.sliding : friction_.sticking);
 }

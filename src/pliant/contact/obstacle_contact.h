@@ -34,6 +34,8 @@ class ObstacleContact : public HistoryPotential {
   void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
   /// The energy is infinite inside the body.
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
+  double outside_work(const Evaluation& at, const Configuration& from,
+                      const Controls& before) const override;
 
   Eigen::Index history_size() const override;
   Eigen::VectorXd initial_history(const Evaluation& at) const override;

@@ -22,6 +22,10 @@ class Cord : public Potential {
   std::vector<std::pair<int, int>> couplings() const override { return {}; }
   void bind(const Coordinates&, const BlockPattern&) override {}
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
+  double outside_work(const Evaluation& at, const Configuration& from,
+                      const Controls& before) const override {
+    return control_ < 0 ? 0 : energy_by_controls(*this, from, before, at.controls);
+  }
 
  private:
   int point_;

@@ -109,7 +109,23 @@ class Potential {
   /// Adds to the energy and to the derivatives that are asked for. The energy is infinite where
   /// points must not be.
   virtual void evaluate(const Evaluation& at, Derivatives& derivatives) const = 0;
+
+  /// Work that what comes from outside, other than points and clips, does by it during a step (J):
+  /// bodies that are led against the forces of the step's end, forces and ends of cords that change
+  /// where it began.
+  /// @param at      the end of the step
+  /// @param from    where it began, with `before` from outside
+  virtual double outside_work(const Evaluation& at, const Configuration& from,
+                              const Controls& before) const {
+    static_cast<void>(at), static_cast<void>(from), static_cast<void>(before);
+    return 0;
+  }
 };
+
+/// By how much the energy of a potential without history changes at a place when what comes from
+/// outside does (J).
+double energy_by_controls(const Potential& potential, const Configuration& at,
+                          const Controls& before, const Controls& now);
 
 /// A potential whose value depends on the path.
 class HistoryPotential : public Potential {

@@ -109,6 +109,16 @@ WayLimits System::way_limits(const Configuration& from, const Configuration& to,
   return limits;
 }
 
+double System::outside_work(const Configuration& at, const Conditions& under,
+                            const Controls& before) const {
+  double work = 0;
+  for (const Part& part : parts_) {
+    work +=
+        part.potential->outside_work(evaluation(part, at, under), under.from.configuration, before);
+  }
+  return work;
+}
+
 void System::evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                       Derivatives& derivatives) const {
   for (const Part& part : parts_) {

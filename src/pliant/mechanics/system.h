@@ -74,6 +74,10 @@ class System {
   /// @param kept  share of its distance that what comes near something keeps
   WayLimits way_limits(const Configuration& from, const Configuration& to, const Conditions& under,
                        double kept) const;
+  /// What bodies, forces and cords do to it during a step that ends at `at` (J).
+  /// @param before  what came from outside where the step began
+  double outside_work(const Configuration& at, const Conditions& under,
+                      const Controls& before) const;
   /// Adds the energy and the derivatives of all potentials.
   void evaluate(const Configuration& at, const Conditions& under, Curvature curvature,
                 Derivatives& derivatives) const;

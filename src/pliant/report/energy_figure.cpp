@@ -17,6 +17,8 @@ constexpr SeriesStyle kStored = {
 constexpr SeriesStyle kLost = {
     "lost", "lost to friction and damping", "#555f6b", "2px,3px", nullptr, 1.8};
 constexpr SeriesStyle kDrag = {"drag", "lost to the air", "#7a4a8c", "1px,4px", nullptr, 1.8};
+constexpr SeriesStyle kOutside = {
+    "outside", "work of what is moved", "#2e7d4f", "10px,4px", nullptr, 1.8};
 constexpr SeriesStyle kTotal = {
     "total", "sum of all, change", "#1f2933", "8px,3px,2px,3px", nullptr, 1.6};
 
@@ -37,6 +39,7 @@ std::vector<EnergySeries> series_of(const EnergyTable& energy) {
   if (has_any(energy.kinetic)) series.push_back({kKinetic, energy.kinetic});
   series.insert(series.end(), {stored, lost});
   if (has_any(energy.drag)) series.push_back({kDrag, energy.drag});
+  if (has_any(energy.outside)) series.push_back({kOutside, energy.outside});
   series.push_back(total);
   return series;
 }

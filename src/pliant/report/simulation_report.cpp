@@ -103,8 +103,8 @@ std::string energy_section(const SimulationResults& results, FigureSheet& figure
   if (figures.can_draw()) html += legend_html(energy.legend);
   return html + figures.add(energy.figure, "figure-medium") + energy_table(energy.series) +
          "<p class=\"small\">Stored energy and the sum less what they are at the first frame. The "
-         "sum falls by what the time integrator damps, and takes up the work of whatever is moved "
-         "from outside.</p></section>\n";
+         "sum takes up the work of what is moved from outside, less what the time integrator "
+         "damps.</p></section>\n";
 }
 
 std::string image(const std::string& png, const std::string& description) {
@@ -134,6 +134,13 @@ std::string field_section(const SimulationResults& results, const SimulationPict
   return html + "</div></section>\n";
 }
 
+std::string phase_text(const std::string& phase) {
+  if (phase == "assembly") return "– forces and Hessians";
+  if (phase == "equations") return "– linear equations";
+  if (phase == "energies") return "– energies along the search";
+  return phase == "ways" ? "– what is near, and free ways" : "– what is remembered of it";
+}
+
 std::string step_section(const SimulationResults& results) {
   HtmlTable table({{"Of a step"},
                    {"Smallest", Align::number},
@@ -149,6 +156,7 @@ std::string step_section(const SimulationResults& results) {
     }
   };
   row("Computing time", results.seconds, time_text);
+  for (const auto& [phase, seconds] : results.phases) row(phase_text(phase), seconds, time_text);
   if (results.substeps.max.value_or(1) > 1) {
     row("Parts that a step was taken in", results.substeps, number_text);
   }

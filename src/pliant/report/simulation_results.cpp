@@ -34,10 +34,22 @@ EnergyTable read_energy(const std::filesystem::path& file) {
                      table.numbers("kinetic_J"),
                      table.numbers("stored_J"),
                      table.numbers("work_J"),
+                     {},
                      {}};
-  energy.drag =
-      table.has("drag_J") ? table.numbers("drag_J") : std::vector<double>(energy.rows(), 0.0);
+  const auto later = [&](const char* column) {
+    return table.has(column) ? table.numbers(column) : std::vector<double>(energy.rows(), 0.0);
+  };
+  energy.drag = later("drag_J");
+  energy.outside = later("outside_J");
   return energy;
+}
+
+void read_phases(const JsonReader& json, SimulationResults& results) {
+  const std::optional<JsonReader> phases = json.object("seconds_by_phase");
+  if (!phases) return;
+  for (const char* name : {"assembly", "equations", "energies", "ways", "history"}) {
+    results.phases.emplace_back(name, read_statistics(*phases, name));
+  }
 }
 
 void read_frames(const JsonReader& json, SimulationResults& results) {
@@ -114,6 +126,7 @@ SimulationResults read_simulation_results(const std::filesystem::path& directory
   r.method = read_method(json);
   read_frames(json, r);
   r.seconds = read_statistics(json, "seconds_per_step");
+  read_phases(json, r);
   r.substeps = read_statistics(json, "substeps");
   r.newton_iterations = read_statistics(json, "newton_iterations");
   r.linear_iterations = read_statistics(json, "linear_iterations");

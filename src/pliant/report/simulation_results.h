@@ -20,6 +20,7 @@ struct EnergyTable {
   std::vector<double> stored;   ///< J, elastic and of gravity
   std::vector<double> work;     ///< J, lost to friction, damping and air since the start
   std::vector<double> drag;     ///< J, of it to the air; 0 where the file does not say
+  std::vector<double> outside;  ///< J, done by what is moved since the start; likewise
 
   std::size_t rows() const { return time.size(); }
 };
@@ -53,11 +54,12 @@ struct SimulationResults {
   std::size_t frames = 0;
   double last_time = 0;  ///< s, of the last frame
   StepStatistics seconds, substeps, newton_iterations, linear_iterations;
-  std::optional<double> peak_memory;           ///< MB
-  std::optional<double> min_contact_distance;  ///< m
-  std::vector<std::string> not_modelled;       ///< what real cloth does and this one does not
-  std::optional<int> crossing_pairs;  ///< of triangles that pass through each other in the end
-  std::string energy_file;            ///< relative to the directory; empty: none
+  std::vector<std::pair<std::string, StepStatistics>> phases;  ///< of the seconds, by name
+  std::optional<double> peak_memory;                           ///< MB
+  std::optional<double> min_contact_distance;                  ///< m
+  std::vector<std::string> not_modelled;  ///< what real cloth does and this one does not
+  std::optional<int> crossing_pairs;      ///< of triangles that pass through each other in the end
+  std::string energy_file;                ///< relative to the directory; empty: none
   EnergyTable energy;
   std::vector<std::string> warnings;
 };

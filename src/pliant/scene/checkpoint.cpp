@@ -87,8 +87,10 @@ SimulationState read_state(const Json& json, const State& start) {
   state.work = json.at("work");
   state.drag = json.at("drag");
   state.rubbing = json.at("rubbing");
+  state.outside = json.at("outside");
   fill_state(json.at("state"), state.state);
   state.records.seconds = list_of<double>(json.at("seconds"));
+  state.records.phases = list_of<PhaseSeconds>(json.at("phases"));
   state.records.substeps = list_of<int>(json.at("substeps"));
   state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
   state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
@@ -173,8 +175,10 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
                   {"work", state.work},
                   {"drag", state.drag},
                   {"rubbing", state.rubbing},
+                  {"outside", state.outside},
                   {"state", state_json(state.state)},
                   {"seconds", bytes_of(state.records.seconds)},
+                  {"phases", bytes_of(state.records.phases)},
                   {"substeps", bytes_of(state.records.substeps)},
                   {"newton_iterations", bytes_of(state.records.newton_iterations)},
                   {"linear_iterations", bytes_of(state.records.linear_iterations)},

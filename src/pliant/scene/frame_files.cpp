@@ -76,10 +76,11 @@ std::string vtu_bytes(const Simulation& simulation) {
 }
 
 std::string energy_table(const Simulation& simulation) {
-  std::string table = "time_s,kinetic_J,stored_J,work_J,total_J,drag_J,contact_J,rubbing_J\n";
+  std::string table =
+      "time_s,kinetic_J,stored_J,work_J,total_J,drag_J,contact_J,rubbing_J,outside_J\n";
   for (const EnergyRow& row : simulation.now().energies) {
-    table += fmt::format("{},{},{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored, row.work,
-                         row.total(), row.drag, row.contact, row.rubbing);
+    table += fmt::format("{},{},{},{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored,
+                         row.work, row.total(), row.drag, row.contact, row.rubbing, row.outside);
   }
   return table;
 }

@@ -20,6 +20,8 @@ struct Simulation::StepResult {
   double work = 0;     // against friction, damping and air (J)
   double drag = 0;     // of it, against the air
   double rubbing = 0;  // of it, against the friction of contacts
+  double outside = 0;  // done by what is moved from outside (J)
+  PhaseSeconds seconds = {};
 };
 
 /// Takes a simulation's state through one step.
@@ -90,11 +92,13 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     const StepSummary summary = attempt(state, step);
     result.newton_iterations += summary.newton_iterations;
     result.linear_iterations += summary.linear_iterations;
+    result.seconds += summary.seconds;
     if (summary.converged) {
       ++result.substeps;
       result.work += summary.work + summary.drag;
       result.drag += summary.drag;
       result.rubbing += summary.rubbing;
+      result.outside += summary.outside;
       std::swap(state, next_);
       return;
     }
@@ -141,7 +145,12 @@ class Simulation::Equilibria : public Simulation::Stepper {
     path_.go_on_from(state);
     const PathEquilibrium point = path_.step(state.time + step_);
     state = path_.state();
-    return {point.equilibria, point.newton.iterations, point.newton.linear_iterations, point.work};
+    return {.substeps = point.equilibria,
+            .newton_iterations = point.newton.iterations,
+            .linear_iterations = point.newton.linear_iterations,
+            .work = point.work,
+            .outside = point.outside,
+            .seconds = point.seconds};
   }
 
  private:
@@ -205,6 +214,7 @@ void Simulation::record_energy(const Energy& energy) {
   row.drag = now_.drag;
   row.contact = energy.contact;
   row.rubbing = now_.rubbing;
+  row.outside = now_.outside;
   now_.energies.push_back(row);
 }
 
@@ -234,7 +244,9 @@ void Simulation::advance() {
   now_.work += result.work;
   now_.drag += result.drag;
   now_.rubbing += result.rubbing;
+  now_.outside += result.outside;
   now_.records.seconds.push_back(seconds_now() - begin);
+  now_.records.phases.push_back(result.seconds);
   now_.records.substeps.push_back(result.substeps);
   now_.records.newton_iterations.push_back(result.newton_iterations);
   now_.records.linear_iterations.push_back(result.linear_iterations);

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "pliant/scene/scene_system.h"
+#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
-/// Where the energy of a system is at one time (J). Where nothing is moved from outside, and as far
-/// as a step's equations are solved, the total never grows (but for what backward Euler gains while
-/// it buckles).
+/// Where the energy of a system is at one time (J). As far as a step's equations are solved, the
+/// total never grows by more than the work from outside (but for what backward Euler gains while it
+/// buckles).
 struct EnergyRow {
   double time = 0;
   double kinetic = 0;
@@ -19,6 +20,7 @@ struct EnergyRow {
   double drag = 0;     ///< of it, against the air
   double contact = 0;  ///< of what is stored, in contacts
   double rubbing = 0;  ///< of the work, against the friction of contacts
+  double outside = 0;  ///< work done by what is moved from outside since the start
 
   double total() const { return kinetic + stored + work; }
 };
@@ -36,7 +38,8 @@ struct ClipRow {
 /// What the steps of a simulation took, attempts that failed included.
 struct StepRecords {
   std::vector<double> seconds;
-  std::vector<int> substeps;  ///< 1 but where a step was halved
+  std::vector<PhaseSeconds> phases;  ///< of the seconds
+  std::vector<int> substeps;         ///< 1 but where a step was halved
   std::vector<int> newton_iterations;
   std::vector<int> linear_iterations;
   /// Least one of contact at the end, m: from an obstacle, or of cloth from cloth where that is
@@ -53,6 +56,7 @@ struct SimulationState {
   double work = 0;  ///< see EnergyRow
   double drag = 0;
   double rubbing = 0;
+  double outside = 0;
   StepRecords records;
   std::vector<EnergyRow> energies;  ///< one a frame
   std::vector<ClipRow> clips;       ///< frame by frame, one for each clip of the scene

@@ -26,6 +26,19 @@ Json statistics(std::vector<T> values) {
           {"max", values.back()}};
 }
 
+Json phases(const StepRecords& records) {
+  const auto of = [&](double PhaseSeconds::*phase) {
+    std::vector<double> seconds;
+    for (const PhaseSeconds& step : records.phases) seconds.push_back(step.*phase);
+    return statistics(std::move(seconds));
+  };
+  return {{"assembly", of(&PhaseSeconds::assembly)},
+          {"equations", of(&PhaseSeconds::equations)},
+          {"energies", of(&PhaseSeconds::energies)},
+          {"ways", of(&PhaseSeconds::ways)},
+          {"history", of(&PhaseSeconds::history)}};
+}
+
 Json frames(const Simulation& simulation) {
   Json list = Json::array();
   for (const EnergyRow& row : simulation.now().energies) {
@@ -102,6 +115,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"frames", frames(simulation)},
             {"fields", fields},
             {"seconds_per_step", statistics(now.records.seconds)},
+            {"seconds_by_phase", phases(now.records)},
             {"substeps", statistics(now.records.substeps)},
             {"newton_iterations", statistics(now.records.newton_iterations)},
             {"linear_iterations", statistics(now.records.linear_iterations)},

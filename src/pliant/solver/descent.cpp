@@ -1,6 +1,7 @@
 #include "pliant/solver/descent.h"
 
 #include <cmath>
+#include <optional>
 
 #include "pliant/solver/free_change.h"
 
@@ -21,6 +22,7 @@ bool search_along(const Objective& objective, const Eigen::VectorXd& change, dou
   const double rounding = 1e-13 * (std::abs(energy.stored) + std::abs(energy.work));
   for (double length = 1; length > shortest; length /= 2) {
     Configuration trial = objective.system().coordinates().moved(at, length * change);
+    if (!part_is_free(objective, at, trial)) continue;
     const Energy there = objective.energy(trial);
     if (there.total() - energy.total() <= kShare * length * slope + rounding) {
       at = std::move(trial);
@@ -44,11 +46,18 @@ bool go_down(const Objective& objective, const Eigen::VectorXd& force, const Fre
   return searched(free.alike, kShortest);
 }
 
+// Nothing where the matrix is not positive definite.
+std::optional<LinearSummary> solved(const Objective& objective, Workspace& workspace,
+                                    const Eigen::VectorXd& force, Eigen::VectorXd& change) {
+  const Timed counted = objective.timed(&PhaseSeconds::equations);
+  if (!workspace.solver->factorize(workspace.hessian.matrix)) return std::nullopt;
+  return workspace.solver->solve(force, change);
+}
+
 }  // namespace
 
 DescentSummary descend(const Objective& objective, const DescentOptions& options,
                        Eigen::VectorXd change, Workspace& workspace, Configuration& at) {
-  auto& [hessian, solver] = workspace;
   const Coordinates& coordinates = objective.system().coordinates();
   DescentSummary summary;
   Eigen::Matrix3Xd gradient;
@@ -56,26 +65,28 @@ DescentSummary descend(const Objective& objective, const DescentOptions& options
   double motion = INFINITY;
   for (int left = options.iterations; left > 0 && (!settled || motion > options.motion);) {
     if (summary.iterations == options.most_iterations) break;
-    Energy energy = objective.linearize(at, Curvature::convex, gradient, hessian);
+    Energy energy = objective.linearize(at, Curvature::convex, gradient, workspace.hessian);
     if (summary.iterations++ == 0) summary.start = energy;
+    summary.end = energy;
     const Eigen::VectorXd force = -coordinates.reduce(at, gradient);
-    summary.converged =
-        force.allFinite() && std::isfinite(energy.total()) && solver->factorize(hessian.matrix);
-    if (!summary.converged) {
+    const bool finite = force.allFinite() && std::isfinite(energy.total());
+    const auto linear = finite ? solved(objective, workspace, force, change) : std::nullopt;
+    summary.converged = linear.has_value();
+    if (!linear) {
       summary.residual = INFINITY;
       break;
     }
-    const LinearSummary linear = solver->solve(force, change);
-    summary.linear_iterations += linear.iterations;
-    summary.residual = linear.residual;
+    summary.linear_iterations += linear->iterations;
+    summary.residual = linear->residual;
     const Configuration before = at;
     if (options.line_search) {
       const FreeChange free = free_change(objective, at, change);
       summary.converged = go_down(objective, force, free, energy, at);
+      summary.end = energy;
       settled = free.lost <= options.motion && energy.total() <= options.most_energy;
     } else {
       at = coordinates.moved(at, change);
-      summary.converged = linear.converged;
+      summary.converged = linear->converged;
     }
     if (!summary.converged) break;
     if (settled) --left;

@@ -24,7 +24,7 @@ struct DescentSummary {
   int iterations = 0;
   int linear_iterations = 0;
   double residual = 0;  ///< of the last linear system, relative; infinite where it has no solution
-  Energy start;         ///< where it began
+  Energy start, end;    ///< where it began and where it ended
 };
 
 /// Goes down an objective: each iteration solves one linear system with the convex Hessian, as

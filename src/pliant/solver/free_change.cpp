@@ -43,23 +43,36 @@ double least_of_led(const Eigen::VectorXd& of_points, const Eigen::Matrix3Xd& le
   return least;
 }
 
+bool has_free_clips(const Coordinates& coordinates) {
+  for (int k = 0; k < coordinates.clips(); ++k) {
+    if (!coordinates.clip_is_prescribed(k)) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+bool part_is_free(const Objective& objective, const Configuration& from, const Configuration& to) {
+  constexpr double kKept = 0.01;  // less than free_change ever does
+  const System& system = objective.system();
+  if (!system.obstructs() || !has_free_clips(system.coordinates())) return true;
+  return !objective.way_limits(from, to, kKept).obstructed;
+}
 
 // What points keep each other from changes as they are shortened: the shortened change is looked at
 // again, with a little less distance to keep, until nothing is in its way.
 FreeChange free_change(const Objective& objective, const Configuration& at,
                        const Eigen::VectorXd& change, const Eigen::Matrix3Xd& led) {
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 8, kMostHalvings = 30;
   constexpr double kKept = 0.2, kLess = 0.8;
-  const System& system = objective.system();
-  const Coordinates& coordinates = system.coordinates();
+  const Coordinates& coordinates = objective.system().coordinates();
   FreeChange free{change, change};
   double alike = 1, kept = kKept;
   bool obstructed = false;
   for (int round = 0; round < kRounds; ++round, kept *= kLess) {
     Configuration there = coordinates.moved(at, free.each);
     if (led.size() > 0) there.positions += free.led * led;
-    const WayLimits limits = system.way_limits(at, there, objective.conditions(), kept);
+    const WayLimits limits = objective.way_limits(at, there, kept);
     const Eigen::VectorXd shares = of_unknowns(coordinates, limits.shares);
     const double of_led = least_of_led(limits.shares, led);
     const double least = std::min(of_led, shares.size() > 0 ? shares.minCoeff() : 1);
@@ -74,15 +87,25 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
     free.led *= of_led;
     free.lost = obstructed ? largest_way(coordinates, change - free.each) : 0;
   }
-  free.each = free.alike;
   free.led = alike;
+  const auto there = [&] {
+    Configuration end = coordinates.moved(at, free.alike);
+    if (led.size() > 0) end.positions += free.led * led;
+    return end;
+  };
+  for (int halvings = 0; !part_is_free(objective, at, there()); ++halvings) {
+    const double less = halvings < kMostHalvings ? 0.5 : 0;
+    free.alike *= less;
+    free.led *= less;
+  }
+  free.each = free.alike;
   free.lost = largest_way(coordinates, change - free.each);
   return free;
 }
 
 std::optional<Eigen::VectorXd> made_way(const Objective& objective, const Configuration& led) {
   const Coordinates& coordinates = objective.system().coordinates();
-  const auto found = objective.system().made_way(led.positions, objective.conditions());
+  const auto found = objective.made_way(led.positions);
   if (!found) return std::nullopt;
   const Eigen::Matrix3Xd& ways = *found;
   Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates.unknowns());

@@ -19,6 +19,10 @@ struct FreeChange {
 FreeChange free_change(const Objective& objective, const Configuration& at,
                        const Eigen::VectorXd& change, const Eigen::Matrix3Xd& led = {});
 
+/// Whether a part of a change that is free, or what every point may go of one, is free as well. On
+/// straight ways it is; points of clips that turn go on arcs.
+bool part_is_free(const Objective& objective, const Configuration& from, const Configuration& to);
+
 /// The change that takes points out of the way of what is led from outside; a clip goes as far as
 /// its point that has to go furthest. Nothing where there is no room.
 /// @param led  where the last step ended, but for what is led: that may be where it goes

@@ -18,10 +18,16 @@ Eigen::VectorXd diagonal_traces(const BlockMatrix& matrix) {
   return traces.cwiseMax(1e-12 * traces.maxCoeff());
 }
 
+bool factorize(const Objective& objective, const BlockMatrix& matrix, LinearSolver& solver) {
+  const Timed counted = objective.timed(&PhaseSeconds::equations);
+  return solver.factorize(matrix);
+}
+
 // Factorises a matrix, with a share of its diagonal added where it is not positive definite: a tiny
 // share helps where a direction has no stiffness at all, such as a clip that turns about its own
 // line of points.
-bool factorize_shifted(BlockMatrix& matrix, LinearSolver& solver, int& factorizations) {
+bool factorize_shifted(const Objective& objective, BlockMatrix& matrix, LinearSolver& solver,
+                       int& factorizations) {
   constexpr double kTiny = 1e-9, kFirst = 1e-4, kGrowth = 8, kLargest = 1e8;
   const Eigen::VectorXd traces = diagonal_traces(matrix);
   double added = 0;
@@ -32,7 +38,7 @@ bool factorize_shifted(BlockMatrix& matrix, LinearSolver& solver, int& factoriza
     }
     added = shift;
     ++factorizations;
-    if (solver.factorize(matrix)) return true;
+    if (factorize(objective, matrix, solver)) return true;
   }
   return false;
 }
@@ -74,6 +80,7 @@ bool line_search(const Objective& objective, const Eigen::VectorXd& step, double
   Iterate trial;
   for (double length = 1; length > kShortest; length /= 2) {
     trial.at = coordinates.moved(now.at, length * step);
+    if (!part_is_free(objective, now.at, trial.at)) continue;
     trial.energy = objective.evaluate(trial.at, trial.gradient);
     const double change = trial.energy.total() - now.energy.total();
     const bool falls = change <= kShare * length * slope;
@@ -87,8 +94,9 @@ bool line_search(const Objective& objective, const Eigen::VectorXd& step, double
 }
 
 // Newton's step. Its accuracy matters little; that the matrix is positive definite does.
-bool solve(const LinearSolver& solver, const Eigen::VectorXd& force, Eigen::VectorXd& step,
-           NewtonSummary& summary) {
+bool solve(const Objective& objective, const LinearSolver& solver, const Eigen::VectorXd& force,
+           Eigen::VectorXd& step, NewtonSummary& summary) {
+  const Timed counted = objective.timed(&PhaseSeconds::equations);
   step = Eigen::VectorXd::Zero(force.size());
   const LinearSummary linear = solver.solve(force, step);
   summary.linear_iterations += linear.iterations;
@@ -105,11 +113,16 @@ std::optional<Eigen::VectorXd> fresh_step(const Objective& objective, const Newt
   if (options.curvature == Curvature::exact) {
     objective.linearize(at, Curvature::exact, gradient, hessian);
     ++summary.factorizations;
-    if (solver->factorize(hessian.matrix) && solve(*solver, force, step, summary)) return step;
+    if (factorize(objective, hessian.matrix, *solver) &&
+        solve(objective, *solver, force, step, summary)) {
+      return step;
+    }
   }
   objective.linearize(at, Curvature::convex, gradient, hessian);
-  if (!factorize_shifted(hessian.matrix, *solver, summary.factorizations)) return std::nullopt;
-  solve(*solver, force, step, summary);
+  if (!factorize_shifted(objective, hessian.matrix, *solver, summary.factorizations)) {
+    return std::nullopt;
+  }
+  solve(objective, *solver, force, step, summary);
   return step;
 }
 
@@ -153,7 +166,7 @@ NewtonSummary minimize(const Objective& objective, const NewtonOptions& options,
         options.reuse_factor && has_factor && summary.residual < kFast * last_residual;
     last_residual = summary.residual;
     if (reuse) {
-      solve(*workspace.solver, force, step, summary);
+      solve(objective, *workspace.solver, force, step, summary);
       if (descend()) continue;
     }
     std::optional<Eigen::VectorXd> fresh =

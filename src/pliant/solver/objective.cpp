@@ -10,6 +10,7 @@ void Objective::evaluate(const Configuration& at, Curvature curvature,
 }
 
 Energy Objective::energy(const Configuration& at) const {
+  const Timed counted = timed(&PhaseSeconds::energies);
   Derivatives derivatives;
   evaluate(at, Curvature::exact, derivatives);
   return derivatives.energy;
@@ -22,6 +23,7 @@ Eigen::Matrix3Xd Objective::gradient(const Configuration& at) const {
 }
 
 Energy Objective::evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) const {
+  const Timed counted = timed(&PhaseSeconds::energies);
   gradient.setZero(3, system_.points());
   Derivatives derivatives;
   derivatives.gradient = &gradient;
@@ -31,6 +33,7 @@ Energy Objective::evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) 
 
 Energy Objective::linearize(const Configuration& at, Curvature curvature,
                             Eigen::Matrix3Xd& gradient, Hessian& hessian) const {
+  const Timed counted = timed(&PhaseSeconds::assembly);
   gradient.setZero(3, system_.points());
   hessian.matrix.set_zero();
   Derivatives derivatives;
@@ -41,6 +44,22 @@ Energy Objective::linearize(const Configuration& at, Curvature curvature,
   system_.coordinates().hold_neutral_rotations(at, hessian.matrix);
   system_.coordinates().decouple_prescribed_axes(hessian.matrix);
   return derivatives.energy;
+}
+
+std::optional<Eigen::Matrix3Xd> Objective::made_way(const Eigen::Matrix3Xd& led) const {
+  const Timed counted = timed(&PhaseSeconds::ways);
+  return system_.made_way(led, under_);
+}
+
+WayLimits Objective::way_limits(const Configuration& from, const Configuration& to,
+                                double kept) const {
+  const Timed counted = timed(&PhaseSeconds::ways);
+  return system_.way_limits(from, to, under_, kept);
+}
+
+Energy Objective::advance_history(const Configuration& at, Eigen::VectorXd& history) const {
+  const Timed counted = timed(&PhaseSeconds::history);
+  return system_.advance_history(at, under_, history);
 }
 
 }  // namespace pliant

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pliant/mechanics/system.h"
+#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
@@ -10,13 +12,17 @@ namespace pliant {
 /// some conditions, and those that the step adds (inertia, drag).
 class Objective {
  public:
-  Objective(const System& system, const Conditions& under) : system_(system), under_(under) {}
+  /// @param seconds  where time is counted, what a search on it takes beside; null: nowhere
+  Objective(const System& system, const Conditions& under, PhaseSeconds* seconds = nullptr)
+      : system_(system), under_(under), seconds_(seconds) {}
 
   /// `potential` outlives the objective.
   void add(const Potential& potential) { of_step_.push_back(&potential); }
 
   const System& system() const { return system_; }
   const Conditions& conditions() const { return under_; }
+  /// Counts towards a phase while it lives.
+  Timed timed(double PhaseSeconds::*phase) const { return {seconds_, phase}; }
 
   Energy energy(const Configuration& at) const;
   /// dE / d points, N; on prescribed points the force that holds them.
@@ -27,11 +33,17 @@ class Objective {
   Energy linearize(const Configuration& at, Curvature curvature, Eigen::Matrix3Xd& gradient,
                    Hessian& hessian) const;
 
+  /// See System.
+  std::optional<Eigen::Matrix3Xd> made_way(const Eigen::Matrix3Xd& led) const;
+  WayLimits way_limits(const Configuration& from, const Configuration& to, double kept) const;
+  Energy advance_history(const Configuration& at, Eigen::VectorXd& history) const;
+
  private:
   void evaluate(const Configuration& at, Curvature curvature, Derivatives& derivatives) const;
 
   const System& system_;
   Conditions under_;
+  PhaseSeconds* seconds_;
   std::vector<const Potential*> of_step_;
 };
 

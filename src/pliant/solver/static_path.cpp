@@ -3,6 +3,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
+#include "pliant/solver/outside_work.h"
 
 namespace pliant {
 namespace {
@@ -98,8 +99,8 @@ void StaticPath::reach(double time, int halvings, PathEquilibrium& point) {
 bool StaticPath::find_equilibrium(const Controls& controls, PathEquilibrium& point,
                                   Configuration& at) {
   system_.coordinates().apply(controls, at);
-  const NewtonSummary found = minimize(Objective(system_, {state_, options_.parameters, controls}),
-                                       options_.newton, of_search_, at);
+  const Objective objective(system_, {state_, options_.parameters, controls}, &point.seconds);
+  const NewtonSummary found = minimize(objective, options_.newton, of_search_, at);
   const NewtonSummary before = point.newton;
   point.newton = found;
   point.newton.iterations += before.iterations;
@@ -111,10 +112,13 @@ bool StaticPath::find_equilibrium(const Controls& controls, PathEquilibrium& poi
 void StaticPath::accept(double time, Controls controls, Configuration at, PathEquilibrium& point) {
   point.time = time;
   ++point.equilibria;
-  const Conditions under{state_, options_.parameters, controls};
-  if (options_.by.empty()) point.forces = Objective(system_, under).gradient(at);
+  const Objective objective(system_, {state_, options_.parameters, controls}, &point.seconds);
+  if (options_.by.empty()) {
+    point.forces = objective.gradient(at);
+    point.outside += outside_work(objective, at, point.forces, controls_at(state_.time));
+  }
   State next = state_;
-  point.work += system_.advance_history(at, under, next.history).work;
+  point.work += objective.advance_history(at, next.history).work;
   next.time = time;
   next.configuration = at;
   std::swap(state_, next);

@@ -8,6 +8,7 @@
 #include "pliant/mechanics/point_targets.h"
 #include "pliant/solver/descent.h"
 #include "pliant/solver/free_change.h"
+#include "pliant/solver/outside_work.h"
 
 namespace pliant {
 
@@ -61,6 +62,13 @@ StepSummary summary_of(const DescentSummary& descent) {
 void add_iterations(const StepSummary& on, StepSummary& summary) {
   summary.newton_iterations += on.newton_iterations;
   summary.linear_iterations += on.linear_iterations;
+}
+
+// The same where the other ends it.
+void go_on(const StepSummary& on, StepSummary& summary) {
+  summary.converged = on.converged;
+  summary.residual = on.residual;
+  add_iterations(on, summary);
 }
 
 }  // namespace
@@ -117,7 +125,7 @@ struct TimeStepper::Trial {
 // @return kinetic energy, what is stored and what was lost on the way (J)
 double TimeStepper::settle(const Trial& trial, Configuration at, State& to,
                            StepSummary& summary) const {
-  const Energy energy = system_.advance_history(at, trial.under, to.history);
+  const Energy energy = trial.objective.advance_history(at, to.history);
   summary.work = energy.work;
   summary.rubbing = energy.rubbing;
   if (trial.drag) summary.drag = trial.drag->work(trial.from.configuration, at);
@@ -143,10 +151,25 @@ StepSummary TimeStepper::linearized(const Trial& trial, Configuration at, State&
   return summary;
 }
 
-// Goes down from where everything is led to.
-StepSummary TimeStepper::searched_at(const Trial& trial, double most_energy, Configuration& at) {
+// Goes down from a guess, which may hold more energy than there was; where too much of it is left,
+// from where the step begins.
+StepSummary TimeStepper::searched_from(const Trial& trial, const Eigen::VectorXd& guess,
+                                       double most_energy, Configuration& at) {
+  const Configuration begin = at;
+  at = system_.coordinates().moved(begin, guess);
+  if (options_.solve != StepSolve::iterated) return searched_at(trial, at);
+  const DescentOptions few{.most_energy = most_energy, .motion = options_.motion_tolerance};
+  const DescentSummary found = descend(trial.objective, few, no_change(system_), workspace_, at);
+  StepSummary summary = summary_of(found);
+  if (found.end.total() <= most_energy) return summary;
+  at = begin;
+  go_on(searched_at(trial, at), summary);
+  return summary;
+}
+
+StepSummary TimeStepper::searched_at(const Trial& trial, Configuration& at) {
   if (options_.solve == StepSolve::iterated) {
-    const DescentOptions few{.most_energy = most_energy, .motion = options_.motion_tolerance};
+    const DescentOptions few{.motion = options_.motion_tolerance};
     return summary_of(descend(trial.objective, few, no_change(system_), workspace_, at));
   }
   NewtonOptions newton;
@@ -161,23 +184,20 @@ StepSummary TimeStepper::searched_at(const Trial& trial, double most_energy, Con
 // What is led goes on as far as it may, and the rest after it, until it has arrived.
 StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configuration at, State& to) {
   constexpr int kMostTimes = 30;
-  constexpr int kMostMore = 5;  // iterations while the total of all energies has grown
+  constexpr int kMostMore = 20;  // iterations while the total of all energies has grown
+  // Where something is in the way, the guess may hold more energy than there was.
+  const bool may_gain = system_.obstructs() && led.has_arrived();
+  const double most_energy = may_gain ? trial.objective.energy(at).total() : INFINITY;
   const FreeChange guess = free_change(trial.objective, at, trial.guess, led.way_left());
   led.go(guess.led, at);
-  // Where something is in the way, the guess may hold more energy than there was.
-  const double most_energy = system_.obstructs() ? trial.objective.energy(at).total() : INFINITY;
   const double total = trial.closed ? most_energy - trial.inertia.energy(at.positions) +
                                           kinetic_energy(system_, trial.from.velocities)
                                     : INFINITY;
-  at = system_.coordinates().moved(at, guess.each);
-  StepSummary summary = searched_at(trial, most_energy, at);
+  StepSummary summary = searched_from(trial, guess.each, most_energy, at);
   for (int times = 1; !led.has_arrived(); ++times) {
     if (times == kMostTimes) return {.converged = false, .has_room = false, .residual = INFINITY};
     led.go(free_change(trial.objective, at, no_change(system_), led.way_left()).led, at);
-    const StepSummary on = searched_at(trial, INFINITY, at);
-    summary.converged = on.converged;
-    summary.residual = on.residual;
-    add_iterations(on, summary);
+    go_on(searched_at(trial, at), summary);
   }
   for (int more = 0; settle(trial, at, to, summary) > total && more < kMostMore; ++more) {
     const DescentOptions once{.iterations = 1, .motion = options_.motion_tolerance};
@@ -197,7 +217,7 @@ std::optional<TimeStepper::Begin> TimeStepper::beginning(const Objective& object
   if (!way) return std::nullopt;
   const Configuration at = way->isZero(0) ? led : system_.coordinates().moved(led, *way);
   if (!system_.obstructs() || at.positions == before.positions) return Begin{at, *way};
-  const WayLimits limits = system_.way_limits(before, at, objective.conditions(), kKept);
+  const WayLimits limits = objective.way_limits(before, at, kKept);
   const bool is_free = !limits.obstructed && std::isfinite(objective.energy(at).total());
   return is_free ? std::optional(Begin{at, *way}) : std::nullopt;
 }
@@ -214,7 +234,9 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
                              start + scheme.time * velocities);
   const Conditions under{
       .from = from, .controls = controls, .time = {1 / scheme.time, scheme.now, scheme.earlier}};
-  Objective objective(system_, under);
+  StepSummary summary;
+  PhaseSeconds seconds;
+  Objective objective(system_, under, &seconds);
   objective.add(inertia);
   std::optional<AirDrag> drag;
   if (options_.air) {
@@ -231,23 +253,30 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     end.positions = from.configuration.positions;
     begin = beginning(objective, end);
   }
-  if (!begin) return {.converged = false, .has_room = false, .residual = INFINITY};
+  if (!begin) {
+    return {.converged = false, .has_room = false, .residual = INFINITY, .seconds = seconds};
+  }
   auto& [at, way] = *begin;
   const Trial trial{
       from,        under,  objective,
       inertia,     drag,   start,
       scheme.time, closed, coasting(system_.coordinates(), at, from.velocities, step, way)};
-  StepSummary summary;
   if (options_.solve == StepSolve::linearized) {
     led.go(1, at);
     summary = linearized(trial, std::move(at), to);
   } else {
     summary = searched(trial, led, std::move(at), to);
   }
+  summary.seconds = seconds;
   if (!summary.has_room) return summary;
   if (!to.configuration.positions.allFinite() || !std::isfinite(summary.residual)) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
                       summary.newton_iterations, summary.residual);
+  }
+  if (!closed || controls.vectors.size() > 0) {
+    const Configuration& reached = to.configuration;
+    summary.outside =
+        outside_work(objective, reached, objective.gradient(reached), options_.schedule(from.time));
   }
   to.time = time;
   to.last_step = step;

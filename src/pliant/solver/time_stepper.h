@@ -6,6 +6,7 @@
 #include "pliant/solver/integration.h"
 #include "pliant/solver/led_motion.h"
 #include "pliant/solver/newton.h"
+#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
@@ -31,6 +32,8 @@ struct StepSummary {
   double work = 0;      ///< done against friction and damping during the step (J)
   double drag = 0;      ///< done against the air (J)
   double rubbing = 0;   ///< of the work, against the friction of contacts (J)
+  double outside = 0;   ///< done by what is led from outside (J)
+  PhaseSeconds seconds = {};  ///< without what the phases do not name
 };
 
 /// Steps a system through time by minimising its incremental potential: |x - x^|^2_M / (2 t^2) plus
@@ -65,7 +68,9 @@ class TimeStepper {
 
   StepSummary linearized(const Trial& trial, Configuration at, State& to);
   StepSummary searched(const Trial& trial, LedMotion led, Configuration at, State& to);
-  StepSummary searched_at(const Trial& trial, double most_energy, Configuration& at);
+  StepSummary searched_at(const Trial& trial, Configuration& at);
+  StepSummary searched_from(const Trial& trial, const Eigen::VectorXd& guess, double most_energy,
+                            Configuration& at);
   double settle(const Trial& trial, Configuration at, State& to, StepSummary& summary) const;
 
   const System& system_;

@@ -167,7 +167,7 @@ struct Loops {
         const test::Loop loop = plate.roll(laws, curvature, direction, steps);
         const double ratio = loop.loss / loop_loss(sheet, loop);
         losses.take(ratio);
-        line += fmt::format(" {:6.3f}", ratio);
+        line += fmt::format(" {:6.3f}", std::round(1e3 * ratio) / 1e3 + 0.0);  // no -0
       }
       std::cout << line << "\n";
     }

@@ -81,6 +81,15 @@ TEST(SlowFoldScene, TellsFrictionFromPlasticity) {
   EXPECT_GT(yielding.left(kSecond), 3.5 * yielding.left(kFirst));
 }
 
+// What [T] 2.1.4 has plasticity for: creases of extreme folds, beside friction.
+TEST(SlowFoldScene, WithBothLawsIsFrictionUntilTheFoldIsSharp) {
+  const FoldedStrip rubbing("dahl"), both("dahl-plastic");
+  for (const size_t frame : {kFirst, kPushed}) {
+    EXPECT_NEAR(both.left(frame), rubbing.left(frame), 0.05 * rubbing.left(frame)) << frame;
+  }
+  EXPECT_GT(both.left(kSecond), 2.5 * rubbing.left(kSecond));
+}
+
 TEST(SlowFoldScene, OfAStripThatYieldsIsGoneOnWithToTheSameBits) {
   const SceneFolder folder;
   folder.write("scene.yaml", small_fold("2.5 s"));

@@ -24,9 +24,8 @@ inline constexpr double kSlipCurvature = 70;
 /// s).
 /// - Friction: s = slip. Of Dahl friction a and tau are multiplied; its initial slope a / tau, and
 ///   b, which is homogeneous of degree two like elasticity, stay.
-/// - Elastic ranges of other addends: s = 1 / factor, so that the law of hinges, which is
-/// multiplied
-///   by the factor, yields at the stress of the sheet's.
+/// - Elastic ranges of other addends: s = 1 / factor. The law of hinges, multiplied by the factor,
+///   then yields at the stress of the sheet's.
 /// Addends follow by the units of their numbers.
 /// @param factor  of elasticity
 ComponentLaw with_hinge_strains(ComponentLaw law, double factor, double slip);

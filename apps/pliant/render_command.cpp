@@ -85,8 +85,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   if (arguments.contact_sheet > 0) options.size = {400, 300};
   if (!arguments.size.empty()) options.size = parse_picture_size(arguments.size);
   if (const int count = arguments.contact_sheet; count > 0) {
-    const SheetLayout rows{.columns = count,
-                           .rows = 1 + static_cast<int>(arguments.beside.size())};
+    const SheetLayout rows{.columns = count, .rows = 1 + static_cast<int>(arguments.beside.size())};
     refuse_large_sheet(count, arguments.beside.empty() ? sheet_layout(count) : rows, options.size);
   }
   if (!arguments.camera.empty()) options.camera = camera_of(arguments);

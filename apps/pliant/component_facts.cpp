@@ -15,12 +15,13 @@ constexpr double kReachWithoutRange = 50;  // in units of the strain over which 
 StiffnessAt stiffness_at(const ComponentLaw& law, double strain) {
   StiffnessAt at;
   at.strain = strain;
+  if (strain == 0) {
+    at.secant = at.tangent = at.loading = law.stiffness_at_rest();
+    return at;
+  }
   at.secant = law.elastic_secant(strain);
   at.tangent = law.elastic_tangent(strain);
-  at.loading = at.secant;
-  if (strain != 0) {
-    at.loading = LawPath(law, {0, 0, {}, {}}).stress_at(strain) / strain;
-  }
+  at.loading = LawPath(law, {0, 0, {}, {}}).stress_at(strain) / strain;
   return at;
 }
 

@@ -33,8 +33,8 @@ struct RenderArguments {
   std::string movie;
   double rate = 0;  // pictures a second of the film; 0: as in reality
   bool no_ground = false;
-  int contact_sheet = 0;  // pictures; 0: one picture a frame
-  std::string beside;     // other results on the sheet
+  int contact_sheet = 0;            // pictures; 0: one picture a frame
+  std::vector<std::string> beside;  // other results on the sheet
   PictureOptions options;
 };
 
@@ -85,7 +85,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   if (arguments.contact_sheet > 0) options.size = {400, 300};
   if (!arguments.size.empty()) options.size = parse_picture_size(arguments.size);
   if (const int count = arguments.contact_sheet; count > 0) {
-    const SheetLayout rows{.columns = count, .rows = 2};
+    const SheetLayout rows{.columns = count, .rows = 1 + static_cast<int>(arguments.beside.size())};
     refuse_large_sheet(count, arguments.beside.empty() ? sheet_layout(count) : rows, options.size);
   }
   if (!arguments.camera.empty()) options.camera = camera_of(arguments);
@@ -124,9 +124,11 @@ Image contact_sheet_of(const SimulationFrames& simulation,
                        const PictureOptions& options, const RenderArguments& arguments,
                        const RunContext& run) {
   std::vector<SheetPart> parts{{&simulation, evenly_chosen(frames, arguments.contact_sheet)}};
-  if (arguments.beside.empty()) return sheet_picture(parts, setting, options, run);
-  const SimulationFrames other = read_simulation_frames(arguments.beside);
-  parts.push_back({&other, frames_at_times(other, parts.front().frames)});
+  std::vector<SimulationFrames> others;
+  for (const std::string& other : arguments.beside) others.push_back(read_simulation_frames(other));
+  for (const SimulationFrames& other : others) {
+    parts.push_back({&other, frames_at_times(other, parts.front().frames)});
+  }
   return sheet_picture(parts, setting, options, run);
 }
 
@@ -293,9 +295,10 @@ void add_render(CommandRegistry& registry) {
   command
       .add_option(
           "--beside", arguments->beside,
-          "Other results of the same mesh in a second row of the contact sheet, at the same "
-          "times and seen as the first")
+          "Other results of the same mesh in a further row of the contact sheet, at the same "
+          "times and seen as the first; may be given again")
       ->type_name("DIR")
+      ->allow_extra_args(false)
       ->needs("--contact-sheet");
   add_film_options(command, *arguments);
   command

@@ -119,10 +119,15 @@ TEST_F(RenderCommand, PutsFramesOnAContactSheet) {
   EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(128, 96));
 }
 
-TEST_F(RenderCommand, PutsTwoSimulationsOnAContactSheetARowEach) {
-  const ProgramRun run = render({"--contact-sheet", "3", "--beside", folder.file("sim")});
-  EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))), std::pair(3 * 64, 2 * 48));
+TEST_F(RenderCommand, PutsSimulationsOnAContactSheetARowEach) {
+  std::vector<std::string> arguments{"--contact-sheet", "3"};
+  for (const int rows : {2, 3}) {
+    arguments.insert(arguments.end(), {"--beside", folder.file("sim")});
+    const ProgramRun run = render(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(png_size(content_of(folder.file("out/contact-sheet.png"))),
+              std::pair(3 * 64, rows * 48));
+  }
   EXPECT_EQ(render({"--beside", folder.file("sim")}).status, 2);
   EXPECT_EQ(render({"--contact-sheet", "3", "--beside", folder.file("none")}).status, 2);
 }

@@ -62,6 +62,19 @@ TEST(AddendRecovery, OfALawThatCarriesAComponentAlone) {
   }
 }
 
+TEST(AddendRecovery, OfYieldFindsItsElasticRange) {
+  ComponentLaw law{ScalarCurve::affine(50, 30)};
+  law.addends = {{*find_addend_kind("plastic"), Eigen::Vector2d(80, 0.03)}};
+  const Material foil = made_up_material("stretch.warp", law);
+  VirtualStudy study(lab_of(foil, strip_cycles({0.05, 0.1, 0.2, 0.35})));
+  study.set_model(
+      "components: {stretch.warp: {stiffness: affine, friction: none, addends: [plastic]}}");
+  const StudyResult result = study.fit();
+  for (const char* number : {"k1", "k2", "plastic.k", "plastic.yield"}) {
+    EXPECT_LT(relative_error(result, foil, std::string("stretch.warp.") + number), 1e-5) << number;
+  }
+}
+
 TEST(AddendRecovery, GrowthOfACurveGoesWithItsAddends) {
   const Material knit = two_branches();
   VirtualStudy study(lab_of(knit, strip_cycles({0.05, 0.1, 0.2, 0.35})));

@@ -55,6 +55,32 @@ TEST(AddendRegistry, StressesScaleAsTheKindsSay) {
   }
 }
 
+// A simulation without internal friction leaves out what stores nothing, and that alone.
+TEST(AddendRegistry, FrictionStoresNothingAndElasticRangesDo) {
+  for (const AddendKind* kind : addend_kinds()) {
+    const Eigen::VectorXd values = Eigen::VectorXd::Constant(std::ssize(kind->parameters), 0.1);
+    const Addend addend(*kind, values);
+    if (addend.is_elastic()) continue;
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(addend.history_size());
+    EXPECT_EQ(addend.at(0.3, 0, rest).stored == 0, addend.is_friction()) << kind->name;
+    EXPECT_EQ(addend.range_stiffness() == 0, addend.is_friction()) << kind->name;
+  }
+}
+
+TEST(ComponentLaw, CountsElasticRangesAsStiffnessAtRestAndNotAsFriction) {
+  const Addend range(*find_addend_kind("plastic"), Eigen::Vector2d(12, 0.1));
+  const ComponentLaw law{ScalarCurve::constant(30),
+                         FrictionLaw::dahl,
+                         {1, 0, 0.1},
+                         {branch(1, 0, 0.1), range, {added_stiffness(), Eigen::Vector2d(5, 0)}}};
+  EXPECT_EQ(law.stiffness_at_rest(), 47);
+  EXPECT_EQ(law.elastic_tangent(0), 35);
+  const ComponentLaw smooth = law.without_friction();
+  EXPECT_EQ(smooth.friction_law, FrictionLaw::none);
+  EXPECT_EQ(smooth.addends.size(), 2u);
+  EXPECT_EQ(smooth.stiffness_at_rest(), 47);
+}
+
 TEST(Addend, OfABranchOfFrictionAnswersAsFrictionDoes) {
   const DahlParameters dahl{1.2, 3, 0.05};
   const FrictionStress expected = friction_stress(dahl, 0.07, FrictionState{0.1, 0.4});

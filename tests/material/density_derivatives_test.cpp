@@ -19,18 +19,24 @@
 #include "pliant/material/density/dahl_published.h"
 #include "pliant/material/density/damping.h"
 #include "pliant/material/density/linearized_dahl_friction.h"
+#include "pliant/material/density/plastic_density.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
 #include "pliant/math/check_derivatives.h"
 
+#include "material/quasi_static_step.h"
+#include "material/random_plasticity.h"
 #include "support/density_samples.h"
 #include "support/random_laws.h"
 
 namespace pliant {
 namespace {
 
+using test::is_amid_a_branch;
 using test::log_uniform;
 using test::random_dahl;
+using test::random_plasticity;
+using test::random_saturating_plasticity;
 
 /// A friction stress at one random state: of its six arguments (three parameters, strain, strain
 /// and stress at the start), with the derivatives it states.
@@ -156,6 +162,9 @@ struct RegisteredLaw {
   std::string header;
   std::string name;
   std::function<std::unique_ptr<Density>(RandomStream&)> draw;
+  /// Whether a step keeps clear of where its history makes derivatives jump; null: it always does.
+  std::function<bool(const Density&, double strain, double history)> is_clear = nullptr;
+  int strain = 0;  ///< that it looks at
 };
 
 constexpr int kStrains = 3;
@@ -216,6 +225,16 @@ const std::vector<RegisteredLaw>& registered_laws() {
        [](RandomStream& random) {
          return std::make_unique<LinearizedDahlFriction>(0, slow_dahl_by_side(random));
        }},
+      {"plastic_density", "Plasticity",
+       [](RandomStream& random) {
+         return std::make_unique<PlasticDensity>(1, random_plasticity(random));
+       },
+       is_amid_a_branch, 1},
+      {"plastic_density", "SaturatingPlasticity",
+       [](RandomStream& random) {
+         return std::make_unique<PlasticDensity>(2, random_saturating_plasticity(random));
+       },
+       is_amid_a_branch, 2},
       {"damping", "Damping",
        [](RandomStream& random) { return std::make_unique<Damping>(2, random.uniform(0, 5)); }},
       {"sum", "Sum", draw_sum},
@@ -231,12 +250,13 @@ const std::vector<RegisteredLaw>& registered_laws() {
 
 /// A random state on fixed branches: all strains stay clear of zero, of the knots and of the last
 /// ones, where derivatives jump or bend. Half of the steps pass through zero.
-test::LaneState draw_state(RandomStream& random, const Density& law) {
+test::LaneState draw_state(RandomStream& random, const Density& law,
+                           const RegisteredLaw& registered) {
   constexpr double kGap = kReach / 5, kRange = 0.35;
   test::LaneState state(kStrains, law.history_size());
   std::vector<double> kinks = kKnots;
   kinks.push_back(0);
-  for (int lane = 0; lane < kLanes; ++lane) {
+  const auto draw_lane = [&](int lane) {
     for (int c = 0; c < kStrains; ++c) {
       state.last(lane, c) = test::away_from(random, kRange, kGap, kinks);
       kinks.push_back(state.last(lane, c));
@@ -246,6 +266,12 @@ test::LaneState draw_state(RandomStream& random, const Density& law) {
       state.before(lane, c) = state.last(lane, c) + random.uniform(-0.2, 0.2) * kReach;
     }
     for (double& x : state.history.row(lane)) x = random.uniform(-1, 1);
+  };
+  for (int lane = 0; lane < kLanes; ++lane) {
+    do {
+      draw_lane(lane);
+    } while (registered.is_clear && !registered.is_clear(law, state.strain(lane, registered.strain),
+                                                         state.history(lane, 0)));
   }
   return state;
 }
@@ -266,7 +292,7 @@ TEST_P(DensityLaws, HaveTheStressAndTangentOfTheirEnergy) {
   const Eigen::VectorXd scale = Eigen::VectorXd::Constant(kStrains, kReach / 2);
   for (int draw = 0; draw < 25; ++draw) {
     const std::unique_ptr<Density> law = GetParam().draw(random);
-    const test::LaneState state = draw_state(random, *law);
+    const test::LaneState state = draw_state(random, *law, GetParam());
     const Response response = test::response_of(*law, state, kTime);
     for (int lane = 0; lane < kLanes; ++lane) {
       const Eigen::VectorXd at = state.strain.row(lane).transpose();
@@ -297,7 +323,7 @@ TEST_P(DensityLaws, KeepTheirPointsApart) {
   RandomStream random(22);
   for (int draw = 0; draw < 25; ++draw) {
     const std::unique_ptr<Density> law = GetParam().draw(random);
-    test::LaneState all = draw_state(random, *law);
+    test::LaneState all = draw_state(random, *law, GetParam());
     const Response together = test::response_of(*law, all, kTime);
     std::vector<test::LaneState> alone;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -327,63 +353,6 @@ TEST_P(DensityLaws, KeepTheirPointsApart) {
   }
 }
 
-/// Of one material point: (stress, next history) as a function of (strain, last strain, history,
-/// parameters), in statics.
-class QuasiStaticStep {
- public:
-  QuasiStaticStep(const ParametricDensity& law, const test::LaneState& state, int lane)
-      : law_(law), state_(state), lane_(lane) {}
-
-  Eigen::VectorXd arguments() const {
-    Eigen::VectorXd x(2 * kStrains + history() + parameters());
-    x << state_.strain.row(lane_).transpose().matrix(), state_.last.row(lane_).transpose().matrix(),
-        state_.history.row(lane_).transpose().matrix(), law_.parameters();
-    return x;
-  }
-
-  Eigen::VectorXd scale() const {
-    Eigen::VectorXd x(2 * kStrains + history() + parameters());
-    x << Eigen::VectorXd::Constant(2 * kStrains, kReach / 2), Eigen::VectorXd::Ones(history()),
-        law_.parameters().cwiseAbs() / 2;
-    return x;
-  }
-
-  Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
-    const auto law = law_.with_parameters(x.tail(parameters()));
-    test::LaneState state = state_;
-    state.strain.row(lane_) = x.head(kStrains).transpose().array();
-    state.last.row(lane_) = x.segment(kStrains, kStrains).transpose().array();
-    state.history.row(lane_) = x.segment(2 * kStrains, history()).transpose().array();
-    Eigen::VectorXd result(kStrains + history());
-    result.head(kStrains) = test::response_of(*law, state).stress.row(lane_).transpose().matrix();
-    test::advance(*law, state);
-    result.tail(history()) = state.history.row(lane_).transpose().matrix();
-    return result;
-  }
-
-  Eigen::MatrixXd stated() const {
-    SampleDerivatives d(kStrains, static_cast<int>(history()), static_cast<int>(parameters()));
-    law_.differentiate(state_.samples(), lane_, 0, 0, d);
-    const Response response = test::response_of(law_, state_);
-    Eigen::MatrixXd tangent(kStrains, kStrains);
-    for (int k = 0; k < tangent.size(); ++k) {
-      tangent(k / kStrains, k % kStrains) = response.tangent(lane_, k);
-    }
-    Eigen::MatrixXd jacobian(kStrains + history(), 2 * kStrains + history() + parameters());
-    jacobian << tangent, d.stress_by_last, d.stress_by_history, d.stress_by_parameter,
-        d.next_by_strain, d.next_by_last, d.next_by_history, d.next_by_parameter;
-    return jacobian;
-  }
-
- private:
-  Eigen::Index history() const { return law_.history_size(); }
-  Eigen::Index parameters() const { return law_.parameters().size(); }
-
-  const ParametricDensity& law_;
-  test::LaneState state_;
-  int lane_;
-};
-
 TEST_P(DensityLaws, StateTheDerivativesThatAPathNeeds) {
   if (GetParam().name == "SumWithLinearizedFriction") return;  // no part in `differentiate`
   RandomStream random(23);
@@ -391,9 +360,9 @@ TEST_P(DensityLaws, StateTheDerivativesThatAPathNeeds) {
     const std::unique_ptr<Density> law = GetParam().draw(random);
     auto* parametric = dynamic_cast<ParametricDensity*>(law.get());
     if (!parametric) return;
-    const test::LaneState state = draw_state(random, *law);
+    const test::LaneState state = draw_state(random, *law, GetParam());
     for (int lane = 0; lane < kLanes; ++lane) {
-      const QuasiStaticStep step(*parametric, state, lane);
+      const test::QuasiStaticStep step(*parametric, state, lane, kReach / 2);
       const DerivativeCheck check =
           check_derivatives(step, step.stated(), step.arguments(), step.scale());
       EXPECT_LT(check.error, kDifferences) << "draw " << draw << ": " << check.describe();
@@ -410,7 +379,7 @@ TEST_P(DensityLaws, TakeTheParametersThatTheyAreGiven) {
   const auto law = parametric->with_parameters(parameters);
   EXPECT_EQ(law->parameters(), parameters);
   if (GetParam().name == "SumWithLinearizedFriction") return;  // whose addend has none
-  const test::LaneState state = draw_state(random, *law);
+  const test::LaneState state = draw_state(random, *law, GetParam());
   const Response response = test::response_of(*law, state);
   const Response expected = test::response_of(*other, state);
   EXPECT_TRUE((response.stress == expected.stress).all());

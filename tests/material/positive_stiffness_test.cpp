@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/fill.h"
 
 #include "io/input_error_of.h"
@@ -74,6 +75,17 @@ TEST(PositiveStiffness, LooksOnlyAtTheComponentsNamed) {
   Material material = with_shear(ScalarCurve::constant(3), {});
   material.components["stretch.bias"].stiffness = ScalarCurve::constant(0);
   EXPECT_NO_THROW(require(material));
+}
+
+TEST(PositiveStiffness, MayBeThatOfAnElasticRangeAlone) {
+  Material material = with_shear(ScalarCurve::none(), {});
+  MaterialComponent& shear = material.components["shear"];
+  shear.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(1, 0, 0.1)}};
+  EXPECT_THAT(input_error_of([&] { require(material); }).problem(), HasSubstr("is 0 at strain 0"));
+  shear.addends = {{*find_addend_kind("plastic"), Eigen::Vector2d(5, 0.1)}};
+  EXPECT_NO_THROW(require(material));
+  shear.stiffness = ScalarCurve::constant(-1);
+  EXPECT_THAT(input_error_of([&] { require(material); }).problem(), HasSubstr("is -1 at strain 0"));
 }
 
 TEST(FallingStiffness, IsTheSameWithinItsRangeAndConstantBeyond) {

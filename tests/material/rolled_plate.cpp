@@ -14,24 +14,49 @@
 namespace pliant::test {
 namespace {
 
-/// A law, what it remembers, and the energy that it stores.
+/// What a law remembers, and the energy that it stores.
 struct LawPoint {
   FrictionState last;
+  double stored = 0;
+  std::vector<Eigen::VectorXd> histories = {};  // of addends, where there are any
 
   struct Answer {
-    double stress, slope, work;
+    double stress, slope, stored, work;  // the work of a step: what it takes and what it stores
   };
   Answer at(const ComponentLaw& law, double strain) const {
     Answer answer{law.elastic_stress(strain), law.elastic_tangent(strain),
-                  law.elastic_energy(strain) - law.elastic_energy(last.strain)};
+                  law.elastic_energy(strain), -stored};
+    for (size_t i = 0; i < law.addends.size(); ++i) {
+      const Addend& addend = law.addends[i];
+      if (addend.is_elastic()) continue;
+      const Addend::Answer own = addend.at(strain, last.strain, history(addend, i));
+      answer.stress += own.stress;
+      answer.slope += own.tangent;
+      answer.stored += own.stored;
+      answer.work += own.work;
+    }
+    answer.work += answer.stored;
     if (law.friction_law == FrictionLaw::none) return answer;
     const DahlParameters dahl{law.friction[0], law.friction[1], law.friction[2]};
     const FrictionStress friction = friction_stress(dahl, strain, last);
-    return {answer.stress + friction.stress, answer.slope + friction.slope,
-            answer.work + friction_work({dahl, dahl}, strain, last)};
+    answer.stress += friction.stress;
+    answer.slope += friction.slope;
+    answer.work += friction_work({dahl, dahl}, strain, last);
+    return answer;
   }
   void advance(const ComponentLaw& law, double strain) {
+    stored = at(law, strain).stored;
+    std::vector<Eigen::VectorXd> next;
+    for (size_t i = 0; i < law.addends.size(); ++i) {
+      next.push_back(law.addends[i].advanced(strain, last.strain, history(law.addends[i], i)));
+    }
+    histories = std::move(next);
     last = {strain, law.friction_stress(strain, last).stress};
+  }
+
+ private:
+  Eigen::VectorXd history(const Addend& addend, size_t place) const {
+    return histories.empty() ? Eigen::VectorXd::Zero(addend.history_size()) : histories[place];
   }
 };
 
@@ -147,7 +172,7 @@ class RolledPlate::Rolling {
   double stored() const {
     double energy = 0;
     for_each_law([&](size_t h, size_t c, double part, double strain) {
-      energy += plate_.hinges_[h].shown * part / 3 * laws_[c].elastic_energy(strain);
+      energy += plate_.hinges_[h].shown * part / 3 * points_[h][c].at(laws_[c], strain).stored;
     });
     return energy;
   }
@@ -195,7 +220,7 @@ class RolledPlate::Rolling {
       const PlateHinge& hinge = plate_.hinges_[h];
       const LawPoint::Answer answer = points_[h][c].at(laws_[c], strain);
       const double size = kStrainPerCurvature * hinge.area * part;
-      const double least = kLeastSlope * laws_[c].elastic_tangent(0);
+      const double least = kLeastSlope * laws_[c].stiffness_at_rest();
       const double slope = kStrainPerCurvature * size * std::max(answer.slope, least);
       for (const auto& [row, by_row] : hinge.by_unknown) {
         gradient(row) += size * answer.stress * by_row;

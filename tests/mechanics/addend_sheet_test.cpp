@@ -25,7 +25,8 @@ Material knit() {
   }
   ComponentLaw warp{ScalarCurve::none(), FrictionLaw::dahl, {1, 2, 0.02}};
   warp.addends = {{test::added_stiffness(), Eigen::Vector2d(30, 50)},
-                  {*find_addend_kind("dahl"), Eigen::Vector3d(2, 5, 0.2)}};
+                  {*find_addend_kind("dahl"), Eigen::Vector3d(2, 5, 0.2)},
+                  {*find_addend_kind("plastic"), Eigen::Vector2d(20, 0.05)}};
   set_law(material.components["stretch.warp"], warp);
   return material;
 }
@@ -66,13 +67,14 @@ TEST(AddendSheet, NamesTheNumbersOfAddendsAmongItsParameters) {
   EXPECT_EQ(std::ranges::find(names, "stretch.warp.k"), names.end());
 }
 
-TEST(AddendSheet, WithoutFrictionKeepsTheAddendsThatForget) {
+TEST(AddendSheet, WithoutFrictionKeepsAllAddendsButFriction) {
   const TriangleMesh mesh = regular_grid(0.1, 0.1, 2, 2);
   System system(mesh.positions, Eigen::VectorXd::Zero(mesh.vertex_count()));
   add_cloth(system, mesh, knit(), {.friction = false});
   system.finish();
   const auto& names = system.parameters().names;
   EXPECT_NE(std::ranges::find(names, "stretch.warp.added.k2"), names.end());
+  EXPECT_NE(std::ranges::find(names, "stretch.warp.plastic.yield"), names.end());
   EXPECT_EQ(std::ranges::find(names, "stretch.warp.dahl.tau"), names.end());
 }
 

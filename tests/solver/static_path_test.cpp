@@ -9,6 +9,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/mechanics/cord.h"
 
 #include "support/cloth_sheet.h"
@@ -98,6 +99,18 @@ Material growing_cotton() {
   return material;
 }
 
+// Cotton that yields in every component at strains that these loads come to.
+Material yielding_cotton() {
+  Material material = test::cotton();
+  for (auto& [name, component] : material.components) {
+    component.friction.reset();
+    component.addends = {
+        {*find_addend_kind("plastic"),
+         Eigen::Vector2d(0.5 * component.stiffness->value(0), is_bending(name) ? 8 : 0.004)}};
+  }
+  return material;
+}
+
 Eigen::VectorXd values_of(const System& system) {
   const std::vector<double>& values = system.parameters().values;
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
@@ -154,6 +167,10 @@ TEST(StaticPath, SensitivitiesAreThoseOfWholePathsWithoutFriction) {
   expect_derivatives(sheet);
 }
 
+TEST(StaticPath, SensitivitiesAreThoseOfWholePathsWithYield) {
+  expect_derivatives(LoadedSheet(yielding_cotton()));
+}
+
 TEST(StaticPath, SensitivitiesBeginWithThoseOfAStrainedStart) {
   // The friction stress that the initial shape has brought depends on the parameters.
   TriangleMesh mesh = regular_grid(0.06, LoadedSheet::kHeight, 4, 5);
@@ -181,8 +198,8 @@ TEST(StaticPath, SensitivitiesFollowSubsteps) {
   EXPECT_EQ(fine.history_by_parameter(), coarse.history_by_parameter());
 }
 
-TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
-  LoadedSheet sheet(test::cotton());
+void expect_another_way_back(const Material& material) {
+  LoadedSheet sheet(material);
   sheet.loads = {1, 3, 1};
   StaticPath path(sheet.system, sheet.options());
   path.step(1);
@@ -191,6 +208,14 @@ TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
   path.step(3);
   const Eigen::Matrix3Xd difference = path.state().configuration.positions - loading.positions;
   EXPECT_GT(difference.colwise().norm().maxCoeff(), 1e-4);
+}
+
+TEST(StaticPath, FrictionMakesLoadingAndUnloadingDiffer) {
+  expect_another_way_back(test::cotton());
+}
+
+TEST(StaticPath, YieldMakesLoadingAndUnloadingDiffer) {
+  expect_another_way_back(yielding_cotton());
 }
 
 TEST(StaticPath, AStepThatDoesNotConvergeIsHalved) {

@@ -82,7 +82,7 @@ Reading loop_width(const Chart& chart, double at, double turn) {
 }
 
 double tangent_at_rest(const MaterialComponent& component) {
-  return law_of(component).elastic_tangent(0);
+  return law_of(component).stiffness_at_rest();
 }
 
 /// Collects the figures of a component with their errors.

@@ -102,7 +102,7 @@ BendingLaws bending_laws(const Material& material) {
 }
 
 BendingVector stiffness_at_rest(const BendingLaws& laws) {
-  return {laws[0].elastic_tangent(0), laws[1].elastic_tangent(0), laws[2].elastic_tangent(0)};
+  return {laws[0].stiffness_at_rest(), laws[1].stiffness_at_rest(), laws[2].stiffness_at_rest()};
 }
 
 struct BendingConverter::Mesh {

@@ -15,7 +15,7 @@ struct BendingConversion {
   /// Hinge stiffness over sheet stiffness of each component. A whole law is multiplied, friction
   /// included.
   BendingVector factors = BendingVector::Ones();
-  /// And the friction of each is then put on another scale of strain (`with_slip`).
+  /// And the friction of each is then put on another scale of strain (`with_hinge_strains`).
   BendingVector slip = BendingVector::Ones();
   /// Stiffness that the sheet then shows, over the one asked for, less 1; by CurvatureDirection.
   /// Near 0 where the mesh can be such a sheet (`bending_conversion`).

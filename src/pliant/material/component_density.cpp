@@ -18,12 +18,11 @@ void add_names(const std::string& prefix, std::vector<std::string>& names) {
   for (const char* name : {"a", "b", "tau"}) names.push_back(prefix + name);
 }
 
-// Addends that remember are friction.
 void add_addends(const std::string& component, const std::vector<Addend>& addends, int strain,
                  const DensityOptions& options, Sum& sum, AddedNames& names) {
   std::vector<Addend> added;
   std::ranges::copy_if(addends, std::back_inserter(added), [&](const Addend& addend) {
-    return addend.is_elastic() || options.friction;
+    return options.friction || !addend.is_friction();
   });
   for (const std::string& name : parameter_names(added)) {
     names.parameters.push_back(component + "." + name);
@@ -38,11 +37,12 @@ void add_addends(const std::string& component, const std::vector<Addend>& addend
 }
 
 // That at unit strain. Addends that stiffen without end are taken at the end of their range, or at
-// rest.
+// rest; elastic ranges count whole.
 double damped_stiffness(const MaterialComponent& component) {
   if (component.addends.empty()) return component.stiffness->value(1);
   const double end = component.range ? std::min(component.range->second, 1.0) : 0;
-  return law_of(component).elastic_secant(end);
+  const ComponentLaw law = law_of(component);
+  return law.elastic_secant(end) + law.range_stiffness();
 }
 
 }  // namespace

@@ -60,6 +60,19 @@ ComponentLaw ComponentLaw::elastic_part() const {
   return elastic;
 }
 
+ComponentLaw ComponentLaw::without_friction() const {
+  ComponentLaw other = *this;
+  other.friction_law = FrictionLaw::none;
+  std::erase_if(other.addends, [](const Addend& addend) { return addend.is_friction(); });
+  return other;
+}
+
+double ComponentLaw::range_stiffness() const {
+  double stiffness = 0;
+  for (const Addend& addend : addends) stiffness += addend.range_stiffness();
+  return stiffness;
+}
+
 double ComponentLaw::elastic_stress(double strain) const {
   double stress = stiffness.value(strain) * strain;
   for (const Addend& addend : addends) {

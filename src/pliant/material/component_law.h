@@ -44,12 +44,19 @@ struct ComponentLaw {
   double fall() const;
   /// The same without friction and addends that remember.
   ComponentLaw elastic_part() const;
+  /// The same without friction, that of addends included.
+  ComponentLaw without_friction() const;
 
   double elastic_stress(double strain) const;
   /// d elastic stress / d strain; may be negative.
   double elastic_tangent(double strain) const;
   /// Integral of the elastic stress from 0 to a strain.
   double elastic_energy(double strain) const;
+  /// Tangent with which the first step from rest begins, friction left out: that of the elastic
+  /// stress and of elastic ranges.
+  double stiffness_at_rest() const { return elastic_tangent(0) + range_stiffness(); }
+  /// Of the elastic ranges of addends that remember and are no friction.
+  double range_stiffness() const;
   /// Elastic stress over strain; at zero the tangent.
   double elastic_secant(double strain) const;
   /// d elastic stress / d parameters; zero for those of friction and of addends that remember.

@@ -14,14 +14,15 @@ void lengthen(DahlParameters& dahl, double slip) {
   dahl.tau *= slip;
 }
 
-void lengthen(std::vector<Addend>& addends, double slip) {
+void lengthen(std::vector<Addend>& addends, double factor, double slip) {
   for (Addend& addend : addends) {
     if (addend.is_elastic()) continue;
+    const double scale = addend.is_friction() ? slip : 1 / factor;
     Eigen::VectorXd values = addend.values();
     const std::vector<AddendParameter>& parameters = addend.kind().parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       const int power = parameters[i].stress + parameters[i].strain;
-      values(static_cast<Eigen::Index>(i)) *= std::pow(slip, power);
+      values(static_cast<Eigen::Index>(i)) *= std::pow(scale, power);
     }
     addend = {addend.kind(), values};
   }
@@ -58,9 +59,11 @@ double stress_from_rest(const ComponentLaw& law, double strain) {
   return stress;
 }
 
-BendingLaws with_slip(BendingLaws laws, const BendingVector& slip) {
+BendingLaws with_hinge_strains(BendingLaws laws, const BendingVector& factors,
+                               const BendingVector& slip) {
   for (std::size_t c = 0; c < laws.size(); ++c) {
-    laws[c] = pliant::with_slip(laws[c], slip(static_cast<Eigen::Index>(c)));
+    const auto i = static_cast<Eigen::Index>(c);
+    laws[c] = pliant::with_hinge_strains(laws[c], factors(i), slip(i));
   }
   return laws;
 }
@@ -95,29 +98,29 @@ Eigen::Vector4d sheet_losses(const BendingLaws& sheet) {
 
 }  // namespace
 
-ComponentLaw with_slip(ComponentLaw law, double slip) {
+ComponentLaw with_hinge_strains(ComponentLaw law, double factor, double slip) {
   if (law.friction_law == FrictionLaw::dahl) {
     DahlParameters dahl{law.friction[0], law.friction[1], law.friction[2]};
     lengthen(dahl, slip);
     law.friction = {dahl.a, dahl.b, dahl.tau};
   }
-  lengthen(law.addends, slip);
+  lengthen(law.addends, factor, slip);
   return law;
 }
 
-MaterialComponent with_slip(MaterialComponent component, double slip) {
+MaterialComponent with_hinge_strains(MaterialComponent component, double factor, double slip) {
   if (component.friction) {
     lengthen(component.friction->positive, slip);
     if (component.friction->negative) lengthen(*component.friction->negative, slip);
   }
-  lengthen(component.addends, slip);
+  lengthen(component.addends, factor, slip);
   component.errors.clear();
   return component;
 }
 
 ComponentLaw hinge_law(const ComponentLaw& sheet, double factor, double slip) {
   MaterialComponent component;
-  set_law(component, with_slip(sheet, slip));
+  set_law(component, with_hinge_strains(sheet, factor, slip));
   return law_of(scaled(component, factor));
 }
 
@@ -136,7 +139,7 @@ BendingVector hinge_slip(const BendingLaws& sheet, const BendingVector& factors,
   BendingVector slip = BendingVector::Ones();
   if (scale.isZero(0)) return slip;
   for (int i = 0; i < kMaxIterations; ++i) {
-    const BendingLaws laws = with_slip(sheet, slip);
+    const BendingLaws laws = with_hinge_strains(sheet, factors, slip);
     const std::vector<BentHinge> hinges = shape([&](int component, double strain) {
       return factors(component) *
              stress_from_rest(laws[static_cast<std::size_t>(component)], strain);

@@ -20,14 +20,18 @@ using BendingLaws = std::array<ComponentLaw, 3>;
 /// to 200 /m at which strips are measured and cloth folds.
 inline constexpr double kSlipCurvature = 70;
 
-/// The same with its friction on a scale of strain that is `slip` times as long: a law
-/// sigma(strain) becomes slip sigma(strain / slip). Of Dahl friction a and tau are multiplied; its
-/// initial slope a / tau, and b, which is homogeneous of degree two like elasticity, stay. Addends
-/// that remember follow by the units of their numbers.
-ComponentLaw with_slip(ComponentLaw law, double slip);
-MaterialComponent with_slip(MaterialComponent component, double slip);
+/// What remembers, on the scales of strain of hinges: a law sigma(strain) becomes s sigma(strain /
+/// s).
+/// - Friction: s = slip. Of Dahl friction a and tau are multiplied; its initial slope a / tau, and
+///   b, which is homogeneous of degree two like elasticity, stay.
+/// - Elastic ranges of other addends: s = 1 / factor. The law of hinges, multiplied by the factor,
+///   then yields at the stress of the sheet's.
+/// Addends follow by the units of their numbers.
+/// @param factor  of elasticity
+ComponentLaw with_hinge_strains(ComponentLaw law, double factor, double slip);
+MaterialComponent with_hinge_strains(MaterialComponent component, double factor, double slip);
 
-/// The law of hinges: friction with its slip, and the whole law multiplied.
+/// The law of hinges: the same, and the whole law multiplied.
 ComponentLaw hinge_law(const ComponentLaw& sheet, double factor, double slip);
 
 /// The hinges of a mesh that are bent from flat to `kSlipCurvature` under a law; bends are those

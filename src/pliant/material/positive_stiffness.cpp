@@ -38,11 +38,15 @@ std::vector<double> samples_of(const ScalarCurve& curve) {
   return samples;
 }
 
-/// A strain where the stiffness, with that of addends, is not positive, whatever the range.
+/// A strain where the stiffness, with that of addends, is not positive, whatever the range. Beside
+/// an elastic range there need be none.
 std::optional<double> soft_strain(const ComponentLaw& law) {
   const std::vector<double> strains = samples_of(law.stiffness);
-  const auto soft = std::find_if(strains.begin(), strains.end(),
-                                 [&](double strain) { return law.elastic_secant(strain) <= 0; });
+  const bool has_range = law.range_stiffness() > 0;
+  const auto soft = std::find_if(strains.begin(), strains.end(), [&](double strain) {
+    const double secant = law.elastic_secant(strain);
+    return secant < 0 || (secant == 0 && !has_range);
+  });
   return soft == strains.end() ? std::nullopt : std::optional(*soft);
 }
 

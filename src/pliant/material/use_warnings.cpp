@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/number_text.h"
 #include "pliant/base/number_with_error.h"
 #include "pliant/base/plausibility.h"
 #include "pliant/material/fill.h"

@@ -94,11 +94,14 @@ const std::vector<std::string>& bending_components() {
 BendingConversion hinge_conversion(const TriangleMesh& mesh, const std::vector<Hinge>& hinges,
                                    const Material& material, bool friction, Cloth& cloth) {
   if (material.bending_of != "sheet") return {};
-  const BendingLaws laws = bending_laws(material);
+  BendingLaws laws = bending_laws(material);
+  if (!friction) {
+    for (ComponentLaw& law : laws) law = law.without_friction();
+  }
   const BendingVector stiffness = stiffness_at_rest(laws);
   if (stiffness.minCoeff() <= 0) return {};
   const BendingConverter converter(mesh, hinges);
-  const BendingConversion conversion = friction ? converter(laws) : converter(stiffness);
+  const BendingConversion conversion = converter(laws);
   constexpr double kNoticeable = 0.05;
   if (conversion.errors.cwiseAbs().maxCoeff() > kNoticeable) {
     cloth.warnings.push_back(
@@ -119,7 +122,8 @@ void add_shells(System& system, const TriangleMesh& mesh, int first_point, const
   for (int c = 0; c < 3; ++c) {
     const std::string& name = bending_components()[static_cast<size_t>(c)];
     Material slipping = material;
-    slipping.components.at(name) = with_slip(material.components.at(name), conversion.slip(c));
+    slipping.components.at(name) =
+        with_hinge_strains(material.components.at(name), conversion.factors(c), conversion.slip(c));
     const Law law = make_law(slipping, {name}, options, system);
     Stencils<DiscreteShells> stencils;
     for (size_t h = 0; h < hinges.size(); ++h) {

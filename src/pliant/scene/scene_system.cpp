@@ -363,7 +363,7 @@ class SceneBuilder {
         double largest = 0;
         for (const char* component : {"stretch.weft", "stretch.warp"}) {
           const auto law = law_of(region.material, component);
-          if (law) largest = std::max(largest, law->elastic_tangent(0));
+          if (law) largest = std::max(largest, law->stiffness_at_rest());
         }
         for (const int t : region.triangles) {
           for (const int vertex : cloth.mesh.triangles.col(t)) {

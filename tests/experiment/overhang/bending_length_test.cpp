@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/material/addend/addend_registry.h"
 
 #include "support/published_bending.h"
 
@@ -88,6 +89,13 @@ TEST(BendingLengthSpread, OfOneReadingIsUnknown) {
   const auto spread = bending_length_spread({0.05}, kOverhangAngle, 1);
   EXPECT_FALSE(spread->length_variation);
   EXPECT_FALSE(spread->rigidity_variation);
+}
+
+// A strip that bends under its weight is followed with friction alone (elastica.h).
+TEST(BendingLength, IsNoneOfALawWithAddendsThatRemember) {
+  ComponentLaw law = elastic(2e-6);
+  law.addends = {{*find_addend_kind("plastic"), Eigen::Vector2d(2e-6, 30)}};
+  EXPECT_FALSE(bending_length(law, 0.2));
 }
 
 TEST(BendingLength, IsNoneForASheetThatNeverDips) {

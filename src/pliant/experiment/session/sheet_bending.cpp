@@ -135,8 +135,8 @@ Material as_hinges(const Material& sheet, const TriangleMesh& mesh) {
   for (std::size_t d = 0; d < laws.size(); ++d) {
     const auto direction = static_cast<Eigen::Index>(d);
     MaterialComponent& component = hinges.components.at(kDirections[d]);
-    component =
-        scaled(with_slip(component, conversion.slip(direction)), conversion.factors(direction));
+    const double factor = conversion.factors(direction);
+    component = scaled(with_hinge_strains(component, factor, conversion.slip(direction)), factor);
   }
   return hinges;
 }

@@ -34,6 +34,11 @@ Addend::Addend(const AddendKind& kind, const Eigen::VectorXd& values)
   PLIANT_ASSERT(values.size() == std::ssize(kind.parameters), "one value a parameter");
 }
 
+double Addend::range_stiffness() const {
+  if (is_elastic() || is_friction()) return 0;
+  return at(0, 0, Eigen::VectorXd::Zero(history_size())).tangent;
+}
+
 Addend Addend::scaled(double factor) const {
   Eigen::VectorXd values = values_;
   for (std::size_t i = 0; i < kind_->parameters.size(); ++i) {
@@ -46,7 +51,7 @@ Addend::Answer Addend::at(double strain, double last, const Eigen::VectorXd& his
   const OnePoint point(strain, last, history);
   Response response(1);
   density_->add(point.samples(), {}, response);
-  return {response.stress(0, 0), response.tangent(0, 0), response.stored(0)};
+  return {response.stress(0, 0), response.tangent(0, 0), response.stored(0), response.work(0)};
 }
 
 SampleDerivatives Addend::derivatives(double strain, double last,

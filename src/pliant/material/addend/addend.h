@@ -23,17 +23,21 @@ class Addend {
   /// Numbers that it remembers.
   int history_size() const { return density_->history_size(); }
   bool is_elastic() const { return history_size() == 0; }
+  bool is_friction() const { return kind_->friction; }
+  /// Stiffness of the elastic range of a law that remembers and is no friction; 0 of others.
+  double range_stiffness() const;
   /// How much its stress may fall per strain while the strain goes on.
   double fall() const { return kind_->fall ? kind_->fall(values_) : 0; }
 
   /// The same law with its stress multiplied.
   Addend scaled(double factor) const;
 
-  /// Stress, tangent and energy of a point at `strain` that was at `last` with some history.
+  /// Stress, tangent and energies of a point at `strain` that was at `last` with some history.
   struct Answer {
     double stress = 0;
     double tangent = 0;
-    double stored = 0;  ///< energy that the strain alone decides
+    double stored = 0;  ///< energy that comes back
+    double work = 0;    ///< what the way from `last` took
   };
   Answer at(double strain, double last, const Eigen::VectorXd& history) const;
 

@@ -36,6 +36,10 @@ struct AddendKind {
   /// The law on one strain of a material point; its parameters in the same order.
   std::unique_ptr<ParametricDensity> (*density)(int strain, const Eigen::VectorXd& values);
 
+  /// Friction stores no energy and has no stiffness at rest: what it has sticks. A law that
+  /// remembers and is no friction has an elastic range, as plasticity does.
+  bool friction = false;
+
   /// How much the stress may fall per strain while the strain goes on, as Dahl friction does by b
   /// while it returns; null: it never falls.
   double (*fall)(const Eigen::VectorXd& values) = nullptr;

@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "pliant/material/addend/dahl_branch.h"
+#include "pliant/material/addend/plasticity.h"
 
 namespace pliant {
 
 std::span<const AddendKind* const> addend_kinds() {
   static const std::array kinds{
       &dahl_branch(),
+      &plasticity(),
+      &saturating_plasticity(),
   };
   return kinds;
 }

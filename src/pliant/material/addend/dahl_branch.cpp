@@ -31,6 +31,7 @@ const AddendKind& dahl_branch() {
         return std::make_unique<DahlFriction>(strain,
                                               DahlParameters{values(0), values(1), values(2)});
       },
+      .friction = true,
       .fall = [](const Eigen::VectorXd& values) { return values(1); }};
   return kind;
 }

@@ -49,7 +49,7 @@ struct Samples {
 struct Response {
   explicit Response(int strains);
 
-  Lane stored;           ///< energy that the strain alone decides (J/m^2)
+  Lane stored;           ///< energy that comes back: of elasticity (J/m^2)
   Lane work;             ///< work done since the last accepted step against friction and damping
   LaneStrains stress;    ///< d (stored + work) / d strain
   LaneTangents tangent;  ///< d stress / d strain
@@ -87,7 +87,7 @@ class Density {
   /// Adds its energy, stress and tangent.
   virtual void add(const Samples& samples, const StepTime& time, Response& response) const = 0;
 
-  /// Adds the energy that the strain alone decides. Those that have none, or a short way to it, say
+  /// Adds the energy that is stored at the strain. Those that have none, or a short way to it, say
   /// so; else it is that of `add`.
   virtual void add_stored(const Samples& samples, Lane& stored) const;
 

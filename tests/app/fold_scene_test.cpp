@@ -1,0 +1,114 @@
+// The fold of examples/fold.yaml at reduced size: what a strip keeps that is elastic, one with Dahl
+// friction and one that yields ([T] Fig. 2.2).
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/io/csv.h"
+
+#include "app/scene_folder.h"
+
+namespace pliant::test {
+namespace {
+
+// Frames after the first fold, after the push from the other side and after the second fold.
+constexpr size_t kFirst = 20, kPushed = 40, kSecond = 60;
+
+std::string file_of(const std::string& name) {
+  return SceneFolder::example("fold/" + name + ".json").string();
+}
+
+/// The scene at reduced size.
+std::string small_fold(const std::string& duration = "6 s") {
+  return edited_text(content_of(SceneFolder::example("fold.yaml")),
+                     {{"nodes: 41x17", "nodes: 21x9"},
+                      {"fold/sheet.json", file_of("sheet")},
+                      {"duration: 6 s", "duration: " + duration}});
+}
+
+/// Simulates the scene that stands in a folder with one of the files of examples/fold.
+void simulate(const SceneFolder& folder, const std::string& bending,
+              const std::vector<std::string>& more = {}, const std::string& out = "out") {
+  std::vector<std::string> arguments{
+      "simulate", folder.file("scene.yaml"), "-o",          folder.results(out).string(),
+      "--fill",   file_of(bending),          "--no-report", "--threads",
+      "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const ProgramRun run = run_program(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+class FoldedStrip {
+ public:
+  explicit FoldedStrip(const std::string& bending) {
+    folder_.write("scene.yaml", small_fold());
+    simulate(folder_, bending);
+    work_ = read_csv(folder_.results() / "energy.csv").numbers("work_J");
+    const ProgramRun run = run_program({"compare", folder_.results().string(), "--json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    const nlohmann::json compared = nlohmann::json::parse(run.out);
+    for (const auto& frame : compared["frames"]) left_.push_back(frame["curvature"]);
+  }
+
+  /// Curvature that a frame has left, root mean square over the strip (1/m).
+  double left(size_t frame) const { return left_.at(frame); }
+  /// What was lost between two frames (J).
+  double lost(size_t from, size_t to) const { return work_.at(to) - work_.at(from); }
+
+ private:
+  SceneFolder folder_;
+  std::vector<double> work_, left_;
+};
+
+// The strip moves a little when it is let go, and air and inertia are no part of the laws: what an
+// elastic strip has left is what there is to see of that.
+TEST(SlowFoldScene, TellsFrictionFromPlasticity) {
+  const FoldedStrip elastic("elastic"), rubbing("dahl"), yielding("plastic");
+  double seen = 0;
+  for (const size_t frame : {kFirst, kPushed, kSecond}) seen = std::max(seen, elastic.left(frame));
+
+  // Both keep the first fold, about alike.
+  EXPECT_GT(rubbing.left(kFirst), 5 * seen);
+  EXPECT_NEAR(yielding.left(kFirst), rubbing.left(kFirst), 0.7 * rubbing.left(kFirst));
+  // A small push undoes the one and not the other, which loses little more than an elastic strip.
+  EXPECT_LT(rubbing.left(kPushed), 0.6 * rubbing.left(kFirst));
+  EXPECT_NEAR(yielding.left(kPushed), yielding.left(kFirst), 0.1 * yielding.left(kFirst));
+  EXPECT_GT(rubbing.lost(kFirst, kPushed), 4 * yielding.lost(kFirst, kPushed));
+  // A larger fold is kept no better by friction, which was saturated, and far better by yield.
+  EXPECT_LT(rubbing.left(kSecond), 2 * rubbing.left(kFirst));
+  EXPECT_GT(yielding.left(kSecond), 3.5 * yielding.left(kFirst));
+}
+
+// What [T] 2.1.4 has plasticity for: creases of extreme folds, beside friction.
+TEST(SlowFoldScene, WithBothLawsIsFrictionUntilTheFoldIsSharp) {
+  const FoldedStrip rubbing("dahl"), both("dahl-plastic");
+  for (const size_t frame : {kFirst, kPushed}) {
+    EXPECT_NEAR(both.left(frame), rubbing.left(frame), 0.05 * rubbing.left(frame)) << frame;
+  }
+  EXPECT_GT(both.left(kSecond), 2.5 * rubbing.left(kSecond));
+}
+
+TEST(SlowFoldScene, OfAStripThatYieldsIsGoneOnWithToTheSameBits) {
+  const SceneFolder folder;
+  folder.write("scene.yaml", small_fold("2.5 s"));
+  simulate(folder, "plastic", {}, "whole");
+  folder.write("scene.yaml", small_fold("1.2 s"));
+  simulate(folder, "plastic");
+  folder.write("scene.yaml", small_fold("2.5 s"));
+  simulate(folder, "plastic", {"--resume"});
+  expect_same_files(folder.computed_files("whole"), folder.computed_files());
+}
+
+// Yield is no friction.
+TEST(SlowFoldScene, OfAStripThatYieldsIsKeptWithoutFriction) {
+  const SceneFolder folder;
+  folder.write("scene.yaml", small_fold("1.2 s"));
+  simulate(folder, "plastic");
+  simulate(folder, "plastic", {"--no-friction"}, "without");
+  expect_same_files(folder.computed_files(), folder.computed_files("without"));
+}
+
+}  // namespace
+}  // namespace pliant::test

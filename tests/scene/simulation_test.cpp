@@ -13,11 +13,13 @@
 #include "pliant/scene/simulation_result.h"
 
 #include "scene/scene_text.h"
+#include "scene/simulated_scene.h"
 
 namespace pliant {
 namespace {
 
 using test::read_scene_text;
+using test::simulated;
 
 /// A sheet with vertices at 25 mm from each other, whose upper corners are held; one is moved.
 /// @param time       of the scene
@@ -88,6 +90,16 @@ TEST(AdaptiveSteps, ThatFailHoweverShortKeepTheStateBeforeTheWholeStep) {
   EXPECT_EQ(simulation.now().state.time, before.time);
   EXPECT_EQ(simulation.now().state.configuration.positions, before.configuration.positions);
   EXPECT_EQ(simulation.now().state.history, before.history);
+}
+
+TEST(IteratedSteps, LeaveASheetAtRestWhereItIs) {
+  Simulation sheet = simulated(
+      "cloth: [{name: sheet, mesh: {grid: 100 mm x 100 mm, nodes: 5x5}, material: jersey.json,\n"
+      "         place: {rotate: {axis: [1, 2, 3], angle: 40 deg}}}]\n"
+      "gravity: [0, 0, 0]\ntime: {step: 5 ms, duration: 50 ms}\n");
+  const Eigen::Matrix3Xd before = sheet.now().state.configuration.positions;
+  while (!sheet.is_finished()) sheet.advance();
+  EXPECT_LT((sheet.now().state.configuration.positions - before).norm(), 1e-12);
 }
 
 }  // namespace

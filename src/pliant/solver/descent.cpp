@@ -81,7 +81,8 @@ DescentSummary descend(const Objective& objective, const DescentOptions& options
     const Configuration before = at;
     if (options.line_search) {
       const FreeChange free = free_change(objective, at, change);
-      summary.converged = go_down(objective, force, free, energy, at);
+      summary.converged = go_down(objective, force, free, energy, at) ||
+                          largest_motion(at, coordinates.moved(at, change)) <= options.motion;
       summary.end = energy;
       settled = free.lost <= options.motion && energy.total() <= options.most_energy;
     } else {

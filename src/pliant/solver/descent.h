@@ -18,8 +18,8 @@ struct DescentOptions {
 };
 
 struct DescentSummary {
-  /// With a line search: the energy fell in each iteration; without one: the linear system was
-  /// solved.
+  /// With a line search: the energy fell in each iteration, or nothing would have moved further
+  /// than `motion`; without one: the linear system was solved.
   bool converged = true;
   int iterations = 0;
   int linear_iterations = 0;

@@ -120,7 +120,7 @@ TEST(DrapeFields, HaveTheStandardsSizesByDefault) {
 
 TEST(DrapeFields, AreReadAsTheyAreWritten) {
   const VirtualLab lab =
-      read_drape(", specimen: 36 cm, disc: 20 cm, history: shaken, mesh: {edge: 9 mm}, repeats: 4");
+      read_drape(", specimen: 36 cm, disc: 20 cm, history: shaken, edge: 9 mm, repeats: 4");
   const auto& test = test::experiment_of<VirtualDrape>(lab, 0);
   EXPECT_EQ(test.repeats, 4);
   std::string fields;
@@ -136,7 +136,7 @@ TEST(DrapeFields, AreReadAsTheyAreWritten) {
 TEST(DrapeFields, AreRefusedWhereNothingWouldHang) {
   EXPECT_THAT(refusal_of(", specimen: 18 cm"), HasSubstr("hardly hangs over the disc"));
   EXPECT_THAT(refusal_of(", disc: 29 cm"), HasSubstr("specimen: of 300 mm by default"));
-  EXPECT_THAT(refusal_of(", mesh: {edge: 40 mm}"), HasSubstr("too coarse or too fine"));
+  EXPECT_THAT(refusal_of(", edge: 40 mm"), HasSubstr("too coarse or too fine"));
   EXPECT_THAT(refusal_of(", history: thrown"), HasSubstr("thrown"));
 }
 

@@ -18,19 +18,16 @@ constexpr int kMostRepeats = 100;
 
 void read_edge(Fields& fields, DrapeSetup& setup) {
   setup.edge = kUsualEdge * setup.overhang();
-  const auto mesh = fields.optional("mesh");
-  if (!mesh) return;
-  Fields inner = mesh->fields();
-  const Value edge = inner.require("edge");
-  setup.edge = edge.positive_quantity(Dimension::length);
+  const auto edge = fields.optional("edge");
+  if (!edge) return;
+  setup.edge = edge->positive_quantity(Dimension::length);
   const double coarsest = kCoarsest * setup.overhang(), finest = kFinest * setup.overhang();
   // Rounding of what the message says.
   if (setup.edge > coarsest * (1 + 1e-9) || setup.edge < finest * (1 - 1e-9)) {
-    edge.fail("makes a mesh that is too coarse or too fine",
-              fmt::format("{} to {}", format_quantity(finest, Dimension::length),
-                          format_quantity(coarsest, Dimension::length)));
+    edge->fail("makes a mesh that is too coarse or too fine",
+               fmt::format("{} to {}", format_quantity(finest, Dimension::length),
+                           format_quantity(coarsest, Dimension::length)));
   }
-  inner.finish();
 }
 
 std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
@@ -78,7 +75,7 @@ WrittenFields written(const DrapeSetup& setup) {
   return {{"specimen", exact_quantity(setup.specimen, Dimension::length)},
           {"disc", exact_quantity(setup.disc, Dimension::length)},
           {"history", std::string(name_of(setup.history))},
-          {"mesh", "{edge: " + exact_quantity(setup.edge, Dimension::length) + "}"}};
+          {"edge", exact_quantity(setup.edge, Dimension::length)}};
 }
 
 const TestType& drape_type() {

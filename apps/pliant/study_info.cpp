@@ -16,6 +16,7 @@
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study.h"
 #include "pliant/study/study_experiments.h"
+#include "pliant/study/whole_sheets.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -217,6 +218,28 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
   add_remarks(spec.name, about, info);
 }
 
+/// A test that is only predicted.
+void add_whole_sheet(const ExperimentSpec& spec, FileInfo& info, Json& json) {
+  const std::unique_ptr<WholeSheetTest> test = read_whole_sheet_test(spec);
+  const ExperimentInfo& about = test->info();
+  const double mean = about.quantity.per_si * test->measured().mean();
+  info.lines.push_back(labelled(
+      spec.name, fmt::format("{}, predicted with a whole material, not fitted", spec.type)));
+  info.lines.push_back(
+      labelled("data",
+               fmt::format("{}: {} rows, mean {} {:.4g} {}", spec.data.written,
+                           test->measured().size(), about.quantity.kind, mean, about.quantity.unit),
+               1));
+  for (const auto& [key, value] : spec.test->fields()) {
+    info.lines.push_back(labelled(key, value, 1));
+  }
+  for (const std::string& text : about.handled) info.lines.push_back(labelled("handled", text, 1));
+  json["rows"] = test->measured().size();
+  json["mean"] = mean;
+  json["unit"] = about.quantity.unit;
+  add_remarks(spec.name, about, info);
+}
+
 /// @return those that are fitted in one dimension
 Experiments add_experiments(const Study& study, FileInfo& info) {
   Experiments experiments;
@@ -226,6 +249,8 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
     const TestType& type = spec.test->type();
     if (type.facts.measures_sheets) {
       add_session(spec, info, json);
+    } else if (is_only_predicted(spec)) {
+      add_whole_sheet(spec, info, json);
     } else {
       auto experiment = read_experiment(spec, study);
       add_measurements(spec, study.model, *experiment, info, json);

@@ -88,6 +88,14 @@ void say_experiments(const CommandContext& context, const StudyResult& result) {
                             e.role == ExperimentRole::fit ? "fitted" : "predicted", e.points,
                             data_text(e, result.material.membrane), error_text(e)));
   }
+  for (const WholeSheetResult& whole : result.whole_sheets) {
+    const MeasuredQuantity& quantity = whole.info.quantity;
+    context.say(fmt::format("{:<24} {:<9} {} rows, {}: measured {:.3g} {}, predicted {:.3g} {}",
+                            whole.info.name, "predicted", whole.measured.size(), quantity.kind,
+                            quantity.per_si * whole.measured.mean(), quantity.unit,
+                            quantity.per_si * whole.prediction.value.mean(), quantity.unit));
+    for (const std::string& told : whole.prediction.told) context.say("  " + told);
+  }
   for (const SkippedExperiment& e : result.skipped) {
     context.run.progress.message(Level::warning,
                                  fmt::format("{}: not predicted, the material has no {}", e.name,

@@ -39,11 +39,13 @@ TEST(Registry, KnowsOfEachTypeAllThatTheProgramAsks) {
     EXPECT_NE(type->read, nullptr);
     EXPECT_NE(type->read_virtual, nullptr);
     // What is read from a table is predicted in one dimension, has an instrument and a template.
-    const bool in_rows = !type->facts.measures_sheets;
-    EXPECT_EQ(type->make != nullptr, in_rows);
+    // What is only predicted is a table, too, of a whole material.
+    const bool in_rows = !type->facts.measures_sheets, fitted = !type->facts.only_predicted;
+    EXPECT_EQ(type->make != nullptr, in_rows && fitted);
+    EXPECT_EQ(type->make_whole != nullptr, !fitted);
     EXPECT_EQ(type->is_table != nullptr, in_rows);
-    EXPECT_EQ(!type->channels.empty(), in_rows);
-    EXPECT_EQ(type->facts.deformation.has_value(), in_rows);
+    EXPECT_EQ(!type->channels.empty(), in_rows && fitted);
+    EXPECT_EQ(type->facts.deformation.has_value(), in_rows && fitted);
     EXPECT_EQ(type->template_files.size(), in_rows ? 3u : 0u);
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -143,6 +144,46 @@ TEST_F(IrregularRectangle, MayBeAsCoarseAsTwoTriangles) {
 TEST(IrregularRectangleWithoutCgal, SaysWhatIsMissing) {
   if (has_irregular_meshes()) GTEST_SKIP() << "built with CGAL";
   EXPECT_THROW(irregular_rectangle(1, 1, 0.1), InputError);
+}
+
+using IrregularDisc = IrregularRectangle;
+
+TEST_F(IrregularDisc, IsAGoodMeshOfTheWholeDisc) {
+  for (const auto& [radius, inner, edge] :
+       {std::tuple{0.15, 0.09, 0.006}, {0.12, 0.09, 0.01}, {1.0, 0.2, 0.05}}) {
+    const TriangleMesh mesh = irregular_disc(radius, inner, edge);
+    EXPECT_TRUE(find_mesh_problems(mesh).empty());
+    const auto parts = static_cast<double>(std::lround(2 * std::numbers::pi * radius / edge));
+    const double polygon = parts / 2 * radius * radius * std::sin(2 * std::numbers::pi / parts);
+    EXPECT_NEAR(rest_area(mesh), polygon, 1e-9 * polygon);
+    const MeshQuality quality = mesh_quality(mesh);
+    EXPECT_GT(quality.smallest_angle, 25 * std::numbers::pi / 180);
+    EXPECT_LT(quality.longest_edge, 1.7 * edge);
+    EXPECT_GT(quality.shortest_edge, 0.5 * edge);
+    EXPECT_NEAR(quality.mean_edge, edge, 0.06 * edge);  // as its header promises
+  }
+}
+
+TEST_F(IrregularDisc, HasEdgesAlongItsCirclesThatNoneCrosses) {
+  const double radius = 0.15, inner = 0.09, edge_length = 0.006;
+  const TriangleMesh mesh = irregular_disc(radius, inner, edge_length);
+  const auto distance = [&](int vertex) { return mesh.positions.col(vertex).norm(); };
+  const double dip = edge_length * edge_length / (4 * inner);  // of a chord into its circle
+  for (const MeshEdge& edge : find_edges(mesh.triangles)) {
+    const auto [near, far] = std::minmax({distance(edge.vertices[0]), distance(edge.vertices[1])});
+    if (edge.is_boundary()) {
+      EXPECT_NEAR(near, radius, 1e-12);
+      EXPECT_NEAR(far, radius, 1e-12);
+    }
+    EXPECT_FALSE(near < inner - dip && far > inner + 1e-12) << near << " to " << far;
+  }
+}
+
+TEST_F(IrregularDisc, IsTheSameForTheSameArguments) {
+  const TriangleMesh first = irregular_disc(0.15, 0.09, 0.01);
+  const TriangleMesh second = irregular_disc(0.15, 0.09, 0.01);
+  EXPECT_EQ(first.positions, second.positions);
+  EXPECT_EQ(first.triangles, second.triangles);
 }
 
 }  // namespace

@@ -159,7 +159,9 @@ std::vector<NamedDocument> shipped_documents() {
   }
   std::vector<fs::path> labs{kSource / "examples" / "demo" / "lab.yaml",
                              kSource / "examples" / "sheet-sessions" / "lab.yaml",
-                             kSource / "examples" / "joint" / "lab.yaml"};
+                             kSource / "examples" / "joint" / "lab.yaml",
+                             kSource / "examples" / "drape" / "lab.yaml",
+                             kSource / "examples" / "drape" / "without-friction.yaml"};
   for (const fs::path& file : files_in(kSource / "examples" / "sheet-figures")) {
     if (file.extension() == ".yaml") labs.push_back(file);
   }

@@ -12,6 +12,7 @@
 #include "pliant/estimation/lab_figures.h"
 #include "pliant/estimation/start_search.h"
 #include "pliant/estimation/statistics/outliers.h"
+#include "pliant/estimation/whole_sheet_result.h"
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/equilibrium_work.h"
@@ -152,6 +153,7 @@ struct StudyResult {
   std::map<std::string, Eigen::VectorXd> singular_values;
   std::vector<DataFile> data;
   std::vector<ExperimentResult> experiments;
+  std::vector<WholeSheetResult> whole_sheets;  ///< of an evaluation
   std::vector<ComponentCurve> curves;
   std::vector<LabFigure> figures;  ///< of the material's components, in the order of their names
   std::optional<EquilibriumWork> work;  ///< of sheets: fits, their predictions and uncertainty

@@ -7,6 +7,7 @@
 #include "pliant/experiment/bending/pure_bending_type.h"
 #include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/cantilever/cantilever_type.h"
+#include "pliant/experiment/drape/drape_type.h"
 #include "pliant/experiment/hanging/hanging_weights_type.h"
 #include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/experiment/rolled/rolled_strip_type.h"
@@ -27,6 +28,7 @@ std::span<const TestType* const> test_types() {
       &hanging_weights_type(), &tensile_cycles_type(), &shear_cycles_type(),
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
       &bending_length_type(),  &buckling_bend_type(),  &session_type(),
+      &drape_type(),
   };
   return types;
 }

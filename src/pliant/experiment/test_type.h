@@ -17,6 +17,7 @@
 namespace pliant {
 
 struct StandardFigures;
+class WholeSheetTest;
 
 /// A reading of a test's instrument: its key in `noise:` and `resolution:`, and where its numbers
 /// are kept.
@@ -71,10 +72,15 @@ struct TestType {
   /// @throws InputError
   std::shared_ptr<const TestSpec> (*read)(Fields& fields, const SpecimenDefaults& defaults,
                                           ExperimentSpec& experiment);
-  /// Makes the experiment of a specification and its rows; none where sheets are measured.
+  /// Makes the experiment of a specification and its rows; none where sheets are measured
+  /// or the test is only predicted.
   /// @throws InputError for unusable data
   std::unique_ptr<ComponentExperiment> (*make)(const ExperimentSpec& spec, const DataRows& data,
                                                const ClothFacts& cloth) = nullptr;
+  /// The same of a test that is only predicted.
+  /// @throws InputError for unusable data
+  std::unique_ptr<WholeSheetTest> (*make_whole)(const ExperimentSpec& spec,
+                                                const DataRows& data) = nullptr;
   /// Reads the type's fields of an experiment of a lab.
   /// @throws InputError
   std::shared_ptr<VirtualTest> (*read_virtual)(Fields& fields);

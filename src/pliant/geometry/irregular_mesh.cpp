@@ -40,13 +40,19 @@ constexpr double kShapeBound = 0.2;
 constexpr double kSmallestAngle = 25 * std::numbers::pi / 180;
 constexpr int kSmoothingSteps = 10;
 
-/// A straight line along an axis that edges of the mesh run along.
+/// A straight line that edges of the mesh run along.
 struct Line {
   Eigen::Vector2d from, to;
 
-  /// Without tolerance: points on a line have its very coordinate.
+  /// Without tolerance where it runs along an axis: points on such a line have its very coordinate.
   bool holds(const Eigen::Vector2d& point) const {
-    return Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to)).contains(point);
+    const Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
+    if (from.x() == to.x() || from.y() == to.y()) return box.contains(point);
+    constexpr double kRounding = 1e-9;
+    const Eigen::Vector2d along = to - from, there = point - from;
+    const double apart = along.x() * there.y() - along.y() * there.x();
+    return std::abs(apart) <= kRounding * along.squaredNorm() &&
+           box.exteriorDistance(point) <= kRounding * along.norm();
   }
 };
 
@@ -88,7 +94,7 @@ std::vector<Point> cut(const Line& line, const Eigen::Matrix2Xd& corners, double
   for (std::size_t s = 0; s + 1 < stops.size(); ++s) {
     const Eigen::Vector2d from = corners.col(stops[s]), to = corners.col(stops[s + 1]);
     const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
-    const double length = (high - low).sum();
+    const double length = (high - low).norm();
     if (length == 0) continue;
     const auto parts = std::max(1L, std::lround(length / edge_length));
     const bool rises = from == low;
@@ -192,6 +198,34 @@ TriangleMesh smoothed(const TriangleMesh& mesh, const std::vector<Line>& lines) 
   return flat_mesh(points, delaunay_triangles(points, lines));
 }
 
+/// The mesh of what the lines enclose.
+/// @param corners  ends of lines
+TriangleMesh mesh_between(const std::vector<Line>& lines, const Eigen::Matrix2Xd& corners,
+                          double edge_length) {
+  std::vector<Point> refined = refined_points(lines, corners, edge_length);
+  sort_by_strips(edge_length, refined);
+  Eigen::Matrix2Xd points(2, refined.size());
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) << refined[i].x(), refined[i].y();
+  TriangleMesh mesh = flat_mesh(points, delaunay_triangles(points, lines));
+  for (int step = 0; step < kSmoothingSteps; ++step) {
+    TriangleMesh next = smoothed(mesh, lines);
+    if (mesh_quality(next).smallest_angle < kSmallestAngle) break;
+    mesh = std::move(next);
+  }
+  return mesh;
+}
+
+/// Corners of the regular polygon in a circle about the origin whose sides are nearest to a length.
+Eigen::Matrix2Xd polygon_in_circle(double radius, double side) {
+  const auto parts = std::max(6L, std::lround(2 * std::numbers::pi * radius / side));
+  Eigen::Matrix2Xd corners(2, parts);
+  for (long i = 0; i < parts; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(parts);
+    corners.col(i) << radius * std::cos(angle), radius * std::sin(angle);
+  }
+  return corners;
+}
+
 }  // namespace
 
 TriangleMesh irregular_rectangle(double width, double height, double edge_length,
@@ -206,18 +240,23 @@ TriangleMesh irregular_rectangle(double width, double height, double edge_length
     PLIANT_ASSERT(whole.contains(boxes[b]), "regions lie within the rectangle");
     corners.middleCols<4>(static_cast<Eigen::Index>(4 * b)) = corners_of(boxes[b]);
   }
-  const std::vector<Line> lines = sides_of(boxes);
-  std::vector<Point> refined = refined_points(lines, corners, edge_length);
-  sort_by_strips(edge_length, refined);
-  Eigen::Matrix2Xd points(2, refined.size());
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) << refined[i].x(), refined[i].y();
-  TriangleMesh mesh = flat_mesh(points, delaunay_triangles(points, lines));
-  for (int step = 0; step < kSmoothingSteps; ++step) {
-    TriangleMesh next = smoothed(mesh, lines);
-    if (mesh_quality(next).smallest_angle < kSmallestAngle) break;
-    mesh = std::move(next);
+  return mesh_between(sides_of(boxes), corners, edge_length);
+}
+
+TriangleMesh irregular_disc(double radius, double inner_radius, double edge_length) {
+  PLIANT_ASSERT(edge_length > 0, "edges have a positive length");
+  PLIANT_ASSERT(0 < inner_radius && inner_radius < radius, "the inner circle lies in the outer");
+  std::vector<Line> lines;
+  Eigen::Matrix2Xd corners(2, 0);
+  for (const double circle : {inner_radius, radius}) {
+    const Eigen::Matrix2Xd polygon = polygon_in_circle(circle, edge_length);
+    for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
+      lines.push_back({polygon.col(i), polygon.col((i + 1) % polygon.cols())});
+    }
+    corners.conservativeResize(2, corners.cols() + polygon.cols());
+    corners.rightCols(polygon.cols()) = polygon;
   }
-  return mesh;
+  return mesh_between(lines, corners, edge_length);
 }
 
 bool has_irregular_meshes() { return true; }
@@ -231,6 +270,11 @@ namespace pliant {
 TriangleMesh irregular_rectangle(double, double, double, const std::vector<Eigen::AlignedBox2d>&) {
   throw InputError({}, "this build of Pliant makes no irregular meshes (CGAL was missing)",
                    "a regular grid or a mesh file, or a build with libcgal-dev installed");
+}
+
+TriangleMesh irregular_disc(double, double, double) {
+  throw InputError({}, "this build of Pliant makes no round meshes (CGAL was missing)",
+                   "a build with libcgal-dev installed");
 }
 
 bool has_irregular_meshes() { return false; }

@@ -23,6 +23,12 @@ namespace pliant {
 TriangleMesh irregular_rectangle(double width, double height, double edge_length,
                                  const std::vector<Eigen::AlignedBox2d>& regions = {});
 
+/// The same of a disc about the origin, both circles cut into equal parts nearest to `edge_length`.
+/// @param radius        m
+/// @param inner_radius  of the circle about the origin that edges run along (m, 0 to `radius`)
+/// @throws InputError in a build without CGAL
+TriangleMesh irregular_disc(double radius, double inner_radius, double edge_length);
+
 /// Whether this build can make irregular meshes.
 bool has_irregular_meshes();
 

@@ -11,6 +11,7 @@ std::string make_report(const std::filesystem::path& results_directory) {
   report::FigureSheet figures = report::page_figures();
   std::string body = report::summary_page(data, figures);
   body += report::experiment_section(data, figures);
+  body += report::whole_sheet_section(data);
   body += report::parameter_section(data);
   body += report::curve_section(data, figures);
   body += report::method_section(data.results);

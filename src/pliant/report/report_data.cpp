@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
 
 namespace pliant::report {
@@ -44,6 +45,11 @@ ReportData read_report_data(const std::filesystem::path& directory) {
     data.shapes.emplace_back();
     if (experiment.shape_file.empty()) continue;
     data.shapes.back() = read_strip_shapes(directory / experiment.shape_file);
+  }
+  for (const ResultWholeSheet& stated : data.results.whole_sheets) {
+    data.whole_sheets.push_back({stated, {}});
+    if (stated.picture_file.empty()) continue;
+    data.whole_sheets.back().picture = read_text_file(directory / stated.picture_file);
   }
   const std::filesystem::path material = directory / "material.json";
   const bool any_sheet =

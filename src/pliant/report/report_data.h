@@ -21,6 +21,12 @@ struct SheetData {
   std::optional<double> rms_clip_force;  ///< N; where forces are compared
 };
 
+/// A test in which all of a material shows together.
+struct WholeSheetData {
+  ResultWholeSheet stated;
+  std::string picture;  ///< an SVG document, or nothing
+};
+
 /// Everything a report is made from.
 struct ReportData {
   Results results;
@@ -28,7 +34,8 @@ struct ReportData {
   std::vector<Prediction> predictions;  ///< one an experiment, in the order of the results
   std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
   std::vector<std::optional<SheetData>> sheets;    ///< alike; none where there are no sessions
-  std::optional<Material> material;                ///< of sessions, where its file is there
+  std::vector<WholeSheetData> whole_sheets;
+  std::optional<Material> material;  ///< of sessions, where its file is there
 
   /// Whether there is nothing but full-field sessions.
   bool is_of_sheets() const;

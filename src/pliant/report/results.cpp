@@ -150,6 +150,21 @@ ResultExperiment read_experiment(const JsonReader& json) {
   return e;
 }
 
+ResultWholeSheet read_whole_sheet(const JsonReader& json) {
+  ResultWholeSheet whole;
+  whole.name = json.text("name");
+  whole.type = json.text_or("type", "");
+  whole.unit = json.text_or("unit", "");
+  if (json.has("picture_file")) whole.picture_file = json.relative_file_or("picture_file", "");
+  whole.measured_mean = json.number("measured_mean");
+  whole.predicted_mean = json.number("predicted_mean");
+  whole.rms = json.number("rms");
+  whole.points = json.integer_or("points", 0);
+  whole.told = json.texts("told");
+  whole.handled = json.texts("handled");
+  return whole;
+}
+
 FitStage read_stage(const JsonReader& json) {
   return {json.text_or("component", ""), json.text_or("name", ""), json.text_or("unit", ""),
           json.number("rms"), json.flag_or("accepted", true)};
@@ -281,6 +296,7 @@ Results read_results(const std::filesystem::path& directory) {
   check_covariance(json, r);
   r.singular_values = read_all(json, "singular_values", read_singular_values);
   r.experiments = read_all(json, "experiments", read_experiment);
+  r.whole_sheets = read_all(json, "whole_sheets", read_whole_sheet);
   assign_nuisance_components(r);
   r.work = read_work(json.object("work"));
   r.stages = read_all(json, "stages", read_stage);

@@ -64,6 +64,15 @@ struct ResultExperiment {
   std::vector<std::string> handled;
 };
 
+/// A test in which all of a material shows together; values in `unit`.
+struct ResultWholeSheet {
+  std::string name, type, unit;
+  std::string picture_file;  ///< SVG; empty where there is none
+  std::optional<double> measured_mean, predicted_mean, rms;
+  int points = 0;
+  std::vector<std::string> told, handled;
+};
+
 struct FitStage {
   std::string component, name, unit;
   std::optional<double> rms;
@@ -139,6 +148,7 @@ struct Results {
   std::vector<std::vector<double>> covariance;  ///< parameters, then nuisance; NaN = unknown
   std::vector<SingularValues> singular_values;
   std::vector<ResultExperiment> experiments;
+  std::vector<ResultWholeSheet> whole_sheets;
   std::optional<FitWork> work;
   std::vector<FitStage> stages;
   std::vector<MultiStart> starts;

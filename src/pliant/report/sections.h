@@ -14,6 +14,9 @@ std::string summary_page(const ReportData& data, FigureSheet& figures);
 /// Each experiment: loops, residuals, what was done with its data.
 std::string experiment_section(const ReportData& data, FigureSheet& figures);
 
+/// Tests that are only predicted: what a whole material shows.
+std::string whole_sheet_section(const ReportData& data);
+
 /// The estimated numbers with their uncertainty, nuisance parameters, singular values.
 std::string parameter_section(const ReportData& data);
 

@@ -10,6 +10,7 @@
 #include "pliant/material/material_file.h"
 #include "pliant/study/frame_measure_table.h"
 #include "pliant/study/shape_table.h"
+#include "pliant/study/whole_sheet_files.h"
 
 namespace pliant {
 namespace {
@@ -376,6 +377,7 @@ std::string summary_text(const StudyResult& result, const RunFacts& facts, bool 
   for (const ExperimentResult& e : result.experiments) {
     json["experiments"].push_back(experiment_json(e));
   }
+  if (!fitted) json["whole_sheets"] = whole_sheets_json(result.whole_sheets);
   json["membrane"] = name_of(result.material.membrane);
   json["figures"] = Json::array();
   for (const LabFigure& figure : result.figures) json["figures"].push_back(figure_json(figure));
@@ -412,6 +414,7 @@ std::vector<std::pair<std::string, std::string>> evaluation_files(const StudyRes
   std::vector<std::pair<std::string, std::string>> files;
   files.emplace_back("evaluation.json", summary_text(result, facts, false));
   add_tables(result, files);
+  add_files(result.whole_sheets, files);
   return files;
 }
 

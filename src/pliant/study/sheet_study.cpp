@@ -32,6 +32,7 @@
 #include "pliant/study/sheet_experiment.h"
 #include "pliant/study/sheet_predictions.h"
 #include "pliant/study/study_experiments.h"
+#include "pliant/study/whole_sheets.h"
 
 namespace pliant {
 namespace {
@@ -114,7 +115,7 @@ std::string sheet_bending(const SheetFit& fit, const TriangleMesh& mesh) {
 void warn_of_left_out(const Study& study, StudyResult& result) {
   std::vector<std::string> names;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (!is_sheet(spec, study.model)) names.push_back(spec.name);
+    if (!is_sheet(spec, study.model) && !is_only_predicted(spec)) names.push_back(spec.name);
   }
   if (names.empty()) return;
   result.warnings.push_back(fmt::format(

@@ -90,6 +90,7 @@ ExperimentSpec read_experiment(const Value& node, const SpecimenDefaults& defaul
   spec.data = read_data_source(fields.require("data"));
   spec.test = type.read(fields, with_told_sizes(defaults, fields, type, spec), spec);
   doubt_stated_sizes(spec);
+  if (type.facts.only_predicted) spec.role = ExperimentRole::validate;
   if (auto v = fields.optional("standard")) spec.standard = v->text();
   // Of sheets noise is estimated, and a frame is not a row.
   const bool in_rows = !type.channels.empty();

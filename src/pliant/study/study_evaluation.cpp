@@ -21,6 +21,7 @@
 #include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study_experiments.h"
+#include "pliant/study/whole_sheets.h"
 
 namespace pliant {
 namespace {
@@ -151,7 +152,7 @@ void skip_unknown(const Material& material, Experiments& experiments, StudyResul
 /// @throws InputError where every experiment was skipped
 void refuse_if_nothing_is_left(const Study& study, const Material& material,
                                const StudyResult& result) {
-  if (!result.experiments.empty()) return;
+  if (!result.experiments.empty() || !result.whole_sheets.empty()) return;
   std::set<std::string> missing;
   for (const SkippedExperiment& e : result.skipped) {
     missing.insert(e.missing.begin(), e.missing.end());
@@ -198,6 +199,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
     }
   }
   evaluate_sheets(with_measure, material, found.cords, context, result);
+  evaluate_whole_sheets(with_measure, material, context, result);
   warn_of_left_out(result);
   warn_of_guesses(material, result);
   refuse_if_nothing_is_left(study, material, result);

@@ -11,6 +11,7 @@
 #include "pliant/estimation/stated_options.h"
 #include "pliant/study/example_data.h"
 #include "pliant/study/study.h"
+#include "pliant/study/whole_sheets.h"
 
 namespace pliant {
 
@@ -39,7 +40,7 @@ StudyResult describe(const Study& study) {
 Experiments read_experiments(const Study& study, StudyResult& result) {
   Experiments experiments;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (is_sheet(spec, study.model)) continue;
+    if (is_sheet(spec, study.model) || is_only_predicted(spec)) continue;
     experiments.push_back(read_experiment(spec, study));
     add_remarks(spec.name, experiments.back()->info(), result);
     if (is_example_data(spec)) {

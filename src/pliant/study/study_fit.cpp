@@ -16,6 +16,7 @@
 #include "pliant/study/joint_study.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study_experiments.h"
+#include "pliant/study/whole_sheets.h"
 
 namespace pliant {
 namespace {
@@ -24,7 +25,7 @@ namespace {
 std::vector<std::string_view> names_of_table_tests() {
   std::vector<std::string_view> names;
   for (const TestType* type : test_types()) {
-    if (!type->facts.measures_sheets) names.push_back(type->name);
+    if (type->make) names.push_back(type->name);
   }
   return names;
 }
@@ -110,6 +111,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
+  warn_of_whole_sheets(study, result);
   conclude_fit(study, result);
   return result;
 }

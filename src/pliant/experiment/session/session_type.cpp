@@ -1,6 +1,5 @@
 #include "pliant/experiment/session/session_type.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include "pliant/experiment/session/virtual/fields.h"
 #include "pliant/experiment/session/virtual_session.h"
+#include "pliant/experiment/virtual_sheet.h"
 
 namespace pliant {
 namespace {
@@ -43,28 +43,6 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   return test;
 }
 
-/// Every parameter varies by itself, as those of the other experiments do.
-Material specimen_material(Material material, double variation, RandomStream random) {
-  if (variation == 0) return material;
-  const auto varied = [&](double value) { return value * std::exp(variation * random.normal()); };
-  const auto vary = [&](DahlParameters& dahl) {
-    dahl = {varied(dahl.a), varied(dahl.b), varied(dahl.tau)};
-  };
-  for (auto& [name, component] : material.components) {
-    if (!component.stiffness) continue;
-    std::vector<double> values = component.stiffness->values();
-    for (double& value : values) value = varied(value);
-    component.stiffness = component.stiffness->with_values(values.data());
-    for (Addend& addend : component.addends) {
-      addend = Addend(addend.kind(), addend.values().unaryExpr(varied));
-    }
-    if (!component.friction) continue;
-    vary(component.friction->positive);
-    if (component.friction->negative) vary(*component.friction->negative);
-  }
-  return material;
-}
-
 std::string text_or_none(double value, Dimension dimension) {
   return value > 0 ? format_quantity(value, dimension, kDigits) : std::string("none");
 }
@@ -96,9 +74,7 @@ void VirtualSessionTest::require(const Material& material) const {
 
 VirtualData VirtualSessionTest::measure(const VirtualSpecimen& specimen,
                                         const VirtualWork& work) const {
-  const Material material =
-      specimen_material(specimen.material, specimen.variation,
-                        specimen.random.split(fmt::format("sheet {}", specimen.number)));
+  const Material material = sheet_of(specimen);
   RandomStream random = specimen.random.split(specimen.name);
   const Session measured =
       make_virtual_session(material, session, random, {specimen.name, work.stop, work.done});

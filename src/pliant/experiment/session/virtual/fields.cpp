@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/experiment/virtual_sheet.h"
 #include "pliant/io/vector_fields.h"
-#include "pliant/material/fill.h"
-#include "pliant/material/positive_stiffness.h"
 #include "pliant/measurement/session/clip_poses.h"
 #include "pliant/mechanics/cloth.h"
 
@@ -158,20 +157,7 @@ VirtualSession read_virtual_session(Fields& fields) {
 
 void require_sheet_material(const Material& material, const VirtualSession& options,
                             const Location& where) {
-  for (const std::string& component : sheet_component_names()) {
-    if (is_known(material, component)) continue;
-    throw InputError(where,
-                     "needs a component that the material " + quoted_value(material.name) +
-                         " does not have: " + component,
-                     "a material with stretch, shear and bending in all directions");
-  }
-  require_positive_stiffness(material, sheet_component_names(), where);
-  if (!(material.density > 0)) {
-    throw InputError(where,
-                     "needs the density of the material " + quoted_value(material.name) +
-                         ", which does not say it",
-                     "a material with `density`: gravity acts in every test");
-  }
+  require_whole_sheet(material, where);
   if (needs_grid(material) && (!options.nodes || options.test == "bias-extension")) {
     throw InputError(
         where, "the springs of " + quoted_value(material.name) + " need a grid along weft and warp",

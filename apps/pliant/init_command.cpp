@@ -48,10 +48,12 @@ void write_once(const std::string& output, const TestFiles& files) {
 
 void write_template(const CommandContext& context, const InitArguments& arguments) {
   write_once(arguments.output, test_template(arguments.test));
-  context.say(
-      fmt::format("{0} is ready: read PROTOCOL.md, fill in the CSV, then "
-                  "`pliant fit {0}/study.yaml -o RESULTS`",
-                  arguments.output));
+  const TestType* type = find_test_type(arguments.test);
+  const bool predicted = type && type->facts.only_predicted;
+  context.say(fmt::format(
+      "{0} is ready: read PROTOCOL.md, fill in the CSV, then `pliant {1} {0}/study.yaml{2} -o "
+      "RESULTS`",
+      arguments.output, predicted ? "evaluate" : "fit", predicted ? " -m MATERIAL" : ""));
 }
 
 void write_study_of_tables(const CommandContext& context, const InitArguments& arguments) {

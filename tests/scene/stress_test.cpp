@@ -99,8 +99,5 @@ TEST(Stress, LetsNothingThrough) { stress(0, 10); }
 
 TEST(SlowStress, LetsNothingThrough) { stress(100, 90); }
 
-// All thousand: docs/figures/stress.txt.
-TEST(Stress, DISABLED_LetsNothingThroughInAThousandScenes) { stress(1000, 1000); }
-
 }  // namespace
 }  // namespace pliant

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 

@@ -33,7 +33,8 @@ const std::vector<KnownQuantity>& known_quantities() {
       {"y", {Dimension::length}},
       {"depth", {Dimension::length}},
       {"area", {Dimension::area}},
-      {"nominal_stress", {Dimension::stress}}};
+      {"nominal_stress", {Dimension::stress}},
+      {"drape", {fraction}}};
   return quantities;
 }
 

@@ -84,6 +84,8 @@ struct TestType {
   /// Reads the type's fields of an experiment of a lab.
   /// @throws InputError
   std::shared_ptr<VirtualTest> (*read_virtual)(Fields& fields);
+  /// Columns of its tables that no other test has.
+  std::vector<std::pair<std::string, Dimension>> own_quantities = {};
   /// Whether a table of such columns can be the test's data.
   bool (*is_table)(const TableColumns& columns) = nullptr;
   /// What the test's standard reports of rows; none where there is nothing.

@@ -33,8 +33,7 @@ const std::vector<KnownQuantity>& known_quantities() {
       {"y", {Dimension::length}},
       {"depth", {Dimension::length}},
       {"area", {Dimension::area}},
-      {"nominal_stress", {Dimension::stress}},
-      {"drape", {fraction}}};
+      {"nominal_stress", {Dimension::stress}}};
   return quantities;
 }
 
@@ -57,13 +56,17 @@ class UnderstoodTable : public TableColumns {
 
 UnderstoodColumns understood_columns(const CsvTable& table) {
   UnderstoodColumns columns;
+  const auto understand = [&](const std::string& name, Dimension dimension) {
+    const std::optional<std::string> header = table.quantity_column(name, dimension);
+    if (!header || columns.contains(*header)) return;
+    const std::string unit = *table.quantity_unit(name, dimension);
+    if (unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
+  };
   for (const auto& [name, dimensions] : known_quantities()) {
-    for (const Dimension dimension : dimensions) {
-      const std::optional<std::string> header = table.quantity_column(name, dimension);
-      if (!header || columns.contains(*header)) continue;
-      const std::string unit = *table.quantity_unit(name, dimension);
-      if (unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
-    }
+    for (const Dimension dimension : dimensions) understand(name, dimension);
+  }
+  for (const TestType* type : test_types()) {
+    for (const auto& [name, dimension] : type->own_quantities) understand(name, dimension);
   }
   return columns;
 }

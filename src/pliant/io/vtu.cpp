@@ -8,6 +8,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/io/base64.h"
 #include "pliant/io/byte_order.h"
+#include "pliant/io/xml_text.h"
 
 namespace pliant {
 namespace {
@@ -25,26 +26,6 @@ std::size_t corner_count(VtkCell cell) {
       break;
   }
   return 8;
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 /// Writes the XML and, apart from it, the bytes that stand behind it.
@@ -125,7 +106,7 @@ class VtuWriter {
     append_number(static_cast<std::uint64_t>(bytes.size()), ByteOrder::little, block);
     block += bytes;
     xml_ += fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" )", type,
-                        escaped(name), components);
+                        xml_text(name), components);
     if (options_.encoding == VtuEncoding::base64) {
       xml_ += fmt::format("format=\"binary\">{}</DataArray>\n", base64(block));
     } else {
@@ -151,7 +132,7 @@ std::string write_pvd(std::span<const PvdFrame> frames) {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" {}>\n<Collection>\n", kFileAttributes);
   for (const PvdFrame& frame : frames) {
     xml += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time,
-                       escaped(frame.file));
+                       xml_text(frame.file));
   }
   return xml + "</Collection>\n</VTKFile>\n";
 }

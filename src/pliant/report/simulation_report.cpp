@@ -134,13 +134,6 @@ std::string field_section(const SimulationResults& results, const SimulationPict
   return html + "</div></section>\n";
 }
 
-std::string phase_text(const std::string& phase) {
-  if (phase == "assembly") return "– forces and Hessians";
-  if (phase == "equations") return "– linear equations";
-  if (phase == "energies") return "– energies along the search";
-  return phase == "ways" ? "– what is near, and free ways" : "– what is remembered of it";
-}
-
 std::string step_section(const SimulationResults& results) {
   HtmlTable table({{"Of a step"},
                    {"Smallest", Align::number},
@@ -156,7 +149,7 @@ std::string step_section(const SimulationResults& results) {
     }
   };
   row("Computing time", results.seconds, time_text);
-  for (const auto& [phase, seconds] : results.phases) row(phase_text(phase), seconds, time_text);
+  for (const auto& [phase, seconds] : results.phases) row("– " + phase, seconds, time_text);
   if (results.substeps.max.value_or(1) > 1) {
     row("Parts that a step was taken in", results.substeps, number_text);
   }

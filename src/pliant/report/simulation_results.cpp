@@ -47,8 +47,13 @@ EnergyTable read_energy(const std::filesystem::path& file) {
 void read_phases(const JsonReader& json, SimulationResults& results) {
   const std::optional<JsonReader> phases = json.object("seconds_by_phase");
   if (!phases) return;
-  for (const char* name : {"assembly", "equations", "energies", "ways", "history"}) {
-    results.phases.emplace_back(name, read_statistics(*phases, name));
+  const std::pair<const char*, const char*> known[] = {{"assembly", "forces and Hessians"},
+                                                       {"equations", "linear equations"},
+                                                       {"energies", "energies along the search"},
+                                                       {"ways", "what is near, and free ways"},
+                                                       {"history", "what is remembered of it"}};
+  for (const auto& [key, words] : known) {
+    results.phases.emplace_back(words, read_statistics(*phases, key));
   }
 }
 

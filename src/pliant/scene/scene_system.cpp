@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "pliant/base/add_once.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/mesh_quality.h"
 #include "pliant/material/fill.h"
@@ -33,13 +34,7 @@ std::vector<int> held_axes(const ScenePin& pin) {
   return axes;
 }
 
-// Cloths and regions may share a material.
-void add_once(const std::string& warning, std::vector<std::string>& warnings) {
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
-    warnings.push_back(warning);
-  }
-}
-
+// Cloths and regions may share a material, and its warnings.
 Material usable(const SceneMaterial& given, const std::optional<Material>& filler,
                 std::vector<std::string>& warnings) {
   Material material = given.material;

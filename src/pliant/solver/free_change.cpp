@@ -67,12 +67,15 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
   constexpr double kKept = 0.2, kLess = 0.8;
   const Coordinates& coordinates = objective.system().coordinates();
   FreeChange free{change, change};
+  const auto end_of = [&](const Eigen::VectorXd& each) {
+    Configuration end = coordinates.moved(at, each);
+    if (led.size() > 0) end.positions += free.led * led;
+    return end;
+  };
   double alike = 1, kept = kKept;
   bool obstructed = false;
   for (int round = 0; round < kRounds; ++round, kept *= kLess) {
-    Configuration there = coordinates.moved(at, free.each);
-    if (led.size() > 0) there.positions += free.led * led;
-    const WayLimits limits = objective.way_limits(at, there, kept);
+    const WayLimits limits = objective.way_limits(at, end_of(free.each), kept);
     const Eigen::VectorXd shares = of_unknowns(coordinates, limits.shares);
     const double of_led = least_of_led(limits.shares, led);
     const double least = std::min(of_led, shares.size() > 0 ? shares.minCoeff() : 1);
@@ -88,12 +91,7 @@ FreeChange free_change(const Objective& objective, const Configuration& at,
     free.lost = obstructed ? largest_way(coordinates, change - free.each) : 0;
   }
   free.led = alike;
-  const auto there = [&] {
-    Configuration end = coordinates.moved(at, free.alike);
-    if (led.size() > 0) end.positions += free.led * led;
-    return end;
-  };
-  for (int halvings = 0; !part_is_free(objective, at, there()); ++halvings) {
+  for (int halvings = 0; !part_is_free(objective, at, end_of(free.alike)); ++halvings) {
     const double less = halvings < kMostHalvings ? 0.5 : 0;
     free.alike *= less;
     free.led *= less;

@@ -15,6 +15,12 @@ constexpr double kLimp = 0.3, kStiff = 0.85;
 
 }  // namespace
 
+double mean_coefficient(const std::vector<DrapedSheet>& draped) {
+  double sum = 0;
+  for (const DrapedSheet& sheet : draped) sum += sheet.figures.coefficient;
+  return sum / static_cast<double>(draped.size());
+}
+
 std::string drape_table(const std::vector<DrapedSheet>& draped) {
   const std::vector<std::string> header{"repeat", "drape_percent", "nodes", "amplitude_mm",
                                         "irregularity"};
@@ -48,9 +54,7 @@ std::string outline_table(const std::vector<DrapedSheet>& draped) {
 std::vector<std::string> size_advice(const std::vector<DrapedSheet>& draped,
                                      const DrapeSetup& setup) {
   if (draped.empty() || std::abs(setup.specimen - kUsualSpecimen) > 1e-9) return {};
-  double mean = 0;
-  for (const DrapedSheet& sheet : draped) mean += sheet.figures.coefficient;
-  mean /= static_cast<double>(draped.size());
+  const double mean = mean_coefficient(draped);
   if (mean >= kLimp && mean <= kStiff) return {};
   return {fmt::format(
       "the drape coefficient is {:.0f} %, {} {:.0f} %: ISO 9073-9 takes a specimen "

@@ -8,6 +8,9 @@
 
 namespace pliant {
 
+/// Of the drape coefficients.
+double mean_coefficient(const std::vector<DrapedSheet>& draped);
+
 /// The rows of the test, one for each draping: what a study reads.
 std::string drape_table(const std::vector<DrapedSheet>& draped);
 

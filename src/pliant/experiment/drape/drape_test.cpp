@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/base/add_once.h"
 #include "pliant/base/parallel.h"
 #include "pliant/experiment/drape/drape_tables.h"
 #include "pliant/experiment/drape/drape_type.h"
@@ -24,11 +25,7 @@ struct DrapedWay {
   DrapeSetup setup;
   std::vector<DrapedSheet> sheets;
 
-  double mean() const {
-    double sum = 0;
-    for (const DrapedSheet& sheet : sheets) sum += sheet.figures.coefficient;
-    return sum / static_cast<double>(sheets.size());
-  }
+  double mean() const { return mean_coefficient(sheets); }
   std::pair<double, double> coefficients() const {
     const auto [least, most] = std::ranges::minmax(
         sheets, {}, [](const DrapedSheet& sheet) { return sheet.figures.coefficient; });
@@ -108,12 +105,6 @@ nlohmann::ordered_json figures_of(const std::vector<DrapedWay>& ways) {
   return {{"histories", std::move(histories)}, {"spread", spread_of(ways)}};
 }
 
-void add_new(const std::vector<std::string>& texts, std::vector<std::string>& to) {
-  for (const std::string& text : texts) {
-    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
-  }
-}
-
 std::vector<double> read_coefficients(const DataRows& data) {
   std::vector<double> coefficients = data.quantity("drape", Dimension::fraction);
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
@@ -157,10 +148,14 @@ WholeSheetPrediction DrapeTest::predict(const Material& material,
       {"predicted_nodes", std::vector<std::string>(rows, range_text(own.nodes()))}};
   for (const DrapedWay& way : ways) {
     prediction.told.push_back(way_text(way));
-    for (const DrapedSheet& sheet : way.sheets) add_new(sheet.warnings, prediction.warnings);
+    for (const DrapedSheet& sheet : way.sheets) {
+      for (const std::string& warning : sheet.warnings) add_once(warning, prediction.warnings);
+    }
   }
   prediction.told.push_back(spread_text(ways));
-  add_new(size_advice(own.sheets, setup_), prediction.warnings);
+  for (const std::string& advice : size_advice(own.sheets, setup_)) {
+    add_once(advice, prediction.warnings);
+  }
   prediction.figures = figures_of(ways);
   std::vector<NamedSilhouette> firsts;
   for (const DrapedWay& way : ways) {

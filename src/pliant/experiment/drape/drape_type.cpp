@@ -87,6 +87,7 @@ const TestType& drape_type() {
       .make_whole = [](const ExperimentSpec& spec, const DataRows& data)
           -> std::unique_ptr<WholeSheetTest> { return std::make_unique<DrapeTest>(spec, data); },
       .read_virtual = read_virtual,
+      .own_quantities = {{"drape", Dimension::fraction}},
       .is_table =
           [](const TableColumns& columns) { return columns.has("drape", Dimension::fraction); }};
   return type;

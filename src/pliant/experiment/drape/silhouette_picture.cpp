@@ -5,24 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "pliant/io/xml_text.h"
+
 namespace pliant {
 namespace {
 
 constexpr double kMargin = 6, kTitle = 12, kLine = 8;  // mm of the picture, which is to scale
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
 
 /// A closed line through the radii of an outline; y goes down in pictures.
 std::string path_of(const std::vector<double>& radii) {
@@ -42,7 +30,7 @@ std::string circle(double diameter, const char* style) {
 
 std::string figures_text(const NamedSilhouette& draped) {
   const DrapeFigures& figures = draped.sheet.figures;
-  return fmt::format("{}: drape coefficient {:.1f} %, {} nodes", escaped(draped.name),
+  return fmt::format("{}: drape coefficient {:.1f} %, {} nodes", xml_text(draped.name),
                      100 * figures.coefficient, figures.nodes);
 }
 
@@ -59,7 +47,7 @@ std::string silhouette_picture(const std::string& title, const std::vector<Named
       2 * half, 2 * half + kTitle + below, -half, -half - kTitle);
   svg +=
       fmt::format("<text x=\"0\" y=\"{:.2f}\" text-anchor=\"middle\" font-size=\"8\">{}</text>\n",
-                  -half, escaped(title));
+                  -half, xml_text(title));
   svg += circle(setup.specimen,
                 "fill=\"none\" stroke=\"#888\" stroke-width=\"0.4\" "
                 "stroke-dasharray=\"3 2\"");

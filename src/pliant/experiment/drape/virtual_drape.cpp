@@ -1,10 +1,9 @@
 #include "pliant/experiment/drape/virtual_drape.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pliant/base/add_once.h"
 #include "pliant/experiment/drape/drape_tables.h"
 #include "pliant/experiment/drape/draped_sheet.h"
 #include "pliant/experiment/drape/silhouette_picture.h"
@@ -14,13 +13,6 @@ namespace pliant {
 namespace {
 
 constexpr int kDigits = 4;
-
-/// A warning that several repeats have is said once.
-void add_new(const std::vector<std::string>& texts, std::vector<std::string>& to) {
-  for (const std::string& text : texts) {
-    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
-  }
-}
 
 /// 1, 2, ...
 std::vector<NamedSilhouette> numbered(const std::vector<DrapedSheet>& draped) {
@@ -43,10 +35,10 @@ VirtualData VirtualDrape::measure(const VirtualSpecimen& specimen, const Virtual
   for (int repeat = 1; repeat <= repeats; ++repeat) {
     draped.push_back(drape(material, setup, random.split(fmt::format("repeat {}", repeat)),
                            {.stop = work.stop}));
-    add_new(draped.back().warnings, data.warnings);
+    for (const std::string& warning : draped.back().warnings) add_once(warning, data.warnings);
     work.done(1);
   }
-  add_new(size_advice(draped, setup), data.warnings);
+  for (const std::string& advice : size_advice(draped, setup)) add_once(advice, data.warnings);
   data.files = {{specimen.name + ".csv", drape_table(draped)},
                 {fmt::format("silhouettes/{}.csv", specimen.name), outline_table(draped)},
                 {fmt::format("silhouettes/{}.svg", specimen.name),

@@ -5,14 +5,8 @@
 namespace pliant {
 namespace {
 
-PlasticParameters parameters_of(const Eigen::VectorXd& values) {
-  PlasticParameters plastic{values(0), values(1)};
-  if (values.size() > 2) plastic.saturation = values(2);
-  return plastic;
-}
-
 std::unique_ptr<ParametricDensity> density(int strain, const Eigen::VectorXd& values) {
-  return std::make_unique<PlasticDensity>(strain, parameters_of(values));
+  return std::make_unique<PlasticDensity>(strain, PlasticParameters::of(values));
 }
 
 AddendParameter stiffness() {

@@ -6,6 +6,12 @@
 
 namespace pliant {
 
+PlasticParameters PlasticParameters::of(const Eigen::VectorXd& values) {
+  PlasticParameters plastic{values(0), values(1)};
+  if (values.size() > 2) plastic.saturation = values(2);
+  return plastic;
+}
+
 PlasticDensity::PlasticDensity(int component, const PlasticParameters& plastic)
     : component_(component), plastic_(plastic) {
   PLIANT_ASSERT(plastic.stiffness >= 0 && plastic.yield >= 0 && plastic.saturation >= 0,
@@ -54,9 +60,7 @@ Eigen::VectorXd PlasticDensity::parameters() const {
 
 std::unique_ptr<ParametricDensity> PlasticDensity::with_parameters(
     const Eigen::VectorXd& values) const {
-  PlasticParameters other{values(0), values(1)};
-  if (values.size() > 2) other.saturation = values(2);
-  return std::make_unique<PlasticDensity>(component_, other);
+  return std::make_unique<PlasticDensity>(component_, PlasticParameters::of(values));
 }
 
 void PlasticDensity::differentiate(const Samples& samples, int lane, int first_history,

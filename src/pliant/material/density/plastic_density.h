@@ -14,6 +14,9 @@ struct PlasticParameters {
   /// Largest plastic strain: beyond it all is elastic again ([T] Fig. 2.2 centre, without the time
   /// that the creep of [MuellerGross2004] takes).
   double saturation = std::numeric_limits<double>::infinity();
+
+  /// @param values  stiffness, yield and, where there is one, saturation
+  static PlasticParameters of(const Eigen::VectorXd& values);
 };
 
 /// Rate-independent plasticity of one strain component, stress k (strain - p), as an incremental

@@ -191,7 +191,7 @@ TEST(SceneTime, IteratesBackwardEulerWithVariationalFrictionUnlessItSaysOtherwis
   EXPECT_DOUBLE_EQ(time.duration, 1);
   EXPECT_EQ(time.integrator, Integrator::backward_euler);
   EXPECT_EQ(time.solution, StepSolve::iterated);
-  EXPECT_DOUBLE_EQ(time.motion_tolerance, 3e-5);
+  EXPECT_FALSE(time.motion_tolerance.has_value());
   EXPECT_EQ(time.friction, FrictionForm::variational);
   EXPECT_FALSE(time.adaptive);
   EXPECT_FALSE(time.tolerance.has_value());
@@ -206,7 +206,7 @@ TEST(SceneTime, ConvergesWhereItStatesTheForcesThatAStepMayLeave) {
   EXPECT_DOUBLE_EQ(old.tolerance.value(), 2e-5);
   const Stepping iterated = stepping(", solve: iterated, motion_tolerance: 20 um");
   EXPECT_EQ(iterated.solution, StepSolve::iterated);
-  EXPECT_DOUBLE_EQ(iterated.motion_tolerance, 2e-5);
+  EXPECT_DOUBLE_EQ(iterated.motion_tolerance.value(), 2e-5);
 }
 
 TEST(SceneTime, ReadsEveryField) {

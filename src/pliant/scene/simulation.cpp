@@ -7,6 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
+#include "pliant/geometry/mesh_quality.h"
 #include "pliant/scene/met_bodies.h"
 #include "pliant/solver/static_path.h"
 #include "pliant/solver/time_stepper.h"
@@ -43,6 +44,17 @@ double default_tolerance(const System& system) {
   return heavy > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
+// 30 um, but never more than a 300th of a cloth's mean edge: with more, strains of a fine mesh would
+// tremble from step to step, and what friction holds would be lost to it.
+double default_motion_tolerance(const SceneSystem& built) {
+  constexpr double kMost = 3e-5, kOfEdge = 1.0 / 300;
+  double tolerance = kMost;
+  for (const ClothPiece& cloth : built.cloths) {
+    tolerance = std::min(tolerance, kOfEdge * mesh_quality(cloth.mesh).mean_edge);
+  }
+  return tolerance;
+}
+
 TimeStepOptions time_step_options(const Scene& scene, const SceneSystem& built) {
   TimeStepOptions options;
   options.schedule = built.schedule;
@@ -50,7 +62,7 @@ TimeStepOptions time_step_options(const Scene& scene, const SceneSystem& built) 
   options.integrator = scene.time.integrator;
   options.solve = scene.time.solution;
   options.tolerance = scene.time.tolerance.value();
-  options.motion_tolerance = scene.time.motion_tolerance;
+  options.motion_tolerance = scene.time.motion_tolerance.value();
   options.linear_tolerance = scene.time.linear_tolerance;
   // As published ([T] 5.4) a step is never solved again.
   options.mend_growth = scene.time.friction != FrictionForm::linearized;
@@ -168,6 +180,9 @@ class Simulation::Equilibria : public Simulation::Stepper {
 Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler, int threads)
     : scene_(scene), threads_(threads), built_(build_scene(scene, filler)) {
   if (!scene_.time.tolerance) scene_.time.tolerance = default_tolerance(*built_.system);
+  if (!scene_.time.motion_tolerance) {
+    scene_.time.motion_tolerance = default_motion_tolerance(built_);
+  }
   if (scene_.time.kind == SimulationKind::dynamic) {
     stepper_ = std::make_unique<TimeSteps>(scene_, built_);
   } else {

@@ -57,7 +57,7 @@ Json method(const Stepping& time) {
           {"integrator", dynamic ? Json(name_of(time.integrator)) : Json(nullptr)},
           {"solve", name_of(time.solution)},
           {"tolerance", only(StepSolve::converged, time.tolerance.value())},
-          {"motion_tolerance", only(StepSolve::iterated, time.motion_tolerance)},
+          {"motion_tolerance", only(StepSolve::iterated, time.motion_tolerance.value())},
           {"linear_tolerance", only(StepSolve::linearized, time.linear_tolerance)},
           {"adaptive", time.adaptive || !dynamic},
           {"friction", name_of(time.friction)}};

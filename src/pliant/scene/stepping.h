@@ -25,7 +25,8 @@ struct Stepping {
   bool adaptive = false;  ///< steps may be shortened where they fail
   /// Largest force left at a node of a converged step, N; `default_tolerance` where absent.
   std::optional<double> tolerance;
-  double motion_tolerance = 3e-5;  ///< an iterated step ends where no node moves further, m
+  /// An iterated step ends where no node moves further, m; `default_motion_tolerance` where absent.
+  std::optional<double> motion_tolerance;
   double linear_tolerance = 1e-4;  ///< relative residual of a linearized step's equations
   Location where;
 

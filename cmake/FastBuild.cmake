@@ -5,7 +5,7 @@
 # itself, which shows the includes it lacks.
 
 # So many at most: more save little, and one edit should not take long to compile.
-set(PLIANT_SOURCES_AT_ONCE 8)
+set(PLIANT_SOURCES_AT_ONCE 16)
 
 # pliant_fast_build(TARGET): compiles the sources that TARGET has so far in groups.
 #

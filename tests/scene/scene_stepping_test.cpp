@@ -102,6 +102,23 @@ TEST(SceneStepping, TheLinearToleranceDecidesHowLongAStepIsSolved) {
   EXPECT_EQ(iterations(""), iterations(", linear_tolerance: 1e-4"));
 }
 
+TEST(SceneStepping, AnIteratedStepOfAFineMeshStopsNearerToRest) {
+  const auto tolerance = [](const std::string& size) {
+    const Simulation sheet = simulation_of(
+        "pliant: scene/1\n"
+        "cloth: [{name: sheet, mesh: {grid: " +
+            size +
+            ", nodes: 11x11}, material: cloth.json}]\n"
+            "pins: [{cloth: sheet, corners: [top-left]}]\n"
+            "time: {step: 5 ms, duration: 50 ms}\n",
+        ClampedStrip::material());
+    return sheet.scene().time.motion_tolerance.value();
+  };
+  EXPECT_DOUBLE_EQ(tolerance("1 m x 1 m"), 3e-5);
+  // Of the triangles' sides two thirds are as long as the squares', the others are diagonals.
+  EXPECT_NEAR(tolerance("20 mm x 20 mm"), 2e-3 * (2 + std::sqrt(2)) / 3 / 300, 1e-7);
+}
+
 TEST(SceneStepping, TheToleranceIsTheForceThatAStepMayLeave) {
   const auto iterations = [](const std::string& tolerance) {
     Simulation strip = pulled_strip(steps(", tolerance: " + tolerance), ClampedStrip::material());

@@ -44,10 +44,19 @@ bool is_photo(const std::string& file) {
 
 void add_photo_options(CLI::App& command, PhotoArguments& photo) {
   const auto add = [&](const char* name, std::string& text, const char* description) {
-    return command.add_option(name, text, description)->group("Photographs of strips");
+    return command.add_option(name, text, description)->group("Photographs");
   };
-  add("--scale", photo.scale, "Length of one pixel in the plane of the strip, e.g. \"0.11 mm\"");
+  add("--scale", photo.scale, "Length of one pixel at the strip or specimen, e.g. \"0.11 mm\"");
   add("--density", photo.density, "Mass per area of the fabric, e.g. \"180 g/m^2\"");
+  add("--crop", photo.crop, "Look only in the region X,Y,WIDTHxHEIGHT, in pixels");
+  add("--name", photo.name, "Name of the fabric (default: the photograph's)");
+}
+
+void add_strip_options(CLI::App& command, PhotoArguments& photo) {
+  constexpr const char* kGroup = "Photographs of hanging strips";
+  const auto add = [&](const char* name, std::string& text, const char* description) {
+    return command.add_option(name, text, description)->group(kGroup);
+  };
   add("--areal-load", photo.areal_load, "Weight per area in its place, e.g. \"13.6 N/m^2\"");
   add("--direction", photo.direction, "Yarns that are bent, along the strip")
       ->check(CLI::IsMember({"warp", "weft", "bias"}));
@@ -55,15 +64,26 @@ void add_photo_options(CLI::App& command, PhotoArguments& photo) {
       ->check(CLI::IsMember({"left", "right"}))
       ->capture_default_str();
   add("--clamp", photo.clamp, "Pixel X,Y at which the strip leaves it (default: at the border)");
-  add("--crop", photo.crop, "Look only in the region X,Y,WIDTHxHEIGHT, in pixels");
   add("--tone", photo.tone, "Strip against its background")
       ->check(CLI::IsMember({"auto", "brighter", "darker"}))
       ->capture_default_str();
-  add("--name", photo.name, "Name of the fabric (default: the photograph's)");
   command.add_option("--points", photo.points, "Points of a profile")
       ->check(CLI::Range(5, 1000))
       ->capture_default_str()
-      ->group("Photographs of strips");
+      ->group(kGroup);
+}
+
+void add_drape_options(CLI::App& command, PhotoArguments& photo) {
+  constexpr const char* kGroup = "Photographs of draped specimens";
+  command.add_flag("--drape", photo.drape, "They show round specimens on a disc, from above")
+      ->group(kGroup);
+  const auto add = [&](const char* name, std::string& text, const char* description) {
+    command.add_option(name, text, description)->group(kGroup);
+  };
+  add("--specimen", photo.specimen, "Diameter of the specimen (default: 300 mm)");
+  add("--disc", photo.disc, "Diameter of the disc (default: 180 mm)");
+  add("--middle", photo.middle,
+      "Pixel X,Y of the disc's middle (default: of the largest circle in the silhouette)");
 }
 
 // Leaves a picture of what was seen where the study would stand.
@@ -72,7 +92,7 @@ void add_photo_options(CLI::App& command, PhotoArguments& photo) {
   ResultDirectory(output, "import").set_aside(name, photo.as_seen());
   progress.message(Level::info,
                    fmt::format("{} shows what was seen: blue what stands out, orange what could be "
-                               "a strip",
+                               "what is looked for",
                                (std::filesystem::path(output) / name).string()));
   throw photo;
 }
@@ -100,7 +120,8 @@ ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
 
 void add_import(CommandRegistry& registry) {
   CLI::App& command = registry.add(
-      "import", "Turn an instrument's file (U3M) or photographs of hanging strips into a study");
+      "import",
+      "Turn an instrument's file (U3M) or photographs of hanging strips or drapes into a study");
   auto arguments = std::make_shared<ImportArguments>();
   command
       .add_option("FILE", arguments->files,
@@ -110,6 +131,8 @@ void add_import(CommandRegistry& registry) {
   command.add_option("--width", arguments->photo.width,
                      "Strip width, if not the file's, e.g. 5 cm");
   add_photo_options(command, arguments->photo);
+  add_strip_options(command, arguments->photo);
+  add_drape_options(command, arguments->photo);
   registry.on(command, [arguments](CommandContext& context) {
     const ImportedStudy study = imported(*arguments, context.run.progress);
     ResultDirectory results(arguments->output, "import");

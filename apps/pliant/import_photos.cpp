@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/imaging/drape_import.h"
 #include "pliant/imaging/photo_import.h"
 
 namespace pliant {
@@ -35,10 +38,10 @@ std::vector<double> numbers_in(std::string text) {
   return numbers;
 }
 
-Eigen::Vector2d read_clamp(const std::string& text) {
+Eigen::Vector2d read_pixel(const char* option, const std::string& text) {
   const std::vector<double> numbers = numbers_in(text);
   if (numbers.size() == 2) return {numbers[0], numbers[1]};
-  throw InputError({"--clamp"}, quoted_value(text) + " is no pixel",
+  throw InputError({option}, quoted_value(text) + " is no pixel",
                    "X,Y from the upper left of the photograph, e.g. 12,340");
 }
 
@@ -70,15 +73,19 @@ double read_density(const PhotoArguments& arguments) {
          kStandardGravity;
 }
 
+double read_scale(const PhotoArguments& arguments, const char* place) {
+  if (!arguments.scale.empty()) {
+    return positive_quantity("--scale", arguments.scale, Dimension::length);
+  }
+  throw InputError({"--scale"}, "is missing",
+                   fmt::format("the length of one pixel {}, e.g. \"0.11 mm\"", place));
+}
+
 StripPhotoOptions photo_options(const PhotoArguments& arguments) {
   StripPhotoOptions options;
-  if (arguments.scale.empty()) {
-    throw InputError({"--scale"}, "is missing",
-                     "the length of one pixel in the plane of the strip, e.g. \"0.11 mm\"");
-  }
-  options.scale = positive_quantity("--scale", arguments.scale, Dimension::length);
+  options.scale = read_scale(arguments, "in the plane of the strip");
   options.clamp_side = arguments.clamp_side == "right" ? ClampSide::right : ClampSide::left;
-  if (!arguments.clamp.empty()) options.clamp = read_clamp(arguments.clamp);
+  if (!arguments.clamp.empty()) options.clamp = read_pixel("--clamp", arguments.clamp);
   if (!arguments.crop.empty()) options.region = read_region(arguments.crop);
   if (arguments.tone == "brighter") options.tone = StripTone::brighter;
   if (arguments.tone == "darker") options.tone = StripTone::darker;
@@ -86,10 +93,60 @@ StripPhotoOptions photo_options(const PhotoArguments& arguments) {
   return options;
 }
 
+std::string fabric_name(const std::vector<std::filesystem::path>& photos,
+                        const PhotoArguments& arguments) {
+  return arguments.name.empty() ? photos.front().stem().string() : arguments.name;
+}
+
+void refuse_others(const std::vector<std::pair<const char*, const std::string*>>& options,
+                   const char* kind) {
+  for (const auto& [name, text] : options) {
+    if (!text->empty())
+      throw InputError({name}, fmt::format("is an option of {}", kind), "without");
+  }
+}
+
+DrapeStudyOptions drape_options(const PhotoArguments& arguments) {
+  refuse_others({{"--areal-load", &arguments.areal_load},
+                 {"--direction", &arguments.direction},
+                 {"--clamp", &arguments.clamp},
+                 {"--width", &arguments.width}},
+                "photographs of strips");
+  DrapeStudyOptions options;
+  options.photo.scale = read_scale(arguments, "at the height of the draped specimen");
+  if (!arguments.specimen.empty()) {
+    options.specimen = positive_quantity("--specimen", arguments.specimen, Dimension::length);
+  }
+  if (!arguments.disc.empty()) {
+    options.photo.disc = positive_quantity("--disc", arguments.disc, Dimension::length);
+  }
+  if (options.specimen <= options.photo.disc) {
+    throw InputError({"--specimen"}, "does not hang over the disc",
+                     "a diameter larger than the disc's, " +
+                         format_quantity(options.photo.disc, Dimension::length, 4));
+  }
+  if (!arguments.density.empty()) {
+    options.density = positive_quantity("--density", arguments.density, Dimension::area_density);
+  }
+  if (!arguments.crop.empty()) options.photo.region = read_region(arguments.crop);
+  if (!arguments.middle.empty()) options.photo.middle = read_pixel("--middle", arguments.middle);
+  return options;
+}
+
 }  // namespace
 
 ImportedStudy import_photo_files(const std::vector<std::string>& files,
                                  const PhotoArguments& arguments) {
+  const std::vector<std::filesystem::path> photos(files.begin(), files.end());
+  if (arguments.drape) {
+    DrapeStudyOptions options = drape_options(arguments);
+    options.name = fabric_name(photos, arguments);
+    return import_drape_photos(photos, options);
+  }
+  refuse_others({{"--specimen", &arguments.specimen},
+                 {"--disc", &arguments.disc},
+                 {"--middle", &arguments.middle}},
+                "--drape");
   PhotoStudyOptions options;
   options.photo = photo_options(arguments);
   options.density = read_density(arguments);
@@ -101,8 +158,7 @@ ImportedStudy import_photo_files(const std::vector<std::string>& files,
   if (!arguments.width.empty()) {
     options.width = positive_quantity("--width", arguments.width, Dimension::length);
   }
-  const std::vector<std::filesystem::path> photos(files.begin(), files.end());
-  options.name = arguments.name.empty() ? photos.front().stem().string() : arguments.name;
+  options.name = fabric_name(photos, arguments);
   return import_photos(photos, options);
 }
 

@@ -9,13 +9,15 @@ namespace pliant {
 
 /// Options of `import` for photographs, as typed; empty where they were not.
 struct PhotoArguments {
-  std::string scale, clamp_side = "left", clamp, crop, tone = "auto";
-  std::string density, areal_load, direction, width, name;
+  std::string scale, crop, density, name;  // of both kinds
+  std::string clamp_side = "left", clamp, tone = "auto", areal_load, direction, width;  // of strips
   int points = 31;
+  bool drape = false;  ///< they are of draped specimens
+  std::string specimen, disc, middle;
 };
 
 /// @throws InputError for options that are missing or cannot be used, and for pictures that show no
-///         strip
+///         strip, or no draped specimen
 ImportedStudy import_photo_files(const std::vector<std::string>& files,
                                  const PhotoArguments& arguments);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -61,6 +62,26 @@ Photo read_photo(const std::filesystem::path& file) {
   return photo;
 }
 
+void require_within(const PixelRegion& region, int columns, int rows, const Location& where) {
+  const bool within = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
+                      region.width <= columns - region.x && region.height <= rows - region.y;
+  if (within) return;
+  throw InputError(where,
+                   fmt::format("the region of {} x {} pixels at {},{} is not within the picture",
+                               region.width, region.height, region.x, region.y),
+                   fmt::format("a region of its {} x {} pixels", columns, rows));
+}
+
+ColourPhoto read_colours(const std::filesystem::path& file,
+                         const std::optional<PixelRegion>& region) {
+  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
+  if (region) {
+    require_within(*region, picture.cols, picture.rows, {file.string()});
+    picture = picture({region->x, region->y, region->width, region->height}).clone();
+  }
+  return {picture.rows, picture.cols, {picture.datastart, picture.dataend}};
+}
+
 std::string photo_with_line(const std::filesystem::path& file,
                             const std::vector<Eigen::Vector2d>& line) {
   constexpr int kSixteenths = 4;  // bits of a fraction
@@ -76,6 +97,22 @@ std::string photo_with_line(const std::filesystem::path& file,
   return as_png(picture);
 }
 
+std::string photo_with_outline(const std::filesystem::path& file,
+                               const std::vector<Eigen::Vector2d>& outline,
+                               const Eigen::Vector2d& cross) {
+  constexpr int kSixteenths = 4;  // bits of a fraction
+  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
+  const cv::Scalar colour(60, 110, 255);  // blue, green, red
+  const int stroke = 2 * stroke_of(picture);
+  std::vector<cv::Point> points;
+  for (const Eigen::Vector2d& point : outline) points.push_back(in_sixteenths(point));
+  cv::polylines(picture, points, /*isClosed=*/true, colour, stroke, cv::LINE_AA, kSixteenths);
+  const cv::Point middle(static_cast<int>(std::lround(cross.x())),
+                         static_cast<int>(std::lround(cross.y())));
+  cv::drawMarker(picture, middle, colour, cv::MARKER_CROSS, 20 * stroke, stroke, cv::LINE_AA);
+  return as_png(picture);
+}
+
 std::string photo_as_seen(const std::filesystem::path& file, const SeenPixels& seen, int x, int y) {
   cv::Mat picture = paler(read_picture(file, cv::IMREAD_COLOR));
   const cv::Rect region(x, y, static_cast<int>(seen.cols()), static_cast<int>(seen.rows()));
@@ -83,7 +120,7 @@ std::string photo_as_seen(const std::filesystem::path& file, const SeenPixels& s
   part.forEach<cv::Vec3b>([&](cv::Vec3b& pixel, const int* at) {
     const Seen what = seen(at[0], at[1]);
     if (what == Seen::standing_out) pixel = {200, 120, 40};  // blue, green, red
-    if (what == Seen::long_and_thin) pixel = {0, 110, 255};
+    if (what == Seen::candidate) pixel = {0, 110, 255};
   });
   cv::rectangle(picture, region, cv::Scalar(200, 120, 40), stroke_of(picture));
   return as_png(picture);

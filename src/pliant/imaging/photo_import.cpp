@@ -5,12 +5,11 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <yaml-cpp/yaml.h>
 
 #include "pliant/base/assert.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/cantilever/cantilever_type.h"
+#include "pliant/imaging/photo_study.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -40,22 +39,12 @@ std::string table(const std::vector<StripTrace>& traces) {
 
 std::string study_text(const std::vector<std::filesystem::path>& photos,
                        const PhotoStudyOptions& options) {
-  std::vector<std::string> names;
-  for (const auto& photo : photos) names.push_back(photo.filename().string());
   YAML::Emitter yaml;
+  begin_study(photos, {options.name, options.density, options.photo.scale}, yaml);
+  yaml << YAML::BeginSeq << YAML::BeginMap;
   const auto field = [&](const char* key, const std::string& value) {
     yaml << YAML::Key << key << YAML::Value << value;
   };
-  yaml << YAML::BeginMap;
-  field("pliant", "study/1");
-  yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << options.name;
-  field("density", format_quantity(options.density, Dimension::area_density, kDigits));
-  yaml << YAML::Key << "info" << YAML::Value << YAML::BeginMap;
-  yaml << YAML::Key << "source" << YAML::Value << YAML::DoubleQuoted
-       << fmt::format("photographs {}", fmt::join(names, ", "));
-  field("scale", format_quantity(options.photo.scale, Dimension::length, kDigits) + " a pixel");
-  yaml << YAML::EndMap;
-  yaml << YAML::Key << "experiments" << YAML::Value << YAML::BeginSeq << YAML::BeginMap;
   field("name", experiment_name(options));
   field("type", std::string(cantilever_type().name));
   field("direction", options.direction);
@@ -71,13 +60,6 @@ std::string note_on(const StripTrace& trace, const std::string& name) {
       "{:.2g} mm about {} points",
       name, trace.tone == StripTone::brighter ? "brighter" : "darker", kMillimetres * trace.length,
       kMillimetres * trace.thickness, kMillimetres * trace.scatter, trace.profile.size());
-}
-
-// A name of its own for each drawing, where photographs of several folders are called alike.
-std::string drawing_name(const std::filesystem::path& photo, std::set<std::string>& taken) {
-  std::string name = photo.stem().string();
-  while (!taken.insert(name).second) name += "-";
-  return name + "-profile.png";
 }
 
 void warn_of_clamp(const StripTrace& trace, const std::string& name, ImportedStudy& study) {
@@ -100,7 +82,7 @@ ImportedStudy import_photos(const std::vector<std::filesystem::path>& photos,
   for (const std::filesystem::path& photo : photos) {
     const std::string name = photo.filename().string();
     traces.push_back(trace_strip(photo, options.photo));
-    study.files.emplace_back(drawing_name(photo, taken),
+    study.files.emplace_back(drawing_name(photo, "profile", taken),
                              photo_with_line(photo, traces.back().pixels));
     study.notes.push_back(note_on(traces.back(), name));
     study.notes.push_back(

@@ -241,7 +241,7 @@ SeenPixels things_seen(const Photo& photo, StripTone tone) {
   for (int y = 0; y < pieces.labels.rows; ++y) {
     for (int x = 0; x < pieces.labels.cols; ++x) {
       const int label = pieces.labels.at<int>(y, x);
-      const Seen thing = long_ones.count(label) > 0 ? Seen::long_and_thin : Seen::standing_out;
+      const Seen thing = long_ones.count(label) > 0 ? Seen::candidate : Seen::standing_out;
       seen(y, x) = label > 0 ? thing : Seen::background;
     }
   }

@@ -33,18 +33,6 @@ PixelRegion whole(const Photo& photo) {
   return {0, 0, static_cast<int>(photo.cols()), static_cast<int>(photo.rows())};
 }
 
-void require_within(const PixelRegion& region, const Photo& photo, const Location& where) {
-  const PixelRegion all = whole(photo);
-  const bool within = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
-                      region.width <= all.width - region.x &&
-                      region.height <= all.height - region.y;
-  if (within) return;
-  throw InputError(where,
-                   fmt::format("the region of {} x {} pixels at {},{} is not within the picture",
-                               region.width, region.height, region.x, region.y),
-                   fmt::format("a region of its {} x {} pixels", all.width, all.height));
-}
-
 // What lies behind the clamp's pixel is left out.
 PixelRegion beyond_clamp(PixelRegion region, const StripPhotoOptions& options,
                          const Location& where) {
@@ -69,7 +57,7 @@ Part part_of(const Photo& photo, const StripPhotoOptions& options, const Locatio
   constexpr int kSmallest = 32;  // pixels of a side
   Part part;
   part.region = options.region.value_or(whole(photo));
-  require_within(part.region, photo, where);
+  require_within(part.region, whole(photo).width, whole(photo).height, where);
   part.region = beyond_clamp(part.region, options, where);
   if (std::min(part.region.width, part.region.height) < kSmallest) {
     throw InputError(where, "too little of the picture is left to find a strip in",

@@ -13,12 +13,6 @@ namespace pliant {
 
 enum class ClampSide { left, right };
 
-/// A rectangle of a photograph, in pixels.
-struct PixelRegion {
-  int x = 0, y = 0;  ///< of its upper left pixel
-  int width = 0, height = 0;
-};
-
 /// How a photograph of a strip, taken from its side, is to be read.
 struct StripPhotoOptions {
   double scale = 0;  ///< length of a pixel in the plane of the strip (m), > 0

@@ -167,6 +167,12 @@ TEST(DrapePhotoRefused, WhereNoSpecimenIsSeen) {
   EXPECT_THROW(DrapePhotoFolder(cut).trace(), RefusedPhoto);
 }
 
+TEST(DrapePhotoRefused, WhereThePictureIsTiny) {
+  EXPECT_THAT(DrapePhotoFolder().refusal({.region = PixelRegion{400, 300, 20, 20}}).problem(),
+              HasSubstr("too small"));
+  EXPECT_THROW(DrapePhotoFolder().trace({.region = PixelRegion{400, 300, 1, 1}}), RefusedPhoto);
+}
+
 TEST(DrapePhotoRefused, WhereTheDiscWouldStickOut) {
   const InputError error = DrapePhotoFolder().refusal({.disc = 0.24});
   EXPECT_THAT(error.problem(), HasSubstr("the disc below it 240 mm"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <Eigen/QR>
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 namespace pliant {
@@ -29,7 +30,7 @@ float difference_at(const cv::Mat& colours, int x, int y, const Eigen::RowVector
 // L, a and b of CIELAB.
 cv::Mat colours_of(const ColourPhoto& photo, double& pixel) {
   const cv::Mat whole(photo.rows, photo.columns, CV_8UC3,
-                      const_cast<unsigned char*>(photo.levels.data()));
+                      const_cast<unsigned char*>(photo.levels.data()));  // is read alone
   pixel = std::max(1.0, std::max(photo.rows, photo.columns) / kLongest);
   cv::Mat small, colours;
   cv::resize(whole, small, {}, 1 / pixel, 1 / pixel, cv::INTER_AREA);
@@ -37,6 +38,19 @@ cv::Mat colours_of(const ColourPhoto& photo, double& pixel) {
   cv::cvtColor(colours, colours, cv::COLOR_BGR2Lab);
   cv::GaussianBlur(colours, colours, {}, 1, 1, cv::BORDER_REPLICATE);
   return colours;
+}
+
+double median(const cv::Mat& values, const cv::Mat& of) {
+  std::vector<float> list;
+  for (int y = 0; y < values.rows; ++y) {
+    for (int x = 0; x < values.cols; ++x) {
+      if (of.at<unsigned char>(y, x) > 0) list.push_back(values.at<float>(y, x));
+    }
+  }
+  if (list.empty()) return 0;
+  const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+  std::nth_element(list.begin(), middle, list.end());
+  return static_cast<double>(*middle);
 }
 
 // 1, x, y, x^2, x y, y^2 of a pixel, from -1 to 1 across the picture.
@@ -49,10 +63,22 @@ Powers powers_at(const cv::Mat& picture, int x, int y) {
   return powers;
 }
 
-// A colour that changes slowly: a quadratic of the place, which a part of the pixels shows.
+// A colour that changes slowly: a quadratic of the place.
 class Background {
  public:
-  Background(const cv::Mat& colours, const cv::Mat& shown) {
+  // The median of a part of the pixels, everywhere.
+  static Background uniform(const cv::Mat& colours, const cv::Mat& part) {
+    std::vector<cv::Mat> channels;
+    cv::split(colours, channels);
+    Background background;
+    for (int k = 0; k < 3; ++k) {
+      background.by_power_(0, k) = median(channels[static_cast<std::size_t>(k)], part);
+    }
+    return background;
+  }
+
+  // What a part of the pixels shows.
+  static Background of(const cv::Mat& colours, const cv::Mat& shown) {
     Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 3> sums = Eigen::Matrix<double, 6, 3>::Zero();
     for (int y = 0; y < colours.rows; y += kApart) {
@@ -64,7 +90,9 @@ class Background {
         sums += powers * Eigen::RowVector3d(colour[0], colour[1], colour[2]);
       }
     }
-    by_power_ = products.completeOrthogonalDecomposition().solve(sums);
+    Background background;
+    background.by_power_ = products.completeOrthogonalDecomposition().solve(sums);
+    return background;
   }
 
   // By how much each pixel differs from it.
@@ -81,7 +109,7 @@ class Background {
 
  private:
   static constexpr int kApart = 4;  // pixels: what changes slowly need not be asked everywhere
-  Eigen::Matrix<double, 6, 3> by_power_;
+  Eigen::Matrix<double, 6, 3> by_power_ = Eigen::Matrix<double, 6, 3>::Zero();
 };
 
 // A frame of the picture: there is background in most of it.
@@ -94,34 +122,6 @@ cv::Mat frame_of(const cv::Size& size) {
   return frame;
 }
 
-double median(const cv::Mat& values, const cv::Mat& of) {
-  std::vector<float> list;
-  for (int y = 0; y < values.rows; ++y) {
-    for (int x = 0; x < values.cols; ++x) {
-      if (of.at<unsigned char>(y, x) > 0) list.push_back(values.at<float>(y, x));
-    }
-  }
-  if (list.empty()) return 0;
-  const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
-  std::nth_element(list.begin(), middle, list.end());
-  return static_cast<double>(*middle);
-}
-
-// By how much each pixel differs from the median of some.
-cv::Mat differences_from_median(const cv::Mat& colours, const cv::Mat& of) {
-  std::vector<cv::Mat> channels;
-  cv::split(colours, channels);
-  Eigen::RowVector3d middle;
-  for (int k = 0; k < 3; ++k) middle(k) = median(channels[static_cast<std::size_t>(k)], of);
-  cv::Mat differences(colours.rows, colours.cols, CV_32F);
-  for (int y = 0; y < colours.rows; ++y) {
-    for (int x = 0; x < colours.cols; ++x) {
-      differences.at<float>(y, x) = difference_at(colours, x, y, middle);
-    }
-  }
-  return differences;
-}
-
 // The difference from a background that is, to begin with, what is alike in the frame, and then all
 // that is like it.
 cv::Mat contrast_of(const cv::Mat& colours) {
@@ -131,10 +131,10 @@ cv::Mat contrast_of(const cv::Mat& colours) {
     return cv::Mat(differences < std::max(kLeast, kAlike * median(differences, of)));
   };
   const cv::Mat frame = frame_of(colours.size());
-  cv::Mat differences = differences_from_median(colours, frame);
+  cv::Mat differences = Background::uniform(colours, frame).differences(colours);
   cv::Mat shown = frame & alike(differences, frame);
   for (int round = 0; round < kRounds; ++round) {
-    differences = Background(colours, shown).differences(colours);
+    differences = Background::of(colours, shown).differences(colours);
     shown = alike(differences, shown);
   }
   return differences;
@@ -208,6 +208,11 @@ cv::Mat whole(const cv::Mat& piece, double area) {
 
 DrapeMask find_drape(const ColourPhoto& photo, const Location& where) {
   constexpr double kLeastShare = 0.01;  // of the picture
+  constexpr int kSmallest = 32;         // pixels of a side
+  if (std::min(photo.rows, photo.columns) < kSmallest) {
+    throw InputError(where, "is too small to find a specimen in",
+                     fmt::format("at least {0} x {0} pixels", kSmallest));
+  }
   DrapeMask mask;
   const cv::Mat colours = colours_of(photo, mask.pixel);
   const Pieces pieces = pieces_of(contrast_of(colours));

@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/drape/drape_setup.h"
 #include "pliant/imaging/drape_import.h"
 #include "pliant/imaging/photo_import.h"
 
@@ -120,10 +121,10 @@ DrapeStudyOptions drape_options(const PhotoArguments& arguments) {
   if (!arguments.disc.empty()) {
     options.photo.disc = positive_quantity("--disc", arguments.disc, Dimension::length);
   }
-  if (options.specimen <= options.photo.disc) {
-    throw InputError({"--specimen"}, "does not hang over the disc",
-                     "a diameter larger than the disc's, " +
-                         format_quantity(options.photo.disc, Dimension::length, 4));
+  const double least = least_specimen(options.photo.disc);
+  if (options.specimen < least) {
+    throw InputError({"--specimen"}, "hardly hangs over the disc",
+                     "a diameter of at least " + format_quantity(least, Dimension::length));
   }
   if (!arguments.density.empty()) {
     options.density = positive_quantity("--density", arguments.density, Dimension::area_density);

@@ -167,6 +167,13 @@ TEST(DrapePhotoRefused, WhereNoSpecimenIsSeen) {
   EXPECT_THROW(DrapePhotoFolder(cut).trace(), RefusedPhoto);
 }
 
+TEST(DrapePhotoRefused, WhereTheMiddleIsBesideTheSilhouette) {
+  for (const Eigen::Vector2d& middle : {Eigen::Vector2d(20, 20), Eigen::Vector2d(-300, 5e6)}) {
+    EXPECT_THAT(DrapePhotoFolder().refusal({.middle = middle}).problem(),
+                HasSubstr("not within the silhouette"));
+  }
+}
+
 TEST(DrapePhotoRefused, WhereThePictureIsTiny) {
   EXPECT_THAT(DrapePhotoFolder().refusal({.region = PixelRegion{400, 300, 20, 20}}).problem(),
               HasSubstr("too small"));

@@ -59,7 +59,8 @@ std::string study_text(const std::vector<std::filesystem::path>& photos,
 
 ImportedStudy import_drape_photos(const std::vector<std::filesystem::path>& photos,
                                   const DrapeStudyOptions& options) {
-  PLIANT_ASSERT(!photos.empty() && options.specimen > options.photo.disc, "draped specimens");
+  PLIANT_ASSERT(!photos.empty() && options.specimen >= least_specimen(options.photo.disc),
+                "draped specimens");
   ImportedStudy study;
   std::vector<DrapedSheet> draped;
   std::set<std::string> taken;

@@ -14,7 +14,7 @@ namespace pliant {
 struct DrapeStudyOptions {
   std::string name;                    ///< of the fabric
   std::optional<double> density = {};  ///< kg/m^2, > 0
-  double specimen = 0.3;               ///< diameter (m), more than the disc's
+  double specimen = 0.3;               ///< diameter (m), at least `least_specimen`
   DrapePhotoOptions photo;
 };
 

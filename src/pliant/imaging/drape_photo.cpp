@@ -90,6 +90,15 @@ void require_disc(double radius, const DrapePhotoOptions& options, const Locatio
                    "specimen in one colour");
 }
 
+void require_inside(const Eigen::Vector2d& middle, const cv::Mat& inside, const Location& where) {
+  const cv::Rect picture(0, 0, inside.cols, inside.rows);
+  const cv::Point pixel(static_cast<int>(std::lround(middle.x())),
+                        static_cast<int>(std::lround(middle.y())));
+  if (picture.contains(pixel) && inside.at<unsigned char>(pixel) > 0) return;
+  throw InputError(where, "the disc's middle is not within the silhouette",
+                   "the pixel X,Y of its middle, from the upper left of the photograph");
+}
+
 }  // namespace
 
 DrapeTrace trace_drape(const std::filesystem::path& file, const DrapePhotoOptions& options) {
@@ -112,6 +121,7 @@ DrapeTrace trace_drape(const std::filesystem::path& file, const DrapePhotoOption
 
   const Eigen::Vector2d middle =
       options.middle ? placed.from_photo(*options.middle) : circle.middle;
+  require_inside(middle, inside, where);
   DrapeTrace trace;
   trace.middle = placed.to_photo(middle);
   trace.silhouette.area = length * length * cv::countNonZero(inside);

@@ -29,7 +29,7 @@ struct DrapeTrace {
 
 /// @throws InputError for a file that is no picture, a region that is not within it, or a
 /// silhouette
-///         that does not cover the disc
+///         that does not cover the disc or its middle
 /// @throws RefusedPhoto for a picture in which no specimen is seen (`find_drape`)
 DrapeTrace trace_drape(const std::filesystem::path& file, const DrapePhotoOptions& options);
 

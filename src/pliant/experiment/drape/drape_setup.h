@@ -17,6 +17,10 @@ const std::vector<DrapeHistory>& drape_histories();
 /// As documents write it.
 std::string_view name_of(DrapeHistory history);
 
+/// Diameter from which on a specimen hangs over its disc enough for a test.
+/// @param disc  its diameter (m)
+constexpr double least_specimen(double disc) { return 1.1 * disc; }
+
 /// A round specimen on a disc, and how it is computed.
 struct DrapeSetup {
   double specimen = 0.3;  ///< diameter (m); 0.24, 0.3 or 0.36 by ISO 9073-9

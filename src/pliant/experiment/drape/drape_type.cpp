@@ -13,7 +13,6 @@ namespace {
 // A fold has some edges, and a mesh some ten thousand vertices at most.
 constexpr double kCoarsest = 0.25, kFinest = 1.0 / 40;  // of the overhang
 constexpr double kUsualEdge = 2.0 / 15;                 // of the overhang: 8 mm at 6 cm
-constexpr double kLeastOverhang = 0.05;                 // of the disc
 constexpr int kMostRepeats = 100;
 
 void read_edge(Fields& fields, DrapeSetup& setup) {
@@ -50,7 +49,7 @@ DrapeSetup read_drape_setup(Fields& fields) {
   if (auto v = fields.optional("disc")) setup.disc = v->positive_quantity(Dimension::length);
   const auto specimen = fields.optional("specimen");
   if (specimen) setup.specimen = specimen->positive_quantity(Dimension::length);
-  const double least = (1 + 2 * kLeastOverhang) * setup.disc;
+  const double least = least_specimen(setup.disc);
   if (setup.specimen < least) {
     const std::string expected =
         "a diameter of at least " + format_quantity(least, Dimension::length);

@@ -1,5 +1,6 @@
-# Several sources are compiled as one (CMake's unity builds): the headers of Eigen, fmt, nlohmann_json
-# and GoogleTest are then read, and what they generate is compiled, once for all of them.
+# Several sources are compiled as one (CMake's unity builds), and the headers that most of them read
+# are compiled beforehand: those of Eigen, fmt, nlohmann_json and GoogleTest are then read once, and
+# what they generate is compiled once for all sources of a group.
 #
 # Off in the presets `dev` and `fuzz`, and so for `./dev lint`: there each source is compiled by
 # itself, which shows the includes it lacks.
@@ -7,14 +8,49 @@
 # So many at most: more save little, and one edit should not take long to compile.
 set(PLIANT_SOURCES_AT_ONCE 16)
 
-# pliant_fast_build(TARGET): compiles the sources that TARGET has so far in groups.
+# pliant_headers(NAME PACKAGES package... HEADERS header...): a target whose precompiled headers others
+# take over, where the packages are there. Those have the same compiler options.
+function(pliant_headers name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PACKAGES;HEADERS")
+  foreach(package IN LISTS arg_PACKAGES)
+    if(NOT PLIANT_FAST_BUILD OR NOT TARGET ${package})
+      return()
+    endif()
+  endforeach()
+  set(source "${PROJECT_BINARY_DIR}/generated/${name}.cpp") # a target needs one
+  file(CONFIGURE OUTPUT "${source}" CONTENT "")
+  add_library(${name} OBJECT "${source}")
+  target_link_libraries(${name} PRIVATE pliant_options ${arg_PACKAGES})
+  list(TRANSFORM arg_HEADERS REPLACE "(.+)" "<\\1>")
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+set(PLIANT_COMMON_HEADERS algorithm array cmath filesystem functional map memory optional set
+  string vector Eigen/Core Eigen/Geometry fmt/format.h fmt/ranges.h nlohmann/json.hpp)
+set(PLIANT_COMMON_PACKAGES fmt::fmt Eigen3::Eigen nlohmann_json::nlohmann_json)
+pliant_headers(pliant_library_headers
+  PACKAGES ${PLIANT_COMMON_PACKAGES} HEADERS ${PLIANT_COMMON_HEADERS})
+
+# What reads, writes and tells is optimised less than what computes, and so are tests.
+set(PLIANT_LITTLE_OPTIMISED $<$<CONFIG:Release>:-O1>)
+pliant_headers(pliant_text_headers
+  PACKAGES ${PLIANT_COMMON_PACKAGES} HEADERS ${PLIANT_COMMON_HEADERS})
+if(TARGET pliant_text_headers)
+  target_compile_options(pliant_text_headers PRIVATE ${PLIANT_LITTLE_OPTIMISED})
+endif()
+
+# pliant_fast_build(TARGET HEADERS): compiles the sources that TARGET has so far in groups, with
+# the precompiled headers of the target HEADERS.
 #
 # Files may name the helpers in their anonymous namespaces alike. A source goes to the first group
 # that has room and shares no such name with it, so nobody needs to think of it. This is decided when
 # CMake runs, as it does in every command of `./dev`.
-function(pliant_fast_build target)
+function(pliant_fast_build target headers)
   if(NOT PLIANT_FAST_BUILD)
     return()
+  endif()
+  if(TARGET ${headers})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)

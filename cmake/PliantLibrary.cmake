@@ -1,11 +1,11 @@
-# pliant_library(NAME [DEPENDS folder...] [PACKAGES imported-target...])
+# pliant_library(NAME [TEXT] [DEPENDS folder...] [PACKAGES imported-target...])
 #
 # Makes the static library pliant_NAME of the sources below src/pliant/NAME, linked to the libraries of
 # the folders in DEPENDS and to third-party targets. If a package, or a folder it depends on, is
 # missing, the folder is left out with a message that names what is missing. Targets of later
-# folders test `if(TARGET pliant_NAME)`.
+# folders test `if(TARGET pliant_NAME)`. TEXT: it reads, writes and tells more than it computes.
 function(pliant_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TEXT" "" "DEPENDS;PACKAGES")
   set(folder "${PROJECT_SOURCE_DIR}/src/pliant/${name}")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/*.cpp")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${folder}/*.h")
@@ -29,7 +29,12 @@ function(pliant_library name)
   if(sources)
     add_library(pliant_${name} STATIC ${sources} ${headers})
     target_link_libraries(pliant_${name} PUBLIC pliant_options ${libraries} ${arg_PACKAGES})
-    pliant_fast_build(pliant_${name})
+    if(arg_TEXT)
+      target_compile_options(pliant_${name} PRIVATE ${PLIANT_LITTLE_OPTIMISED})
+      pliant_fast_build(pliant_${name} pliant_text_headers)
+    else()
+      pliant_fast_build(pliant_${name} pliant_library_headers)
+    endif()
   else()
     add_library(pliant_${name} INTERFACE)
     target_link_libraries(pliant_${name} INTERFACE pliant_options ${libraries} ${arg_PACKAGES})

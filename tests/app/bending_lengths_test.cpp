@@ -46,7 +46,7 @@ TEST(BendingLengths, GoFromTheLabToTheReport) {
 }
 
 // The fabric's own bending length is what `info` gives of its material.
-TEST(BendingLengths, AreToldByInfo) {
+TEST(SlowBendingLengths, AreToldByInfo) {
   const LengthsFolder folder;
   const ProgramRun material =
       run_program({"info", PLIANT_SOURCE_DIR "/materials/felt.json", "--json"});

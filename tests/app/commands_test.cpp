@@ -33,7 +33,7 @@ TEST(Help, OfTheProgramNamesTheCommandsThatWork) {
   EXPECT_THAT(run.out, HasSubstr("Exit status"));
 }
 
-TEST(Help, OfEachCommandNamesItsOptions) {
+TEST(SlowHelp, OfEachCommandNamesItsOptions) {
   for (const char* command : {"init", "import", "fit", "evaluate", "lab", "report", "info"}) {
     const ProgramRun run = run_program({command, "--help"});
     EXPECT_EQ(run.status, 0) << command;
@@ -43,7 +43,7 @@ TEST(Help, OfEachCommandNamesItsOptions) {
   }
 }
 
-TEST(Usage, ThatIsWrongHasStatusTwoAndOneLine) {
+TEST(SlowUsage, ThatIsWrongHasStatusTwoAndOneLine) {
   const std::vector<std::vector<std::string>> wrong{
       {},
       {"fitt"},
@@ -183,7 +183,7 @@ TEST(Evaluate, GivesTheErrorsOfTheFit) {
       IsSupersetOf({"evaluation.json", "report.html", "predictions", "study.resolved.yaml"}));
 }
 
-TEST(Init, MakesTestsThatFitReads) {
+TEST(SlowInit, MakesTestsThatFitReads) {
   for (const char* test : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
                            "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
     const TemporaryFolder folder;

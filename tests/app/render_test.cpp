@@ -38,6 +38,7 @@ class RenderCommand : public ::testing::Test {
 
   const SimulationFolder folder{5};
 };
+using SlowRenderCommand = RenderCommand;
 
 /// Width and height in the header of a PNG file.
 std::pair<int, int> png_size(const std::string& bytes) {
@@ -78,7 +79,7 @@ TEST_F(RenderCommand, DrawsTheSameBitsWhateverElseIsDrawnAndForAnyNumberOfThread
   EXPECT_EQ(content_of(folder.file("out/000003.png")), picture);
 }
 
-TEST_F(RenderCommand, TakesEveryOptionOfLooks) {
+TEST_F(SlowRenderCommand, TakesEveryOptionOfLooks) {
   const ProgramRun plain = render({"--frames", "2"});
   const std::string picture = content_of(folder.file("out/000002.png"));
   const std::vector<std::vector<std::string>> looks{
@@ -213,7 +214,7 @@ TEST_F(RenderCommand, SaysInJsonWhatItDrew) {
   EXPECT_EQ(json["field"]["percentiles"], false);
 }
 
-TEST_F(RenderCommand, RefusesWhatItCannotUseInOneLine) {
+TEST_F(SlowRenderCommand, RefusesWhatItCannotUseInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{"--size", "800"}, "--size"},
       {{"--size", "8x8"}, "--size"},

@@ -127,6 +127,7 @@ class Resume : public ::testing::Test {
   ProgramRun run;
   std::map<std::string, std::string> before;  // what it computed
 };
+using SlowResumed = Resume;
 
 TEST_F(Resume, GoesOnFromTheLastCheckpointOfAFinishedRun) {
   ASSERT_EQ(run.status, 0) << run.err;
@@ -134,7 +135,7 @@ TEST_F(Resume, GoesOnFromTheLastCheckpointOfAFinishedRun) {
   expect_same_files(before, folder.computed_files());
 }
 
-TEST_F(Resume, GoesOnForLongerWhereTheDurationIsRaised) {
+TEST_F(SlowResumed, GoesOnForLongerWhereTheDurationIsRaised) {
   const auto scene = [](const std::string& duration) {
     // Frames every 20 ms: that at 50 ms stands at the end of the shorter run alone.
     return small_scene("{step: 10 ms, duration: " + duration + "}", kOutput);
@@ -207,7 +208,7 @@ TEST_F(Resume, RefusesAnotherFileInPlaceOfACheckpoint) {
   }
 }
 
-TEST_F(Resume, TakesPeriodsOfCheckpointsThatAreTimes) {
+TEST_F(SlowResumed, TakesPeriodsOfCheckpointsThatAreTimes) {
   for (const char* period : {"3", "0 s", "-1 s", "1 mm", "soon"}) {
     const ProgramRun refused = folder.simulate({"--checkpoint-every", period}, "none");
     EXPECT_EQ(refused.status, 2) << period;

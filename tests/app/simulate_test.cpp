@@ -45,8 +45,9 @@ class Simulate : public ::testing::Test {
   ProgramRun run;
   json result;
 };
+using SlowSimulate = Simulate;
 
-TEST_F(Simulate, WritesTheFramesThatItTellsOf) {
+TEST_F(SlowSimulate, WritesTheFramesThatItTellsOf) {
   simulate(kShort, "{every: 20 ms, fields: [strain, friction]}");
   EXPECT_EQ(result["finished"], true);
   EXPECT_EQ(result["steps"], 6);
@@ -95,7 +96,7 @@ TEST_F(Simulate, CountsTrianglesThatPassThroughEachOther) {
   EXPECT_GT(result["crossing_pairs"], 0);
 }
 
-TEST_F(Simulate, GivesFieldsTheUnitsOfTheirComponents) {
+TEST_F(SlowSimulate, GivesFieldsTheUnitsOfTheirComponents) {
   simulate(kShort, "{every: 60 ms, fields: [strain, friction]}");
   EXPECT_EQ(result["fields"]["strain.stretch.weft"], "1");
   EXPECT_EQ(result["fields"]["strain.bend.weft"], "1/m");
@@ -103,7 +104,7 @@ TEST_F(Simulate, GivesFieldsTheUnitsOfTheirComponents) {
   EXPECT_EQ(result["fields"]["friction.bend.weft"], "N");
 }
 
-TEST_F(Simulate, LeavesFrictionOutWhereTheSceneSaysNone) {
+TEST_F(SlowSimulate, LeavesFrictionOutWhereTheSceneSaysNone) {
   simulate("{step: 10 ms, duration: 60 ms, friction: none}",
            "{every: 60 ms, fields: [strain, friction]}");
   for (const auto& [name, unit] : result["fields"].items()) EXPECT_THAT(name, StartsWith("strain"));
@@ -118,7 +119,7 @@ TEST_F(Simulate, SaysWhatItAssumed) {
               Contains(HasSubstr("bend.diagonal of \"cotton\"")));
 }
 
-TEST_F(Simulate, WritesFramesAndCheckpointsThatInfoDescribes) {
+TEST_F(SlowSimulate, WritesFramesAndCheckpointsThatInfoDescribes) {
   simulate(kShort, "{every: 60 ms, formats: [ply, vtu], fields: [strain]}",
            {"--checkpoint-every", "40 ms"});
   const auto info = [&](const char* name) {
@@ -225,7 +226,7 @@ TEST_F(Simulate, TellsTheForceThatMovesAClip) {
   EXPECT_NEAR(forces[3], force, 1e-5 + 1e-9);
 }
 
-TEST_F(Simulate, WritesTheSameMeshForParaViewAndBlender) {
+TEST_F(SlowSimulate, WritesTheSameMeshForParaViewAndBlender) {
   simulate(kShort, "{every: 20 ms, formats: [ply, vtu, pc2], fields: [strain]}");
   const Pc2Cache cache = read_pc2(folder.results() / "cloth.pc2");
   ASSERT_EQ(cache.frames.size(), 4u);
@@ -270,7 +271,7 @@ TEST_F(Simulate, GivesTheSameBitsEveryTime) {
   }
 }
 
-TEST_F(Simulate, ReplacesAnEarlierSimulation) {
+TEST_F(SlowSimulate, ReplacesAnEarlierSimulation) {
   simulate(kShort, "{every: 20 ms}");
   simulate(kShort, "{every: 60 ms}");
   EXPECT_EQ(names_in(folder.results() / "frames").size(), 2u);

@@ -30,8 +30,9 @@ class SimulationReportCommand : public ::testing::Test {
 
   const SimulationFolder folder{8};
 };
+using SlowSimulationReportCommand = SimulationReportCommand;
 
-TEST_F(SimulationReportCommand, WritesOneFileWithPicturesOfTheFrames) {
+TEST_F(SlowSimulationReportCommand, WritesOneFileWithPicturesOfTheFrames) {
   const ProgramRun run = report();
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(html(), StartsWith("<!DOCTYPE html>"));

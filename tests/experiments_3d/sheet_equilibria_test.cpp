@@ -204,7 +204,7 @@ double tip_height(const SheetShape& shape) {
   return shape.positions.row(2).tail(n).mean();
 }
 
-TEST(SheetEquilibria, HangOverATableAsFarAsItsEdgeSaysWhateverTheMesh) {
+TEST(SlowSheetEquilibria, HangOverATableAsFarAsItsEdgeSaysWhateverTheMesh) {
   const std::vector<double> edges{0.062, 0.0605, 0.059, 0.0575, 0.056, 0.0545};
   const Material material = [] {
     Material sheet = linear_cloth(200, 60, 3e-6);

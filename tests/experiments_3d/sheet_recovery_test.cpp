@@ -28,7 +28,7 @@ RunContext two_threads() {
   return context;
 }
 
-TEST(SheetRecovery, FindsTheStiffnessesOfNoiseFreeSessionsOnTheirOwnMesh) {
+TEST(SlowSheetRecovery, FindsTheStiffnessesOfNoiseFreeSessionsOnTheirOwnMesh) {
   const Material truth = test::sheet_cloth(false);
   const FiveTests tests(truth, ", variant: linear-orthotropic");
   const StudyResult result = fit_study(tests.study(), {}, two_threads());
@@ -45,7 +45,7 @@ TEST(SheetRecovery, FindsTheStiffnessesOfNoiseFreeSessionsOnTheirOwnMesh) {
   }
 }
 
-TEST(SheetRecovery, FindsCurvesThatRiseWithStrain) {
+TEST(SlowSheetRecovery, FindsCurvesThatRiseWithStrain) {
   const Material truth = test::sheet_cloth(true);
   const FiveTests tests(truth);
   const StudyResult result = fit_study(tests.study(), {}, two_threads());
@@ -64,7 +64,7 @@ TEST(SheetRecovery, FindsCurvesThatRiseWithStrain) {
 
 // Clips are 5 mm deep, cells about 6 mm wide and measured edges 3 mm long: only a grid with lines
 // on the edges of clips holds the cloth that they hold. Without, shear is 10 % too soft.
-TEST(SheetRecovery, FindsTheStiffnessesOfSheetsThatWereMeasuredOnAnIrregularMesh) {
+TEST(SlowSheetRecovery, FindsTheStiffnessesOfSheetsThatWereMeasuredOnAnIrregularMesh) {
   if (!has_irregular_meshes()) GTEST_SKIP() << "built without CGAL";
   const Material truth = test::sheet_cloth(false);
   test::TemporaryFolder folder;

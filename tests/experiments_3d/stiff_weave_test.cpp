@@ -30,7 +30,7 @@ experiments:
      slack: 0.7 mm, noise: {force: 50 mN}}
 )";
 
-TEST(StiffWeave, OfStripsWithAToeIsFittedAsASheet) {
+TEST(SlowStiffWeave, OfStripsWithAToeIsFittedAsASheet) {
   const test::TemporaryFolder lab;
   lab.write("weave.json", kWeave);
   test::LabFolder folder(test::measurements_of(read_lab(lab.write("lab.yaml", kLab)), 0));

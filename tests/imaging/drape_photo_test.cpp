@@ -158,7 +158,7 @@ TEST(DrapePhotoMiddle, IsWhereItIsSaidToBe) {
   EXPECT_NEAR(trace.silhouette.radii[360], drawn.outline(0) + 0.01, 0.001);
 }
 
-TEST(DrapePhotoRefused, WhereNoSpecimenIsSeen) {
+TEST(SlowDrapePhotoRefused, WhereNoSpecimenIsSeen) {
   EXPECT_THAT(DrapePhotoFolder({}, /*with_cloth=*/false).refusal().problem(),
               HasSubstr("nothing large that stands out"));
   DrawnDrape cut;

@@ -51,7 +51,7 @@ std::string with(const std::string& obstacles, const std::string& contact,
                      obstacles, contact, duration);
 }
 
-TEST(MeshBody, CarriesWhatFallsOnIt) {
+TEST(SlowMeshBody, CarriesWhatFallsOnIt) {
   const BodyScene folder;
   folder.write_ball("ball.obj", 50, -53);
   for (const char* contact : {"{thickness: 2 mm}", "{thickness: 2 mm, friction: 0.5}"}) {

@@ -99,7 +99,7 @@ constexpr const char* kDrape =
     "{}"
     "time: {{step: {}, duration: 10 s{}}}\n";
 
-TEST(Drape, StaysOutsideOfABallAndGainsNoEnergy) {
+TEST(SlowDrape, StaysOutsideOfABallAndGainsNoEnergy) {
   const std::string ball =
       "obstacles:\n"
       "  - {name: ball, sphere: {centre: [0, 0, -0.105], radius: 100 mm}, friction: 0.3}\n";

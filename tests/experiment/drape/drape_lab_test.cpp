@@ -54,6 +54,7 @@ class DrapeLab : public testing::Test {
     if (!has_irregular_meshes()) GTEST_SKIP() << "built without CGAL";
   }
 };
+using SlowDrapeLab = DrapeLab;
 
 TEST_F(DrapeLab, WritesRowsOutlinesAndAPicture) {
   const auto files = test::measurements_of(test::lab_of(felt_like(), draped()), 7);
@@ -67,7 +68,7 @@ TEST_F(DrapeLab, WritesRowsOutlinesAndAPicture) {
   EXPECT_EQ(files, test::measurements_of(test::lab_of(felt_like(), draped()), 7));
 }
 
-TEST_F(DrapeLab, IsEvaluatedWithTheHistoriesThatItMayHaveHad) {
+TEST_F(SlowDrapeLab, IsEvaluatedWithTheHistoriesThatItMayHaveHad) {
   const test::LabFolder folder(test::measurements_of(test::lab_of(felt_like(), draped()), 7));
   const StudyResult result = evaluate_study(folder.study(), felt_like(), {});
   ASSERT_EQ(result.whole_sheets.size(), 1U);

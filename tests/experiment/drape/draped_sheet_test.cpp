@@ -71,7 +71,7 @@ TEST_F(DrapedSheetTest, StaysFlatWhereItIsStiff) {
   EXPECT_EQ(figures.nodes, 0);
 }
 
-TEST_F(DrapedSheetTest, CoversLessTheShorterItsBendingLength) {
+TEST_F(SlowDrapedSheet, CoversLessTheShorterItsBendingLength) {
   double before = 1;
   for (const double length : {0.06, 0.045, 0.035, 0.027, 0.023}) {
     const DrapeFigures figures = figures_of(cloth_of(length), coarse());
@@ -93,7 +93,7 @@ TEST_F(SlowDrapedSheet, CoversHardlyMoreThanTheDiscWhereItIsLimp) {
   EXPECT_LT(before, 0.4);
 }
 
-TEST_F(DrapedSheetTest, WarnsOfAMeshThatIsTooCoarseForItsFolds) {
+TEST_F(SlowDrapedSheet, WarnsOfAMeshThatIsTooCoarseForItsFolds) {
   const DrapedSheet sheet = drape(cloth_of(0.015), coarse(), RandomStream(1));
   ASSERT_FALSE(sheet.warnings.empty());
   EXPECT_NE(sheet.warnings.front().find("too coarse"), std::string::npos) << sheet.warnings.front();
@@ -119,7 +119,7 @@ TEST_F(DrapedSheetTest, HangsBelowAndInsideOfItsFlatOutline) {
 
 // Folds of a coarse mesh are one or two fewer or more: each is a point or so. With the first hinges
 // on the disc's rim, not half a triangle's height outside of it, the two differ by 6 %.
-TEST_F(DrapedSheetTest, HardlyDependsOnItsMesh) {
+TEST_F(SlowDrapedSheet, HardlyDependsOnItsMesh) {
   DrapeSetup fine = coarse();
   fine.edge = 0.01;
   const Material material = cloth_of(0.027);
@@ -127,7 +127,7 @@ TEST_F(DrapedSheetTest, HardlyDependsOnItsMesh) {
               0.035);
 }
 
-TEST_F(DrapedSheetTest, HardlyDependsOnTheDirectionOfItsMesh) {
+TEST_F(SlowDrapedSheet, HardlyDependsOnTheDirectionOfItsMesh) {
   Material material = cloth_of(0.027);
   material.components["bend.warp"].stiffness =
       ScalarCurve::constant(2 * material.components["bend.weft"].stiffness->value(0));
@@ -139,7 +139,7 @@ TEST_F(DrapedSheetTest, HardlyDependsOnTheDirectionOfItsMesh) {
   EXPECT_LT(most - least, 0.03);  // some have a node more
 }
 
-TEST_F(DrapedSheetTest, ComesToTheSameShapeOnEveryWayWithoutFriction) {
+TEST_F(SlowDrapedSheet, ComesToTheSameShapeOnEveryWayWithoutFriction) {
   const auto hung = [](DrapeHistory history) {
     DrapeSetup setup = coarse(history);
     setup.edge = 0.0115;
@@ -159,7 +159,7 @@ TEST_F(DrapedSheetTest, KeepsSomethingOfItsWayWithFriction) {
   EXPECT_GT(pulled.nodes, lowered.nodes);
 }
 
-TEST_F(DrapedSheetTest, IsTheSameForTheSameChanceOnAnyThreads) {
+TEST_F(SlowDrapedSheet, IsTheSameForTheSameChanceOnAnyThreads) {
   const Material material = cloth_of(0.02);
   const DrapedSheet one = drape(material, coarse(), RandomStream(3));
   const DrapedSheet two = drape(material, coarse(), RandomStream(3), {.threads = 2});

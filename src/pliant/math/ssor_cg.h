@@ -7,6 +7,8 @@
 
 namespace pliant {
 
+class SsorMatrix;
+
 /// Conjugate gradients with a symmetric Gauss-Seidel preconditioner in Eisenstat's form (SIAM J.
 /// Sci. Stat. Comput. 2 (1981) 1): the preconditioned product costs no more than a plain one.
 ///
@@ -30,11 +32,9 @@ class SsorCg : public LinearSolver {
   std::unique_ptr<LinearSolver> another() const override;
 
  private:
-  struct Scaled;  // the matrix C^-1 K C^-T with C C^T = the diagonal blocks
-
   Options options_;
   const BlockMatrix* matrix_;
-  std::unique_ptr<Scaled> scaled_;
+  std::unique_ptr<SsorMatrix> scaled_;
 };
 
 }  // namespace pliant

@@ -65,7 +65,8 @@ std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
       return fmt::format("affine, k1 = {}, k2 = {} {}", units.stiffness(values[0]),
                          format_number(values[1], kDigits), units.bending ? "N m^2" : "N/m");
     case CurveKind::hermite:
-      return fmt::format("hermite, {} control points {}{}", values.size(),
+    case CurveKind::spline:
+      return fmt::format("{}, {} control points {}{}", name_of(curve.kind()), values.size(),
                          units.strains(curve.knots().front(), curve.knots().back()),
                          curve.even() ? ", mirrored for negative strains" : "");
   }
@@ -156,7 +157,7 @@ void add_addends(const MaterialComponent& component, const ComponentUnits& units
       const AddendParameter& parameter = addend.kind().parameters[i];
       const double value = addend.values()(static_cast<Eigen::Index>(i));
       own[std::string(parameter.name)] = value;
-      const std::string unit = unit_of(parameter, units.bending);
+      const std::string unit = unit_of(parameter, units_of(units.component));
       numbers.push_back(fmt::format("{} = {}{}", parameter.name, format_number(value, kDigits),
                                     unit == "1" ? "" : " " + unit));
     }

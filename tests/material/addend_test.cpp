@@ -101,7 +101,8 @@ TEST(Addend, SecondsOfAKindAreNumbered) {
 
 TEST(Addend, UnitsFollowThePowersOfStressAndStrain) {
   const auto unit = [](int stress, int strain, bool bending) {
-    return unit_of({.name = "", .meaning = "", .stress = stress, .strain = strain}, bending);
+    return unit_of({.name = "", .meaning = "", .stress = stress, .strain = strain},
+                   bending ? LawUnits::bending : LawUnits::membrane);
   };
   EXPECT_EQ(unit(1, -1, false), "N/m");
   EXPECT_EQ(unit(0, -2, false), "1");
@@ -110,6 +111,8 @@ TEST(Addend, UnitsFollowThePowersOfStressAndStrain) {
   EXPECT_EQ(unit(1, -2, true), "N m^2");
   EXPECT_EQ(unit(0, 1, true), "1/m");
   EXPECT_EQ(unit(0, -2, true), "m^2");
+  const AddendParameter modulus{.name = "", .meaning = "", .stress = 1, .strain = -1};
+  EXPECT_EQ(unit_of(modulus, LawUnits::solid), "Pa");
 }
 
 TEST(ComponentLaw, AddsElasticAddendsToItsStiffness) {

@@ -58,8 +58,8 @@ TEST(ComponentLaw, NamesAndUnitsHaveOneEntryForEachParameter) {
       const ComponentLaw law = random_law(random, curve, friction);
       const auto count = static_cast<size_t>(law.parameter_count());
       EXPECT_EQ(parameter_names(law, "shear").size(), count);
-      EXPECT_EQ(parameter_units(law, false).size(), count);
-      EXPECT_EQ(parameter_units(law, true).size(), count);
+      EXPECT_EQ(parameter_units(law, LawUnits::membrane).size(), count);
+      EXPECT_EQ(parameter_units(law, LawUnits::bending).size(), count);
     }
   }
 }
@@ -79,12 +79,14 @@ TEST(ComponentLaw, NamesAreThoseOfTheResults) {
 }
 
 TEST(ComponentLaw, UnitsFollowFromStressAndStrain) {
-  EXPECT_THAT(parameter_units(spandex(), false), ElementsAre("N/m", "N/m", "N/m", "N/m", "1"));
-  EXPECT_THAT(parameter_units(spandex(), true), ElementsAre("N m", "N m^2", "N", "N m", "1/m"));
+  EXPECT_THAT(parameter_units(spandex(), LawUnits::membrane),
+              ElementsAre("N/m", "N/m", "N/m", "N/m", "1"));
+  EXPECT_THAT(parameter_units(spandex(), LawUnits::bending),
+              ElementsAre("N m", "N m^2", "N", "N m", "1/m"));
   ComponentLaw law = spandex();
   law.friction_law = FrictionLaw::constant_slope;
-  EXPECT_EQ(parameter_units(law, false).back(), "N/m");
-  EXPECT_EQ(parameter_units(law, true).back(), "N m");
+  EXPECT_EQ(parameter_units(law, LawUnits::membrane).back(), "N/m");
+  EXPECT_EQ(parameter_units(law, LawUnits::bending).back(), "N m");
 }
 
 TEST(ComponentLaw, ElasticStressIsStiffnessTimesStrainAndTheTangentItsSlope) {

@@ -20,6 +20,7 @@
 #include "pliant/material/density/damping.h"
 #include "pliant/material/density/linearized_dahl_friction.h"
 #include "pliant/material/density/plastic_density.h"
+#include "pliant/material/density/rubber_energies.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
 #include "pliant/math/check_derivatives.h"
@@ -189,6 +190,11 @@ ScalarCurve wavy_stiffness(RandomStream& random) {
   return ScalarCurve::hermite(kKnots, values);
 }
 
+std::unique_ptr<Density> closed_form(EnergyFunction energy, const std::vector<double>& values) {
+  return std::make_unique<ClosedFormDensity>(
+      2, energy, Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)));
+}
+
 std::unique_ptr<Sum> draw_sum(RandomStream& random) {
   auto sum = std::make_unique<Sum>();
   sum->add_addend(std::make_unique<StiffnessDensity>(0, wavy_stiffness(random)));
@@ -214,6 +220,30 @@ const std::vector<RegisteredLaw>& registered_laws() {
       {"stiffness_density", "HermiteStiffness",
        [](RandomStream& random) {
          return std::make_unique<StiffnessDensity>(0, wavy_stiffness(random));
+       }},
+      {"stiffness_density", "SplineEnergy",
+       [](RandomStream& random) {
+         return std::make_unique<StiffnessDensity>(
+             1, ScalarCurve::spline(kKnots, wavy_stiffness(random).values()));
+       }},
+      {"closed_form_density", "LinearEnergy",
+       [](RandomStream& random) { return closed_form(linear_energy, {random.uniform(-1, 5)}); }},
+      {"rubber_energies", "PolynomialEnergy",
+       [](RandomStream& random) {
+         return closed_form(polynomial_energy,
+                            {random.uniform(1, 5), random.uniform(-1, 1), random.uniform(1, 2)});
+       }},
+      {"rubber_energies", "OgdenEnergy",
+       [](RandomStream& random) {
+         return closed_form(ogden_energy, {random.uniform(1, 5), random.uniform(-6, 6)});
+       }},
+      {"rubber_energies", "ArrudaBoyceEnergy",
+       [](RandomStream& random) {
+         return closed_form(arruda_boyce_energy, {random.uniform(1, 5), random.uniform(1.2, 5)});
+       }},
+      {"rubber_energies", "ExponentialEnergy",
+       [](RandomStream& random) {
+         return closed_form(exponential_energy, {random.uniform(1, 5), random.uniform(0.01, 6)});
        }},
       {"dahl_friction", "DahlFriction",
        [](RandomStream& random) { return std::make_unique<DahlFriction>(1, slow_dahl(random)); }},

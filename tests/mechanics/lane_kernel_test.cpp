@@ -10,9 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/material/strain/hexahedron_dilatation.h"
+#include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
 #include "pliant/material/strain/spring.h"
+#include "pliant/material/strain/trilinear_hexahedron.h"
 #include "pliant/mechanics/shells_lanes.h"
+#include "pliant/mechanics/solid_lanes.h"
 #include "pliant/mechanics/stvk_lanes.h"
 
 namespace pliant {
@@ -39,6 +43,28 @@ MembraneRest random_rest<SoftConstraintMembrane>(RandomStream& random) {
 template <>
 Spring::Rest random_rest<Spring>(RandomStream& random) {
   return {kSize * random.uniform(0.5, 1.5)};
+}
+
+template <int Nodes>
+SolidPointRest<Nodes> random_weights(RandomStream& random) {
+  SolidPointRest<Nodes> rest;
+  for (double& w : rest.weights.reshaped()) w = random.normal() / kSize;
+  return rest;
+}
+
+template <>
+LinearTetrahedron::Rest random_rest<LinearTetrahedron>(RandomStream& random) {
+  return random_weights<4>(random);
+}
+
+template <>
+TrilinearHexahedron::Rest random_rest<TrilinearHexahedron>(RandomStream& random) {
+  return random_weights<8>(random);
+}
+
+template <>
+HexahedronDilatation::Rest random_rest<HexahedronDilatation>(RandomStream& random) {
+  return {kSize * kSize * kSize * random.uniform(0.5, 1.5)};
 }
 
 template <>
@@ -92,13 +118,17 @@ struct Stencil {
 template <class Measure>
 class LaneKernels : public ::testing::Test {};
 
-using Measures = ::testing::Types<StvkMembrane, SoftConstraintMembrane, Spring, DiscreteShells>;
+using Measures = ::testing::Types<StvkMembrane, SoftConstraintMembrane, Spring, DiscreteShells,
+                                  LinearTetrahedron, TrilinearHexahedron, HexahedronDilatation>;
 
 struct MeasureNames {
   template <class Measure>
   static std::string GetName(int) {
     if (std::is_same_v<Measure, StvkMembrane>) return "StvkMembrane";
     if (std::is_same_v<Measure, SoftConstraintMembrane>) return "SoftConstraintMembrane";
+    if (std::is_same_v<Measure, LinearTetrahedron>) return "LinearTetrahedron";
+    if (std::is_same_v<Measure, TrilinearHexahedron>) return "TrilinearHexahedron";
+    if (std::is_same_v<Measure, HexahedronDilatation>) return "HexahedronDilatation";
     return std::is_same_v<Measure, Spring> ? "Spring" : "DiscreteShells";
   }
 };

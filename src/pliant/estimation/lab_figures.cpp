@@ -138,7 +138,7 @@ class Figures {
 
   /// A parameter that is zero moves by a share of the largest one of its unit.
   Eigen::VectorXd steps_of(const ComponentLaw& law) const {
-    const std::vector<std::string> units = parameter_units(law, is_bending(name_));
+    const std::vector<std::string> units = parameter_units(law, units_of(name_));
     const Eigen::VectorXd parameters = law.parameters();
     Eigen::VectorXd steps = kStep * parameters.cwiseAbs();
     for (Eigen::Index i = 0; i < steps.size(); ++i) {

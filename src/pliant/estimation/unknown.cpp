@@ -84,7 +84,7 @@ void Unknown::hold(double value) {
 std::vector<Unknown> unknowns_of(const ComponentLaw& law, const ComponentGroup& group,
                                  const DataScale& data) {
   const std::vector<std::string> names = parameter_names(law, group.front());
-  const std::vector<std::string> units = parameter_units(law, is_bending(group.front()));
+  const std::vector<std::string> units = parameter_units(law, units_of(group.front()));
   const Eigen::VectorXd values = law.parameters();
   std::vector<Unknown> unknowns(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {

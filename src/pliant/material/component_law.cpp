@@ -151,6 +151,7 @@ std::vector<std::string> parameter_names(const ComponentLaw& law, const std::str
       names = {component + ".k1", component + ".k2"};
       break;
     case CurveKind::hermite:
+    case CurveKind::spline:
       for (int i = 0; i < law.stiffness.size(); ++i) {
         names.push_back(component + ".k[" + std::to_string(i) + "]");
       }
@@ -168,18 +169,19 @@ std::vector<std::string> parameter_names(const ComponentLaw& law, const std::str
   return names;
 }
 
-std::vector<std::string> parameter_units(const ComponentLaw& law, bool bending) {
-  const std::string stiffness = bending ? "N m" : "N/m";
+std::vector<std::string> parameter_units(const ComponentLaw& law, LawUnits system) {
+  const bool bending = system == LawUnits::bending, solid = system == LawUnits::solid;
+  const std::string stiffness = solid ? "Pa" : bending ? "N m" : "N/m";
   std::vector<std::string> units(static_cast<size_t>(law.stiffness.size()), stiffness);
   if (law.stiffness.kind() == CurveKind::affine && bending) units[1] = "N m^2";
   if (law.friction_law != FrictionLaw::none) {
     const bool slope = law.friction_law == FrictionLaw::constant_slope;
-    units.insert(units.end(),
-                 {bending ? "N" : "N/m", stiffness, slope ? stiffness : (bending ? "1/m" : "1")});
+    units.insert(units.end(), {bending ? "N" : stiffness, stiffness,
+                               slope ? stiffness : (bending ? "1/m" : "1")});
   }
   for (const Addend& addend : law.addends) {
     for (const AddendParameter& parameter : addend.kind().parameters) {
-      units.push_back(unit_of(parameter, bending));
+      units.push_back(unit_of(parameter, system));
     }
   }
   return units;

@@ -72,8 +72,7 @@ struct ComponentLaw {
 /// `stretch.warp.friction.tau`.
 std::vector<std::string> parameter_names(const ComponentLaw& law, const std::string& component);
 
-/// Units of the parameters, e.g. N/m, 1 (dimensionless): those of membrane components unless
-/// `bending`.
-std::vector<std::string> parameter_units(const ComponentLaw& law, bool bending);
+/// Units of the parameters, e.g. N/m, 1 (dimensionless).
+std::vector<std::string> parameter_units(const ComponentLaw& law, LawUnits units);
 
 }  // namespace pliant

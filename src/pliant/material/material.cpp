@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "pliant/base/assert.h"
+#include "pliant/material/solid/metric.h"
+#include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
 
@@ -16,6 +18,10 @@ std::string_view name_of(ComponentStatus status) {
       return "unmeasured";
   }
   return "";
+}
+
+std::string_view name_of(MaterialKind kind) {
+  return kind == MaterialKind::solid ? "solid" : "cloth";
 }
 
 std::string_view name_of(MembraneMeasure measure) {
@@ -40,13 +46,36 @@ MembraneMeasure membrane_measure(std::string_view name) {
 
 bool is_bending(std::string_view component) { return component.substr(0, 5) == "bend."; }
 
-bool is_even(std::string_view component) { return is_bending(component) || component == "shear"; }
+LawUnits units_of(std::string_view component) {
+  if (is_bending(component)) return LawUnits::bending;
+  const bool solid = find_strain_metric(component) || find_principal_metric(component);
+  return solid ? LawUnits::solid : LawUnits::membrane;
+}
+
+bool is_even(std::string_view component) {
+  const StrainMetric* metric = find_strain_metric(component);
+  return is_bending(component) || component == "shear" || (metric && metric->even);
+}
 
 const std::vector<std::string>& cloth_component_names() {
   static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "stretch.bias",
                                               "shear",        "bend.weft",    "bend.warp",
                                               "bend.diagonal"};
   return names;
+}
+
+const std::vector<std::string>& solid_component_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const PrincipalMetric& metric : principal_metrics()) all.emplace_back(metric.name);
+    for (const StrainMetric& metric : strain_metrics()) all.emplace_back(metric.name);
+    return all;
+  }();
+  return names;
+}
+
+const std::vector<std::string>& component_names(MaterialKind kind) {
+  return kind == MaterialKind::solid ? solid_component_names() : cloth_component_names();
 }
 
 ComponentLaw law_of(const MaterialComponent& component) {

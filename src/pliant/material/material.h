@@ -19,6 +19,14 @@ enum class ComponentStatus { measured, assumed, unmeasured };
 
 std::string_view name_of(ComponentStatus status);
 
+/// What a material is of.
+enum class MaterialKind {
+  cloth,  ///< stresses per width, components of the sheet
+  solid,  ///< stresses per area; components are metrics of the Green strain (solid/metric.h)
+};
+
+std::string_view name_of(MaterialKind kind);
+
 /// How the membrane strain is measured from a triangle's deformation.
 enum class MembraneMeasure {
   stvk,             ///< Green-Lagrange ([T] Eq. 3.3)
@@ -37,7 +45,7 @@ struct ComponentFriction {
   std::optional<DahlParameters> negative;  ///< as `positive` when absent
 };
 
-/// One strain component of a cloth material.
+/// One strain component of a material.
 struct MaterialComponent {
   std::optional<ScalarCurve> stiffness;  ///< absent: nothing is known of the component; of the kind
                                          ///< `none` where addends alone carry it
@@ -48,10 +56,10 @@ struct MaterialComponent {
   std::map<std::string, NumberError> errors = {};  ///< of a fit, by number: "k[0]", "friction.a"
 };
 
-/// A cloth material: the content of a material/1 file (docs/formats/material.md).
+/// A material: the content of a material/1 file (docs/formats/material.md).
 struct Material {
   std::string name;
-  double density = 0;  ///< kg/m^2; 0 = not known
+  double density = 0;  ///< kg/m^2, of solids kg/m^3; 0 = not known
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
   std::string bending_of = "sheet";  ///< sheet, or hinges of the mesh `bending_mesh`
@@ -60,10 +68,14 @@ struct Material {
   std::optional<double> damping_fraction;
   std::map<std::string, std::string> info;
   std::map<std::string, std::string> provenance;
+  MaterialKind kind = MaterialKind::cloth;
 };
 
 /// Whether a component is one of bending (its curve is a function of |strain| and has other units).
 bool is_bending(std::string_view component);
+
+/// The units of a component's numbers.
+LawUnits units_of(std::string_view component);
 
 /// Whether a component's curves are functions of |strain|: shear and bending.
 bool is_even(std::string_view component);
@@ -71,6 +83,12 @@ bool is_even(std::string_view component);
 /// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear,
 /// bend.weft, ...
 const std::vector<std::string>& cloth_component_names();
+
+/// Those of a solid: the metrics of the Green strain.
+const std::vector<std::string>& solid_component_names();
+
+/// Those of a kind of material.
+const std::vector<std::string>& component_names(MaterialKind kind);
 
 /// The one-dimensional law of a component whose stiffness is given; friction is that of positive
 /// strain.

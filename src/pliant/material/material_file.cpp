@@ -10,6 +10,7 @@
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
 namespace {
@@ -28,7 +29,7 @@ double positive(const Value& value) {
   return number;
 }
 
-ScalarCurve read_hermite(Fields& fields, bool even_component) {
+ScalarCurve read_control_points(const std::string& kind, Fields& fields, bool even_component) {
   Value strain = fields.require("strain");
   Value value = fields.require("value");
   std::vector<double> knots = strain.numbers();
@@ -43,19 +44,21 @@ ScalarCurve read_hermite(Fields& fields, bool even_component) {
   }
   // FORMATS: for shear and bending a list that starts at 0 is mirrored.
   const bool even = even_component && knots.front() >= 0;
-  return ScalarCurve::hermite(std::move(knots), std::move(values), even);
+  const auto make = kind == "spline" ? ScalarCurve::spline : ScalarCurve::hermite;
+  return make(std::move(knots), std::move(values), even);
 }
 
 ScalarCurve read_curve(const Value& node, bool even_component) {
   Fields fields = node.fields();
-  const std::string kind = fields.require("curve").choice({"constant", "affine", "hermite"});
+  const std::string kind =
+      fields.require("curve").choice({"constant", "affine", "hermite", "spline"});
   const auto read = [&]() -> ScalarCurve {
     if (kind == "constant") return ScalarCurve::constant(fields.require("value").number());
     if (kind == "affine") {
       const double k1 = fields.require("k1").number();
       return ScalarCurve::affine(k1, fields.require("k2").number());
     }
-    return read_hermite(fields, even_component);
+    return read_control_points(kind, fields, even_component);
   };
   ScalarCurve curve = read();
   fields.finish();
@@ -95,8 +98,9 @@ Addend read_addend(const Value& node) {
   for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
     const AddendParameter& parameter = kind.parameters[i];
     const Value value = fields.require(parameter.name);
-    values(static_cast<Eigen::Index>(i)) =
-        parameter.smallest > 0 ? positive(value) : not_negative(value);
+    values(static_cast<Eigen::Index>(i)) = parameter.smallest > 0   ? positive(value)
+                                           : parameter.smallest < 0 ? value.number()
+                                                                    : not_negative(value);
   }
   fields.finish();
   return {kind, values};
@@ -177,6 +181,40 @@ MaterialComponent read_component(const Value& node, bool even) {
   return component;
 }
 
+/// What cloth has beside its components.
+void read_sheet(Fields& fields, Material& material) {
+  if (auto membrane = fields.optional("membrane"))
+    material.membrane = membrane_measure(membrane->choice({"stvk", "soft-constraint", "spring"}));
+  if (auto bending = fields.optional("bending")) {
+    material.bending = bending->choice({"discrete-shells", "spring"});
+  }
+  if (auto of = fields.optional("bending_of")) {
+    material.bending_of = of->choice({"sheet", "hinges"});
+  }
+  if (auto mesh = fields.optional("bending_mesh")) material.bending_mesh = mesh->text();
+}
+
+/// Principal stretches change places where two of them pass each other: nothing can remember which
+/// was which.
+void require_no_memory(const std::string& name, const Value& node,
+                       const MaterialComponent& component) {
+  if (!find_principal_metric(name) || !component.stiffness) return;
+  if (!law_of(component).remembers()) return;
+  node.fail("has friction or another law that remembers, on principal stretches",
+            "such laws on another metric: green.xx, I1-bar, ...");
+}
+
+void read_components(Fields& fields, Material& material) {
+  Fields components = fields.require("components").fields();
+  for (const std::string& name : component_names(material.kind)) {
+    if (auto component = components.optional(name)) {
+      material.components[name] = read_component(*component, is_even(name));
+      require_no_memory(name, *component, material.components[name]);
+    }
+  }
+  components.finish();
+}
+
 /// The tree of a material file; a file that is no JSON at all may be a scene named by mistake.
 Document read_material_document(const std::filesystem::path& path) {
   try {
@@ -201,6 +239,7 @@ Json curve_json(const ScalarCurve& curve) {
       json["k2"] = curve.values()[1];
       break;
     case CurveKind::hermite:
+    case CurveKind::spline:
       json["strain"] = curve.knots();
       json["value"] = curve.values();
       break;
@@ -265,24 +304,11 @@ Material read_material(const std::filesystem::path& path) {
 
   Material material;
   material.name = fields.require("name").text();
-  fields.require("kind").choice({"cloth"});
+  const std::string kind = fields.require("kind").choice({"cloth", "solid"});
+  if (kind == name_of(MaterialKind::solid)) material.kind = MaterialKind::solid;
   if (auto density = fields.optional("density")) material.density = positive(*density);
-  if (auto membrane = fields.optional("membrane"))
-    material.membrane = membrane_measure(membrane->choice({"stvk", "soft-constraint", "spring"}));
-  if (auto bending = fields.optional("bending")) {
-    material.bending = bending->choice({"discrete-shells", "spring"});
-  }
-  if (auto of = fields.optional("bending_of")) {
-    material.bending_of = of->choice({"sheet", "hinges"});
-  }
-  if (auto mesh = fields.optional("bending_mesh")) material.bending_mesh = mesh->text();
-  Fields components = fields.require("components").fields();
-  for (const std::string& name : cloth_component_names()) {
-    if (auto component = components.optional(name)) {
-      material.components[name] = read_component(*component, is_even(name));
-    }
-  }
-  components.finish();
+  if (material.kind == MaterialKind::cloth) read_sheet(fields, material);
+  read_components(fields, material);
   if (auto damping = fields.optional("damping")) {
     Fields inner = damping->fields();
     material.damping_fraction = not_negative(inner.require("fraction"));
@@ -297,14 +323,16 @@ Material read_material(const std::filesystem::path& path) {
 std::string material_text(const Material& material) {
   Json json{{"pliant", "material/1"},
             {"name", material.name},
-            {"kind", "cloth"},
-            {"density", material.density > 0 ? Json(material.density) : Json(nullptr)},
-            {"membrane", name_of(material.membrane)},
-            {"bending", material.bending},
-            {"bending_of", material.bending_of}};
-  if (!material.bending_mesh.empty()) json["bending_mesh"] = material.bending_mesh;
+            {"kind", name_of(material.kind)},
+            {"density", material.density > 0 ? Json(material.density) : Json(nullptr)}};
+  if (material.kind == MaterialKind::cloth) {
+    json["membrane"] = name_of(material.membrane);
+    json["bending"] = material.bending;
+    json["bending_of"] = material.bending_of;
+    if (!material.bending_mesh.empty()) json["bending_mesh"] = material.bending_mesh;
+  }
   Json& components = json["components"] = Json::object();
-  for (const std::string& name : cloth_component_names()) {
+  for (const std::string& name : component_names(material.kind)) {
     const auto found = material.components.find(name);
     if (found != material.components.end()) components[name] = component_json(found->second);
   }

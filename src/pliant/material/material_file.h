@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-/// Reads a cloth material from a material/1 file.
+/// Reads a material from a material/1 file.
 /// @throws InputError that names file, line and field of what is wrong
 Material read_material(const std::filesystem::path& path);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pliant/base/assert.h"
+#include "pliant/math/tangent_spline.h"
 
 namespace pliant {
 namespace {
@@ -140,6 +141,15 @@ Eigen::VectorXd single(double weight) { return Eigen::VectorXd::Constant(1, weig
 
 double sign(double x) { return x < 0 ? -1 : 1; }
 
+void require_knots(const std::vector<double>& knots, const std::vector<double>& values, bool even) {
+  PLIANT_ASSERT(!knots.empty() && knots.size() == values.size(),
+                "a curve has as many knots as values, at least one");
+  PLIANT_ASSERT(
+      std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) == knots.end(),
+      "the knots of a curve increase");
+  PLIANT_ASSERT(!even || knots.front() >= 0, "an even curve has no negative knots");
+}
+
 }  // namespace
 
 std::string_view name_of(CurveKind kind) {
@@ -152,6 +162,8 @@ std::string_view name_of(CurveKind kind) {
       return "affine";
     case CurveKind::hermite:
       return "hermite";
+    case CurveKind::spline:
+      return "spline";
   }
   return "";
 }
@@ -180,13 +192,13 @@ ScalarCurve ScalarCurve::affine(double k1, double k2) {
 }
 
 ScalarCurve ScalarCurve::hermite(std::vector<double> knots, std::vector<double> values, bool even) {
-  PLIANT_ASSERT(!knots.empty() && knots.size() == values.size(),
-                "a Hermite curve has as many knots as values, at least one");
-  PLIANT_ASSERT(
-      std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) == knots.end(),
-      "the knots of a Hermite curve increase");
-  PLIANT_ASSERT(!even || knots.front() >= 0, "an even curve has no negative knots");
+  require_knots(knots, values, even);
   return {CurveKind::hermite, std::move(knots), std::move(values), even};
+}
+
+ScalarCurve ScalarCurve::spline(std::vector<double> knots, std::vector<double> values, bool even) {
+  require_knots(knots, values, even);
+  return {CurveKind::spline, std::move(knots), std::move(values), even};
 }
 
 ScalarCurve ScalarCurve::with_values(const double* values) const {
@@ -206,6 +218,7 @@ double ScalarCurve::value(double x) const {
   if (kind_ == CurveKind::none) return 0;
   if (kind_ == CurveKind::constant) return values_[0];
   if (kind_ == CurveKind::affine) return values_[0] + values_[1] * std::abs(x);
+  if (kind_ == CurveKind::spline) return apply(weights(x));
   const HermiteShape shape{knots_, tangents_};
   const double at = even_ ? std::abs(x) : x;
   if (at <= knots_.front()) return values_.front();
@@ -216,6 +229,7 @@ double ScalarCurve::value(double x) const {
 double ScalarCurve::slope(double x) const {
   if (kind_ == CurveKind::none || kind_ == CurveKind::constant) return 0;
   if (kind_ == CurveKind::affine) return values_[1] * sign(x);
+  if (kind_ == CurveKind::spline) return apply(slope_weights(x));
   const HermiteShape shape{knots_, tangents_};
   const double at = even_ ? std::abs(x) : x;
   if (at <= knots_.front() || at >= knots_.back()) return 0;
@@ -231,6 +245,7 @@ double ScalarCurve::first_moment(double x) const {
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return values_[0] * x * x / 2;
   if (kind_ == CurveKind::affine) return x * x * (values_[0] / 2 + values_[1] * magnitude / 3);
+  if (kind_ == CurveKind::spline) return apply(first_moment_weights(x));
   return first_moment_from_front(even_ ? magnitude : x) - first_moment_from_front(0);
 }
 
@@ -250,6 +265,7 @@ Eigen::VectorXd ScalarCurve::weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(1);
   if (kind_ == CurveKind::affine) return pair(1, std::abs(x));
+  if (kind_ == CurveKind::spline) return spline_secant_weights(knots_, even_ ? std::abs(x) : x);
   return HermiteShape{knots_, tangents_}.value(even_ ? std::abs(x) : x);
 }
 
@@ -257,6 +273,10 @@ Eigen::VectorXd ScalarCurve::slope_weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(0);
   if (kind_ == CurveKind::affine) return pair(0, sign(x));
+  if (kind_ == CurveKind::spline) {
+    const double at = even_ ? std::abs(x) : x;
+    return (even_ ? sign(x) : 1) * spline_secant_slope_weights(knots_, at);
+  }
   const HermiteShape shape{knots_, tangents_};
   if (!even_) return shape.slope(x);
   return sign(x) * shape.slope(std::abs(x));
@@ -266,6 +286,7 @@ Eigen::VectorXd ScalarCurve::integral_weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(x);
   if (kind_ == CurveKind::affine) return pair(x, x * std::abs(x) / 2);
+  PLIANT_ASSERT(kind_ == CurveKind::hermite, "nobody asks for the integral of a spline's secant");
   const HermiteShape shape{knots_, tangents_};
   if (!even_) return shape.primitive(x, 0) - shape.primitive(0, 0);
   return sign(x) * (shape.primitive(std::abs(x), 0) - shape.primitive(0, 0));
@@ -276,6 +297,7 @@ Eigen::VectorXd ScalarCurve::first_moment_weights(double x) const {
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return single(x * x / 2);
   if (kind_ == CurveKind::affine) return pair(x * x / 2, magnitude * magnitude * magnitude / 3);
+  if (kind_ == CurveKind::spline) return spline_energy_weights(knots_, even_ ? magnitude : x);
   const HermiteShape shape{knots_, tangents_};
   const double to = even_ ? magnitude : x;
   return shape.primitive(to, 1) - shape.primitive(0, 1);

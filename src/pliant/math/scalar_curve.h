@@ -13,6 +13,8 @@ enum class CurveKind {
   constant,  ///< one value everywhere
   affine,    ///< values {k1, k2}: k1 + k2 |x| ([T] 5.3.2)
   hermite,   ///< piecewise cubic through (knots, values), constant outside ([T] 3.3)
+  spline,    ///< secant x -> stress / x of the energy whose second derivative is linear between
+             ///< (knots, values) and constant outside (tangent_spline.h)
 };
 
 std::string_view name_of(CurveKind kind);
@@ -37,7 +39,15 @@ class ScalarCurve {
   static ScalarCurve hermite(std::vector<double> knots, std::vector<double> values,
                              bool even = false);
 
+  /// @param knots   strictly increasing, at least one
+  /// @param values  second derivatives of the energy there
+  /// @param even    the energy is one of |x|; needs knots that are not negative
+  static ScalarCurve spline(std::vector<double> knots, std::vector<double> values,
+                            bool even = false);
+
   CurveKind kind() const { return kind_; }
+  /// Whether it has control points.
+  bool has_knots() const { return kind_ == CurveKind::hermite || kind_ == CurveKind::spline; }
   bool even() const { return even_; }
   const std::vector<double>& knots() const { return knots_; }
   const std::vector<double>& values() const { return values_; }
@@ -48,7 +58,7 @@ class ScalarCurve {
 
   double value(double x) const;
   double slope(double x) const;
-  /// Integral of the curve from 0 to x.
+  /// Integral of the curve from 0 to x; not of splines.
   double integral(double x) const;
   /// Integral of curve(t) t dt from 0 to x: the energy of a stiffness curve at strain x.
   double first_moment(double x) const;
@@ -71,7 +81,7 @@ class ScalarCurve {
 
   CurveKind kind_;
   bool even_;
-  std::vector<double> knots_;  // empty unless hermite
+  std::vector<double> knots_;  // empty unless hermite or spline
   std::vector<double> values_;
   Eigen::MatrixXd tangents_;     // hermite: tangent at knot i = tangents_.row(i) . values
   Eigen::VectorXd slopes_;       // hermite: the tangents

@@ -1,14 +1,19 @@
 #include "pliant/mechanics/element_potential.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pliant/base/assert.h"
 #include "pliant/material/strain/discrete_shells.h"
+#include "pliant/material/strain/hexahedron_dilatation.h"
+#include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
 #include "pliant/material/strain/spring.h"
 #include "pliant/material/strain/stvk_membrane.h"
+#include "pliant/material/strain/trilinear_hexahedron.h"
 #include "pliant/mechanics/lane_kernel.h"
 #include "pliant/mechanics/shells_lanes.h"
+#include "pliant/mechanics/solid_lanes.h"
 #include "pliant/mechanics/stvk_lanes.h"
 
 namespace pliant {
@@ -60,6 +65,9 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
     points_.push_back(points_.back());
     rests_.push_back(rests_.back());
     sizes_.push_back(0);
+  }
+  for (auto first = points_.begin(); first != points_.end(); first += kLanes) {
+    share_points_.push_back(std::equal(first + 1, first + kLanes, first));
   }
 }
 
@@ -127,6 +135,23 @@ typename ElementPotential<Measure>::Rests ElementPotential<Measure>::rests_near(
 }
 
 template <class Measure>
+void ElementPotential<Measure>::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                                      WayLimits& limits) const {
+  if constexpr (kMayInvert) {
+    for (size_t e = 0; e < static_cast<size_t>(count_); ++e) {
+      const double share = Measure::share_before_inversion(
+          rests_[e], from.configuration.positions(Eigen::all, points_[e]),
+          to(Eigen::all, points_[e]), limits.kept);
+      if (share == 1) continue;
+      limits.obstructed = true;
+      for (const int node : points_[e]) {
+        limits.shares(node) = std::min(limits.shares(node), share);
+      }
+    }
+  }
+}
+
+template <class Measure>
 void ElementPotential<Measure>::evaluate(const Evaluation& at, Derivatives& derivatives) const {
   derivatives.energy +=
       groups_.sum<Energy>([&](int batch) { return evaluate_batch(batch, at, derivatives); });
@@ -137,6 +162,9 @@ Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at
                                                  const Derivatives& derivatives) const {
   const bool differentiated = derivatives.gradient || derivatives.hessian;
   Batch elements(*this, batch, at.configuration, at.history, differentiated);
+  if constexpr (kMayInvert) {
+    if (!(elements.kernel.volume_ratio().minCoeff() > 0)) return {.stored = INFINITY};
+  }
   law_at(at).add(elements.samples, at.time, elements.response);
   if (derivatives.gradient) {
     LanePositions<Measure> forces;
@@ -156,6 +184,14 @@ Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at
 template <class Measure>
 void ElementPotential<Measure>::scatter(int batch, const LanePositions<Measure>& values,
                                         double* all) const {
+  if (share_points_[static_cast<size_t>(batch)]) {
+    for (int i = 0; i < Measure::kNodes; ++i) {
+      double* x = all + Eigen::Index(3) *
+                            points_[static_cast<size_t>(kLanes * batch)][static_cast<size_t>(i)];
+      for (int a = 0; a < 3; ++a) x[a] += values.col(3 * i + a).sum();
+    }
+    return;
+  }
   for (int l = 0; l < kLanes; ++l) {
     const auto& nodes = points_[static_cast<size_t>(kLanes * batch + l)];
     for (int i = 0; i < Measure::kNodes; ++i) {
@@ -183,7 +219,11 @@ void ElementPotential<Measure>::add_hessian(int batch, const Batch& elements, co
   }
   LaneHessian<Measure> values;
   kernel.hessian(elements.response, elements.size, convex, values);
-  places_.add(batch, values, points_, at.configuration, hessian);
+  if (share_points_[static_cast<size_t>(batch)]) {
+    places_.add_sum(batch, values, points_, at.configuration, hessian);
+  } else {
+    places_.add(batch, values, points_, at.configuration, hessian);
+  }
 }
 
 template <class Measure>
@@ -399,5 +439,8 @@ template class ElementPotential<StvkMembrane>;
 template class ElementPotential<SoftConstraintMembrane>;
 template class ElementPotential<Spring>;
 template class ElementPotential<DiscreteShells>;
+template class ElementPotential<LinearTetrahedron>;
+template class ElementPotential<TrilinearHexahedron>;
+template class ElementPotential<HexahedronDilatation>;
 
 }  // namespace pliant

@@ -17,6 +17,10 @@ namespace pliant {
 ///
 /// History of a stencil: its strains at the last accepted step and one step before that, then what
 /// the density keeps; eight stencils together, lane by lane.
+///
+/// Where the measure tells of inversion, the energy is infinite at it and searches are kept from
+/// it. Eight stencils that begin at a multiple of eight and share their points, as those of the
+/// points of a hexahedron do, are added to forces and stiffness as one.
 template <class Measure>
 class ElementPotential : public ParametricPotential, public ElementFields {
  public:
@@ -30,6 +34,8 @@ class ElementPotential : public ParametricPotential, public ElementFields {
 
   std::vector<std::pair<int, int>> couplings() const override;
   void bind(const Coordinates& coordinates, const BlockPattern& pattern) override;
+  bool obstructs() const override { return kMayInvert; }
+  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 
   Eigen::Index history_size() const override;
@@ -52,6 +58,9 @@ class ElementPotential : public ParametricPotential, public ElementFields {
  private:
   using Rests = std::array<typename Measure::Rest, kLanes>;
   struct Batch;  // eight stencils, evaluated
+  static constexpr bool kMayInvert = requires(const LaneKernel<Measure>& kernel) {
+    kernel.volume_ratio();
+  };
 
   const ParametricDensity& law_at(const Evaluation& at) const {
     return at.law ? *at.law : *density_;
@@ -71,6 +80,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   void add_hessian(int batch, const Batch& elements, const Evaluation& at, Hessian& hessian) const;
 
   std::vector<std::array<int, Measure::kNodes>> points_;  // filled up to whole batches
+  std::vector<char> share_points_;                        // whether those of a batch do
   std::vector<typename Measure::Rest> rests_;
   std::vector<double> sizes_;  // zero for those that fill up
   int count_ = 0;              // without those that fill up

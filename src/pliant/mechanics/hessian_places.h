@@ -21,6 +21,10 @@ class HessianPlaces {
   void add(int batch, const LaneHessian<Measure>& values, const Points& points,
            const Configuration& at, Hessian& hessian) const;
 
+  /// The same for eight stencils of the same points, at once.
+  void add_sum(int batch, const LaneHessian<Measure>& values, const Points& points,
+               const Configuration& at, Hessian& hessian) const;
+
   /// Adds factor gradient gradient^T of each of eight stencils.
   void add_outer_products(int batch, const Lane& factor, const LanePositions<Measure>& gradient,
                           const Points& points, const Configuration& at, Hessian& hessian) const;
@@ -37,6 +41,8 @@ class HessianPlaces {
     return places_.data() + static_cast<size_t>(kLanes * kPairs<Measure> * batch);
   }
   void fetch_ahead(const int* place, BlockMatrix& matrix) const;
+  static void add_block(int place, const std::array<int, 2>& points, const Eigen::Matrix3d& block,
+                        const Configuration& at, Hessian& hessian);
 
   std::vector<int> places_;  // of each pair of each stencil
 };
@@ -86,18 +92,41 @@ void HessianPlaces<Measure>::add(int batch, const LaneHessian<Measure>& values,
     const auto& nodes = points[static_cast<size_t>(kLanes * batch + l)];
     for (int p = 0; p < kPairs<Measure>; ++p) {
       if (place[p] == kNowhere) continue;
+      const auto [i, j] = kNodes[static_cast<size_t>(p)];
       Eigen::Matrix3d block;
       for (int k = 0; k < 9; ++k) block(k % 3, k / 3) = values(l, 9 * p + k);
-      if (place[p] == kThroughClip) {
-        const auto [i, j] = kNodes[static_cast<size_t>(p)];
-        hessian.coordinates.add_coupling(at, nodes[static_cast<size_t>(i)],
-                                         nodes[static_cast<size_t>(j)], block, hessian.matrix);
-      } else if (place[p] & 1) {
-        hessian.matrix.block(place[p] / 2) += block.transpose();
-      } else {
-        hessian.matrix.block(place[p] / 2) += block;
-      }
+      add_block(place[p], {nodes[static_cast<size_t>(i)], nodes[static_cast<size_t>(j)]}, block, at,
+                hessian);
     }
+  }
+}
+
+template <class Measure>
+void HessianPlaces<Measure>::add_sum(int batch, const LaneHessian<Measure>& values,
+                                     const Points& points, const Configuration& at,
+                                     Hessian& hessian) const {
+  const int* place = of_batch(batch);
+  const auto& nodes = points[static_cast<size_t>(kLanes * batch)];
+  for (int p = 0; p < kPairs<Measure>; ++p) {
+    if (place[p] == kNowhere) continue;
+    const auto [i, j] = kNodes[static_cast<size_t>(p)];
+    Eigen::Matrix3d block;
+    for (int k = 0; k < 9; ++k) block(k % 3, k / 3) = values.col(9 * p + k).sum();
+    add_block(place[p], {nodes[static_cast<size_t>(i)], nodes[static_cast<size_t>(j)]}, block, at,
+              hessian);
+  }
+}
+
+template <class Measure>
+void HessianPlaces<Measure>::add_block(int place, const std::array<int, 2>& points,
+                                       const Eigen::Matrix3d& block, const Configuration& at,
+                                       Hessian& hessian) {
+  if (place == kThroughClip) {
+    hessian.coordinates.add_coupling(at, points[0], points[1], block, hessian.matrix);
+  } else if (place & 1) {
+    hessian.matrix.block(place / 2) += block.transpose();
+  } else {
+    hessian.matrix.block(place / 2) += block;
   }
 }
 

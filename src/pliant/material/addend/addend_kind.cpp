@@ -6,7 +6,9 @@
 
 namespace pliant {
 
-std::string unit_of(const AddendParameter& parameter, bool bending) {
+std::string unit_of(const AddendParameter& parameter, LawUnits units) {
+  const bool bending = units == LawUnits::bending;
+  if (units == LawUnits::solid) return parameter.stress != 0 ? "Pa" : "1";
   const std::string_view stress = bending ? "N" : "N/m";
   // A bending strain is 1/m, a membrane strain has no unit.
   const int metres = bending ? -parameter.strain : 0;

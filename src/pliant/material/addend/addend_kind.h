@@ -19,7 +19,8 @@ struct AddendParameter {
   int stress = 0;            ///< power of the stress in its unit
   int strain = 0;            ///< power of the strain in its unit
   bool scales = false;       ///< the stress is proportional to all such numbers together
-  double smallest = 0;       ///< where it is above 0 no number may be 0; none may be negative
+  double smallest = 0;       ///< where it is above 0 no number may be 0; where it is below, numbers
+                             ///< may be negative
   double largest = 0;        ///< 0: there is no bound
   double step = 1;           ///< a change that matters
 };
@@ -45,8 +46,15 @@ struct AddendKind {
   double (*fall)(const Eigen::VectorXd& values) = nullptr;
 };
 
-/// The unit of a parameter: that of membrane components unless `bending`.
-std::string unit_of(const AddendParameter& parameter, bool bending);
+/// What the numbers of a component's law count in: stresses and strains have other units.
+enum class LawUnits {
+  membrane,  ///< N/m, strains without unit
+  bending,   ///< N, strains in 1/m
+  solid,     ///< Pa, strains without unit
+};
+
+/// The unit of a parameter.
+std::string unit_of(const AddendParameter& parameter, LawUnits units);
 
 /// Whether laws of a kind remember, as friction does.
 bool remembers(const AddendKind& kind);

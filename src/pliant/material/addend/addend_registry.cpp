@@ -6,14 +6,14 @@
 
 #include "pliant/material/addend/dahl_branch.h"
 #include "pliant/material/addend/plasticity.h"
+#include "pliant/material/addend/rubber_addends.h"
 
 namespace pliant {
 
 std::span<const AddendKind* const> addend_kinds() {
   static const std::array kinds{
-      &dahl_branch(),
-      &plasticity(),
-      &saturating_plasticity(),
+      &dahl_branch(),       &plasticity(),   &saturating_plasticity(), &linear_addend(),
+      &polynomial_addend(), &ogden_addend(), &arruda_boyce_addend(),   &exponential_addend(),
   };
   return kinds;
 }

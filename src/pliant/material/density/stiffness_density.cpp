@@ -1,5 +1,6 @@
 #include "pliant/material/density/stiffness_density.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant {
@@ -23,6 +24,7 @@ StiffnessDensity::StiffnessDensity(int component, ScalarCurve stiffness)
 // What equilibria ask for millions of times: no search among the knots for each of value, slope and
 // energy, and no division.
 void StiffnessDensity::cut_into_pieces() {
+  if (stiffness_.kind() == CurveKind::spline) cut_spline();
   if (stiffness_.kind() != CurveKind::hermite) return;
   const std::vector<double>& knots = stiffness_.knots();
   const auto add = [&](double from, const std::array<double, 4>& coefficients) {
@@ -40,26 +42,50 @@ void StiffnessDensity::cut_into_pieces() {
   add(knots.back(), {stiffness_.values().back()});
 }
 
-void StiffnessDensity::add_hermite(const Samples& samples, Response& response) const {
-  const Lane strain = samples.strain.col(component_);
-  Lane at = strain, sign = Lane::Ones();
-  if (stiffness_.even()) {
-    at = strain.abs();
-    for (int i = 0; i < kLanes; ++i) sign(i) = std::copysign(1.0, strain(i));
+// Zero is a cut too, so that nothing is lost where stresses are small.
+void StiffnessDensity::cut_spline() {
+  std::vector<double> cuts = stiffness_.knots();
+  const auto zero = std::ranges::lower_bound(cuts, 0.0);
+  if (zero == cuts.end() || *zero != 0) cuts.insert(zero, 0.0);
+  const auto tangent = [&](double strain) {
+    return stiffness_.value(strain) + strain * stiffness_.slope(strain);
+  };
+  for (std::size_t i = 0; i <= cuts.size(); ++i) {
+    const double from = cuts[std::max<std::size_t>(i, 1) - 1];
+    const bool outside = i == 0 || i == cuts.size();
+    const double first = tangent(from);
+    const double slope = outside ? 0 : (tangent(cuts[i]) - first) / (cuts[i] - from);
+    pieces_.push_back(
+        {from, {stiffness_.value(from) * from, first, slope / 2}, stiffness_.first_moment(from)});
   }
-  Lane from, c0, c1, c2, c3, energy;
+}
+
+StiffnessDensity::LanePieces StiffnessDensity::pieces_at(const Lane& strain) const {
+  LanePieces at;
+  Lane place = strain;
+  at.sign = Lane::Ones();
+  if (stiffness_.even()) {
+    place = strain.abs();
+    for (int i = 0; i < kLanes; ++i) at.sign(i) = std::copysign(1.0, strain(i));
+  }
   for (int i = 0; i < kLanes; ++i) {
     std::size_t p = pieces_.size() - 1;
-    while (p > 0 && at(i) < pieces_[p].from) --p;
+    while (p > 0 && place(i) < pieces_[p].from) --p;
     const Piece& piece = pieces_[p];
-    from(i) = piece.from;
-    c0(i) = piece.coefficients[0];
-    c1(i) = piece.coefficients[1];
-    c2(i) = piece.coefficients[2];
-    c3(i) = piece.coefficients[3];
-    energy(i) = piece.energy;
+    at.from(i) = piece.from;
+    at.c0(i) = piece.coefficients[0];
+    at.c1(i) = piece.coefficients[1];
+    at.c2(i) = piece.coefficients[2];
+    at.c3(i) = piece.coefficients[3];
+    at.energy(i) = piece.energy;
   }
-  const Lane way = at - from;
+  at.way = place - at.from;
+  return at;
+}
+
+void StiffnessDensity::add_hermite(const Samples& samples, Response& response) const {
+  const Lane strain = samples.strain.col(component_);
+  const auto [way, from, c0, c1, c2, c3, energy, sign] = pieces_at(strain);
   const Lane stiffness = c0 + way * (c1 + way * (c2 + way * c3));
   const Lane slope = sign * (c1 + way * (2 * c2 + way * 3 * c3));
   const Lane integral = way * (c0 + way * (c1 / 2 + way * (c2 / 3 + way * c3 / 4)));
@@ -70,9 +96,20 @@ void StiffnessDensity::add_hermite(const Samples& samples, Response& response) c
       stiffness + slope * strain;
 }
 
+void StiffnessDensity::add_spline(const Samples& samples, Response& response) const {
+  const auto [way, from, c0, c1, c2, c3, energy, sign] = pieces_at(samples.strain.col(component_));
+  response.stored += energy + way * (c0 + way * (c1 / 2 + way * c2 / 3));
+  response.stress.col(component_) += sign * (c0 + way * (c1 + way * c2));
+  response.tangent.col(component_ * samples.strain.cols() + component_) += c1 + 2 * c2 * way;
+}
+
 void StiffnessDensity::add(const Samples& samples, const StepTime&, Response& response) const {
   if (stiffness_.kind() == CurveKind::hermite) {
     add_hermite(samples, response);
+    return;
+  }
+  if (stiffness_.kind() == CurveKind::spline) {
+    add_spline(samples, response);
     return;
   }
   const auto strain = samples.strain.col(component_);

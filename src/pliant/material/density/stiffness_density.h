@@ -9,7 +9,8 @@
 namespace pliant {
 
 /// Elasticity of one strain component by a stiffness curve ([T] 3.3.2): stress k(strain) strain,
-/// energy by exact integration. The tangent k + k' strain may be negative.
+/// energy by exact integration. The tangent k + k' strain may be negative, but not of a spline
+/// whose control values are not.
 class StiffnessDensity : public ParametricDensity {
  public:
   /// @param component  the strain that it acts on
@@ -25,19 +26,27 @@ class StiffnessDensity : public ParametricDensity {
                      SampleDerivatives& derivatives) const override;
 
  private:
-  // A cubic of the stiffness from one strain on: sum of coefficients times powers of the way.
+  // A cubic from one strain on: sum of coefficients times powers of the way. Of a hermite curve it
+  // is the stiffness; of a spline the stress, without the cubic term.
   struct Piece {
     double from = 0;
     std::array<double, 4> coefficients{};
     double energy = 0;  // at `from` (J/m^2)
   };
+  // The pieces that eight strains lie in.
+  struct LanePieces {
+    Lane way, from, c0, c1, c2, c3, energy, sign;
+  };
 
   void cut_into_pieces();
+  void cut_spline();
+  LanePieces pieces_at(const Lane& strain) const;
   void add_hermite(const Samples& samples, Response& response) const;
+  void add_spline(const Samples& samples, Response& response) const;
 
   int component_;
   ScalarCurve stiffness_;
-  std::vector<Piece> pieces_;  // of a hermite curve; the first goes on below where it starts
+  std::vector<Piece> pieces_;  // of a curve with knots; the first goes on below where it starts
 };
 
 }  // namespace pliant

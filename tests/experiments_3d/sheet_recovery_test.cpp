@@ -62,6 +62,19 @@ TEST(SlowSheetRecovery, FindsCurvesThatRiseWithStrain) {
   }
 }
 
+// What one thread resists where the other is stretched shows in the forces of all that is pulled.
+TEST(SlowSheetRecovery, FindsWhatCouplesWeftAndWarp) {
+  Material truth = test::sheet_cloth(false);
+  truth.components[kCoupling].stiffness = ScalarCurve::constant(60);
+  const FiveTests tests(truth, ", variant: linear-orthotropic, components: {coupling: {}}");
+  const StudyResult result = fit_study(tests.study(), {}, two_threads());
+  EXPECT_TRUE(result.converged);
+  for (const auto& [name, component] : truth.components) {
+    const double expected = component.stiffness->value(0);
+    EXPECT_NEAR(value_of(result, name, 0), expected, 5e-3 * expected) << name;
+  }
+}
+
 // Clips are 5 mm deep, cells about 6 mm wide and measured edges 3 mm long: only a grid with lines
 // on the edges of clips holds the cloth that they hold. Without, shear is 10 % too soft.
 TEST(SlowSheetRecovery, FindsTheStiffnessesOfSheetsThatWereMeasuredOnAnIrregularMesh) {

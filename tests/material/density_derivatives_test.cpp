@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/material/density/combined_strain.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/density/dahl_constant_slope.h"
 #include "pliant/material/density/dahl_friction.h"
@@ -267,6 +268,14 @@ const std::vector<RegisteredLaw>& registered_laws() {
        is_amid_a_branch, 2},
       {"damping", "Damping",
        [](RandomStream& random) { return std::make_unique<Damping>(2, random.uniform(0, 5)); }},
+      {"combined_strain", "CombinedStrain",
+       [](RandomStream& random) {
+         const auto law = std::make_shared<Sum>();
+         law->add_addend(
+             std::make_unique<StiffnessDensity>(0, ScalarCurve::constant(random.uniform(1, 9))));
+         law->add_addend(std::make_unique<DahlFriction>(0, slow_dahl(random)));
+         return std::make_unique<CombinedStrain>(Eigen::Vector3d(1, -0.7, 0), law);
+       }},
       {"sum", "Sum", draw_sum},
       {"sum", "SumWithLinearizedFriction",
        [](RandomStream& random) {

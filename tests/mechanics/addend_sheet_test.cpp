@@ -7,6 +7,7 @@
 
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/fill.h"
 #include "pliant/material/law_path.h"
 #include "pliant/mechanics/cloth.h"
 
@@ -20,7 +21,7 @@ Material knit() {
   Material material;
   material.name = "knit";
   material.density = 0.2;
-  for (const std::string& name : cloth_component_names()) {
+  for (const std::string& name : sheet_component_names()) {
     set_law(material.components[name], {ScalarCurve::constant(is_bending(name) ? 1e-6 : 20)});
   }
   ComponentLaw warp{ScalarCurve::none(), FrictionLaw::dahl, {1, 2, 0.02}};
@@ -52,6 +53,29 @@ TEST(AddendSheet, PullsAlongAPathAsItsLawDoes) {
     EXPECT_NEAR(pull, kWidth * stretch * path.at(strain).stress, 1e-12) << stretch;
     path.turn_at(strain, {});
     test::accept(system, state, stretched);
+  }
+}
+
+// k / 2 (E_weft + E_warp)^2 ([T] Eq. 4.3, the cross term with it), about every stretch.
+TEST(CoupledSheet, StoresTheEnergyOfTheSumOfItsStrains) {
+  const TriangleMesh mesh = regular_grid(0.1, 0.2, 3, 4);
+  Material material = knit();
+  set_law(material.components["stretch.warp"], {ScalarCurve::constant(20)});
+  Material coupled = material;
+  set_law(coupled.components[kCoupling], {ScalarCurve::constant(50)});
+  const auto energy = [&](const Material& cloth, double weft, double warp) {
+    System system(mesh.positions, Eigen::VectorXd::Zero(mesh.vertex_count()));
+    add_cloth(system, mesh, cloth, {});
+    system.finish();
+    Configuration at = system.initial_state().configuration;
+    at.positions.row(0) *= weft;
+    at.positions.row(1) *= warp;
+    return test::energy_of(system, at, system.initial_state()).stored;
+  };
+  for (const auto& [weft, warp] : {std::pair{1.1, 1.0}, {1.2, 0.9}, {0.95, 1.3}}) {
+    const double sum = (weft * weft - 1) / 2 + (warp * warp - 1) / 2;
+    EXPECT_NEAR(energy(coupled, weft, warp) - energy(material, weft, warp),
+                0.1 * 0.2 * 50 * sum * sum / 2, 1e-12);
   }
 }
 

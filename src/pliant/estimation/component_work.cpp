@@ -12,6 +12,7 @@
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/material/fill.h"
 #include "pliant/material/snapping_strains.h"
 
 namespace pliant {
@@ -223,10 +224,8 @@ Material material_of(const FitSettings& settings, const std::vector<ComponentWor
   material.density = settings.density;
   material.membrane = settings.model.membrane;
   material.bending = settings.model.bending;
-  for (const std::string& name : cloth_component_names()) {
-    if (name != "stretch.bias") {
-      material.components[name] = {{}, {}, ComponentStatus::unmeasured, {}};
-    }
+  for (const std::string& name : sheet_component_names()) {
+    material.components[name] = {{}, {}, ComponentStatus::unmeasured, {}};
   }
   for (const ComponentWork& work : works) {
     if (work.problem) material.components[work.component] = measured_component(work);

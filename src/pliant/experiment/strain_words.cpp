@@ -15,6 +15,7 @@ std::string strain_in_words(std::string_view component, double strain, MembraneM
     return fmt::format("curvature {} 1/m", format_number(strain / kStrainPerCurvature, kDigits));
   }
   if (component == "shear") return "shear strain " + percent(strain);
+  if (component == kCoupling) return "sum of both strains " + percent(strain);
   const std::string extension = percent(extension_at(measure, strain)) + " extension";
   if (measure != MembraneMeasure::stvk) return extension;
   return fmt::format("{} (Green strain {})", extension, percent(strain));

@@ -68,6 +68,7 @@ const std::vector<std::string>& sheet_component_names() {
 std::vector<std::string> fillable_components(const Material& material, const Material& filler) {
   std::vector<std::string> names;
   for (const std::string& name : cloth_component_names()) {
+    if (name == kCoupling) continue;
     if (!is_known(material, name) && is_known(filler, name)) names.push_back(name);
   }
   return names;

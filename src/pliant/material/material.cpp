@@ -59,8 +59,8 @@ bool is_even(std::string_view component) {
 
 const std::vector<std::string>& cloth_component_names() {
   static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "stretch.bias",
-                                              "shear",        "bend.weft",    "bend.warp",
-                                              "bend.diagonal"};
+                                              "shear",        kCoupling,      "bend.weft",
+                                              "bend.warp",    "bend.diagonal"};
   return names;
 }
 

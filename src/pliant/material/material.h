@@ -80,7 +80,11 @@ LawUnits units_of(std::string_view component);
 /// Whether a component's curves are functions of |strain|: shear and bending.
 bool is_even(std::string_view component);
 
-/// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear,
+/// The component of a cloth that acts on the sum of its strains along weft and warp: what one
+/// thread resists where the other is stretched. A sheet is whole without it.
+inline constexpr const char* kCoupling = "coupling";
+
+/// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear, coupling,
 /// bend.weft, ...
 const std::vector<std::string>& cloth_component_names();
 

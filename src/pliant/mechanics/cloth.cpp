@@ -8,6 +8,8 @@
 #include "pliant/geometry/grid_springs.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
+#include "pliant/material/density/combined_strain.h"
+#include "pliant/material/fill.h"
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
 #include "pliant/material/strain/spring.h"
@@ -24,16 +26,27 @@ struct Law {
   std::vector<std::string> field_names;
 };
 
+const std::vector<std::string>& membrane_components() {
+  static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "shear"};
+  return names;
+}
+
 Law make_law(const Material& material, const std::vector<std::string>& components,
              const DensityOptions& options, System& system) {
   Law law;
   std::vector<std::string> parameters, history;
-  for (size_t i = 0; i < components.size(); ++i) {
-    const AddedNames added =
-        add_component(material, components[i], static_cast<int>(i), options, *law.sum);
+  const auto take = [&](const AddedNames& added) {
     parameters.insert(parameters.end(), added.parameters.begin(), added.parameters.end());
-    law.field_names.push_back("strain." + components[i]);
     history.insert(history.end(), added.history.begin(), added.history.end());
+  };
+  for (size_t i = 0; i < components.size(); ++i) {
+    take(add_component(material, components[i], static_cast<int>(i), options, *law.sum));
+    law.field_names.push_back("strain." + components[i]);
+  }
+  if (components == membrane_components() && is_known(material, kCoupling)) {
+    const auto coupling = std::make_shared<Sum>();
+    take(add_component(material, kCoupling, /*strain=*/0, options, *coupling));
+    law.sum->add_addend(std::make_shared<CombinedStrain>(Eigen::Vector3d(1, 1, 0), coupling));
   }
   law.field_names.insert(law.field_names.end(), history.begin(), history.end());
   law.places = system.add_parameters(parameters, law.sum->parameters());
@@ -78,11 +91,6 @@ std::vector<Hinge> hinges_of(const TriangleMesh& mesh, const std::vector<int>& t
   std::erase_if(hinges,
                 [&](const Hinge& h) { return !chosen[static_cast<size_t>(h.triangles[0])]; });
   return hinges;
-}
-
-const std::vector<std::string>& membrane_components() {
-  static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "shear"};
-  return names;
 }
 
 const std::vector<std::string>& bending_components() {
@@ -179,6 +187,10 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
                                            law(membrane_components()), cloth);
       break;
     case MembraneMeasure::spring:
+      if (is_known(material, kCoupling)) {
+        cloth.warnings.push_back("springs of weft and warp are not coupled: the component `" +
+                                 std::string(kCoupling) + "` is left out");
+      }
       add_springs(system, springs->along_u, first_point, false, law({"stretch.weft"}), cloth);
       add_springs(system, springs->along_v, first_point, false, law({"stretch.warp"}), cloth);
       add_springs(system, springs->diagonal, first_point, false, law({"shear"}), cloth);

@@ -73,6 +73,8 @@ ShownStrain::ShownStrain(std::string_view component, std::optional<MembraneMeasu
     factor_ = 1 / kStrainPerCurvature;
   } else if (component.starts_with("shear")) {
     label_ = {"Shear strain", "%"};
+  } else if (component == kCoupling) {
+    label_ = {"Sum of both strains", "%"};
   } else if (measure) {
     label_ = {"Extension", "%"};
     green_ = *measure == MembraneMeasure::stvk;

@@ -230,7 +230,8 @@ PlanStage read_plan_stage(const Value& node) {
   PlanStage stage;
   stage.where = node.location();
   const std::vector<std::string_view> known{"stretch.weft", "stretch.warp", "shear",
-                                            "bend.weft",    "bend.warp",    "bend.diagonal"};
+                                            kCoupling,      "bend.weft",    "bend.warp",
+                                            "bend.diagonal"};
   const Value components = fields.require("components");
   for (const Value& item : components.items()) stage.components.push_back(item.choice(known));
   if (stage.components.empty()) components.fail("is empty", "at least one component");

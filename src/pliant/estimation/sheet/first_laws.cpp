@@ -37,11 +37,19 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);
+  if (is_coupled(settings)) give(kCoupling, 1);
   for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
     give(component, springs ? 0.1 : 3e-6);
   }
   for (const auto& [component, law] : known) material.components[component] = law;
   return material;
+}
+
+bool is_coupled(const FitSettings& settings) {
+  return settings.model.components.contains(kCoupling) ||
+         std::ranges::any_of(settings.fit.plan, [](const PlanStage& stage) {
+           return std::ranges::find(stage.components, kCoupling) != stage.components.end();
+         });
 }
 
 std::vector<ComponentLaw> first_bending(const Material& material, const ComponentGroup& group) {

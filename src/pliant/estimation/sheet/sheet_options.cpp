@@ -12,7 +12,9 @@ namespace {
 
 std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& tests) {
   std::vector<std::string> names;
-  for (const std::string& component : sheet_component_names()) {
+  std::vector<std::string> components = sheet_component_names();
+  components.emplace_back(kCoupling);
+  for (const std::string& component : components) {
     names.push_back(component + ".k");
     if (is_bending(component)) continue;
     for (const char* part : {".friction.a", ".friction.b", ".friction.tau"}) {

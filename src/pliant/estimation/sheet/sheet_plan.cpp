@@ -51,7 +51,9 @@ void add_stage(const std::vector<std::string>& components, const Tests& tests, b
   plan.push_back({grouped(components, isotropic), tests, kind});
 }
 
-std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic, bool springs_bend) {
+std::vector<SheetStage> plan_of_thesis(const FitSettings& settings, const Tests& tests) {
+  const bool isotropic = settings.model.isotropic;
+  const bool springs_bend = settings.model.bending == "spring";
   const Tests shear =
       !named(tests, {"shear"}).empty() ? named(tests, {"shear"}) : named(tests, {"bias-extension"});
   const Tests weft = named(tests, {"bend-weft"}), warp = named(tests, {"bend-warp"});
@@ -82,6 +84,11 @@ std::vector<SheetStage> plan_of_thesis(const Tests& tests, bool isotropic, bool 
   };
   add_stretch(StageKind::grow);
   add({"shear"}, shear, StageKind::grow);
+  if (is_coupled(settings)) {
+    const Tests pulled = named(tests, {"stretch-weft", "stretch-warp", "shear", "bias-extension"});
+    add({kCoupling}, pulled, StageKind::grow);
+    add({"stretch.weft", "stretch.warp", "shear", kCoupling}, pulled, StageKind::again);
+  }
   add_bending(StageKind::constant);
   add(bends, bending, StageKind::again);
   add_bending(StageKind::grow);
@@ -160,10 +167,9 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                                    const std::vector<const SheetTest*>& tests,
                                    const std::vector<std::string>& known) {
   const bool isotropic = settings.model.isotropic;
-  std::vector<SheetStage> plan =
-      settings.fit.plan.empty()
-          ? plan_of_thesis(tests, isotropic, settings.model.bending == "spring")
-          : plan_of_study(settings, tests, isotropic);
+  std::vector<SheetStage> plan = settings.fit.plan.empty()
+                                     ? plan_of_thesis(settings, tests)
+                                     : plan_of_study(settings, tests, isotropic);
   if (plan.empty()) {
     throw InputError({settings.file, 0, "experiments"},
                      "the plan of the fit has no stage for the sessions to be fitted",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -58,6 +59,12 @@ SheetSystem::SheetSystem(const Session& session, const Material& material,
 
 std::vector<double> SheetSystem::strains(const std::string& component,
                                          const Eigen::Matrix3Xd& positions) const {
+  if (component == kCoupling) {
+    std::vector<double> sums = this->strains("stretch.weft", positions);
+    std::ranges::transform(sums, this->strains("stretch.warp", positions), sums.begin(),
+                           std::plus());
+    return sums;
+  }
   std::vector<double> strains;
   for (const ShownPotential& shown : shown_) {
     const std::vector<std::string> names = shown.fields->field_names();

@@ -58,6 +58,12 @@ StepSummary summary_of(const DescentSummary& descent) {
           .residual = descent.residual};
 }
 
+// Beyond what rounding and tolerances leave.
+bool has_gained(double total, double before, double kinetic) {
+  constexpr double kShare = 1e-4;  // of the energy of motion
+  return total > before + kShare * kinetic;
+}
+
 // What a search took that goes on from another.
 void add_iterations(const StepSummary& on, StepSummary& summary) {
   summary.newton_iterations += on.newton_iterations;
@@ -199,11 +205,14 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
     led.go(free_change(trial.objective, at, no_change(system_), led.way_left()).led, at);
     go_on(searched_at(trial, at), summary);
   }
-  for (int more = 0; settle(trial, at, to, summary) > total && more < kMostMore; ++more) {
+  double reached = settle(trial, at, to, summary);
+  for (int more = 0; reached > total && more < kMostMore; ++more) {
     const DescentOptions once{.iterations = 1, .motion = options_.motion_tolerance};
     add_iterations(summary_of(descend(trial.objective, once, no_change(system_), workspace_, at)),
                    summary);
+    reached = settle(trial, at, to, summary);
   }
+  summary.gained = has_gained(reached, total, kinetic_energy(system_, trial.from.velocities));
   return summary;
 }
 

@@ -12,6 +12,7 @@
 
 #include "apps/pliant/component_facts.h"
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/solid_info.h"
 #include "apps/pliant/textile_info.h"
 
 namespace pliant {
@@ -228,19 +229,34 @@ std::string status_counts(const Material& material) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+void add_texts(const Material& material, FileInfo& info) {
+  if (material.damping_fraction) info.json["damping_fraction"] = *material.damping_fraction;
+  for (const auto* texts : {&material.info, &material.provenance}) {
+    for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));
+  }
+  info.json["info"] = material.info;
+  info.json["provenance"] = material.provenance;
+  info.json["warnings"] = info.warnings;
+}
+
 }  // namespace
 
 FileInfo material_info(const std::filesystem::path& path) {
   const Material material = read_material(path);
   FileInfo info = begin_info(path, "material/1");
   info.json["name"] = material.name;
-  info.json["kind"] = "cloth";
+  info.json["kind"] = name_of(material.kind);
   info.json["density"] = material.density > 0 ? Json(material.density) : Json(nullptr);
+  info.lines.push_back(labelled("name", material.name));
+  if (material.kind == MaterialKind::solid) {
+    add_solid(material, info);
+    add_texts(material, info);
+    return info;
+  }
   info.json["membrane"] = name_of(material.membrane);
   info.json["bending"] = material.bending;
   info.json["bending_of"] = material.bending_of;
   if (!material.bending_mesh.empty()) info.json["bending_mesh"] = material.bending_mesh;
-  info.lines.push_back(labelled("name", material.name));
   info.lines.push_back(
       labelled("density", material.density > 0
                               ? format_quantity(material.density, Dimension::area_density, kDigits)
@@ -258,13 +274,7 @@ FileInfo material_info(const std::filesystem::path& path) {
     components[name] = component_info(material, name, info);
   }
   info.json["components"] = std::move(components);
-  if (material.damping_fraction) info.json["damping_fraction"] = *material.damping_fraction;
-  for (const auto* texts : {&material.info, &material.provenance}) {
-    for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));
-  }
-  info.json["info"] = material.info;
-  info.json["provenance"] = material.provenance;
-  info.json["warnings"] = info.warnings;
+  add_texts(material, info);
   return info;
 }
 

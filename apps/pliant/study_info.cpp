@@ -19,6 +19,7 @@
 #include "pliant/study/whole_sheets.h"
 
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/solid_info.h"
 
 namespace pliant {
 namespace {
@@ -352,10 +353,13 @@ void add_head(const Study& study, FileInfo& info) {
   info.json["info"] = study.info;
   info.json["conditions"] = study.conditions;
   info.lines.push_back(labelled("name", study.name));
-  info.lines.push_back(
-      labelled("density", study.density > 0
-                              ? format_quantity(study.density, Dimension::area_density, kDigits)
-                              : "not stated"));
+  info.lines.push_back(labelled(
+      "density", study.density > 0 ? format_quantity(study.density,
+                                                     study.model.kind == MaterialKind::solid
+                                                         ? Dimension::volume_density
+                                                         : Dimension::area_density,
+                                                     kDigits)
+                                   : "not stated"));
   for (const auto* texts : {&study.info, &study.conditions}) {
     for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));
   }
@@ -368,6 +372,11 @@ FileInfo study_info(const std::filesystem::path& path) {
   refuse_missing_data(study);
   FileInfo info = begin_info(path, "study/1");
   add_head(study, info);
+  if (study.model.kind == MaterialKind::solid) {
+    add_solid_experiments(study, info);
+    info.json["warnings"] = info.warnings;
+    return info;
+  }
   const Experiments experiments = add_experiments(study, info);
   add_plans(study, experiments, info);
   info.json["warnings"] = info.warnings;

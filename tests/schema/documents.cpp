@@ -136,6 +136,7 @@ DocumentFolder::DocumentFolder() {
   spandex["components"]["bend.diagonal"] = {
       {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
   write("spandex.json", spandex.dump());
+  write("rubber.json", read_text_file(kDocuments / "rubber.json"));
 }
 
 std::vector<NamedDocument> full_documents() {
@@ -147,7 +148,10 @@ std::vector<NamedDocument> full_documents() {
           named("scene of iterated steps", read_yaml(kDocuments / "iterated_scene.yaml")),
           named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml")),
           named("session", read_yaml(kDocuments / "full_session.yaml")),
-          named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml"))};
+          named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml")),
+          named("study of a solid", read_yaml(kDocuments / "solid_study.yaml")),
+          named("lab of a solid", read_yaml(kDocuments / "solid_lab.yaml")),
+          named("material of a solid", read_json(kDocuments / "rubber.json"))};
 }
 
 std::vector<NamedDocument> shipped_documents() {

@@ -59,6 +59,7 @@ struct ExperimentResult {
   double rms = 0;                         ///< SI, over the used rows
   double rms_percent = 0;                 ///< of the peak (of the range of lengths, of the strip's
                                           ///< length for distances)
+  std::optional<double> r_squared;        ///< share of the variance that is predicted; of solids
   bool unloads = false;                   ///< by enough to show friction
   std::optional<double> elastic_rms;      ///< SI, of the best purely elastic curve
   std::optional<double> elastic_percent;  ///< the same in per cent

@@ -17,7 +17,7 @@ void limit_stiffness(const ComponentLaw& law, const DataScale& data,
   for (int i = 0; i < law.stiffness.size(); ++i) {
     Unknown& unknown = unknowns[static_cast<std::size_t>(i)];
     unknown.scale = stiffness;
-    if (law.stiffness.kind() == CurveKind::hermite) {
+    if (law.stiffness.has_knots()) {
       unknown.strain = law.stiffness.knots()[static_cast<std::size_t>(i)];
     }
   }

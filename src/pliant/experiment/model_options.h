@@ -19,6 +19,8 @@ struct ComponentModel {
 };
 
 struct ModelOptions {
+  MaterialKind kind = MaterialKind::cloth;
+  std::string solid_law = "additive";  ///< of solids: a name of `solid_laws`, unless `components`
   MembraneMeasure membrane = MembraneMeasure::stvk;
   std::string bending = "discrete-shells";
   bool isotropic = false;           ///< weft and warp share their curves; fits of sheets

@@ -9,6 +9,7 @@
 #include "pliant/experiment/cantilever/cantilever_type.h"
 #include "pliant/experiment/drape/drape_type.h"
 #include "pliant/experiment/hanging/hanging_weights_type.h"
+#include "pliant/experiment/homogeneous/homogeneous_type.h"
 #include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/experiment/rolled/rolled_strip_type.h"
 #include "pliant/experiment/session/session_type.h"
@@ -19,7 +20,7 @@ namespace pliant {
 namespace {
 
 /// Known to come.
-constexpr std::array kLaterTypes = {"homogeneous", "press", "indentation", "image-poses"};
+constexpr std::array kLaterTypes = {"press", "indentation", "image-poses"};
 
 }  // namespace
 
@@ -28,7 +29,7 @@ std::span<const TestType* const> test_types() {
       &hanging_weights_type(), &tensile_cycles_type(), &shear_cycles_type(),
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
       &bending_length_type(),  &buckling_bend_type(),  &session_type(),
-      &drape_type(),
+      &drape_type(),           &homogeneous_type(),
   };
   return types;
 }

@@ -14,9 +14,10 @@ enum class Deformation { stretch, shear, bend };
 struct TestFacts {
   std::optional<Deformation> deformation = {};  ///< none where each sheet tells its own
   bool measures_sheets = false;                 ///< data is the full field of a sheet, no table
-  bool only_predicted = false;  ///< all of a material shows together: no fit learns from it, and a
-                                ///< prediction takes a whole material
-  bool may_be_sheet = false;    ///< its strips can be fitted as sheets, where the model asks
+  bool only_predicted = false;   ///< all of a material shows together: no fit learns from it, and a
+                                 ///< prediction takes a whole material
+  bool measures_solids = false;  ///< of a solid, whose components all show together
+  bool may_be_sheet = false;     ///< its strips can be fitted as sheets, where the model asks
   bool measures_profiles = false;  ///< rows are points of strips' profiles
   bool overhangs = false;          ///< a strip sticks out and bends once from flat
   bool is_released = false;        ///< a strip is bent to a cylinder and let go

@@ -77,6 +77,10 @@ struct TestType {
   /// @throws InputError for unusable data
   std::unique_ptr<ComponentExperiment> (*make)(const ExperimentSpec& spec, const DataRows& data,
                                                const ClothFacts& cloth) = nullptr;
+  /// The same of a test of solids.
+  /// @throws InputError for unusable data
+  std::unique_ptr<Experiment> (*make_solid)(const ExperimentSpec& spec,
+                                            const DataRows& data) = nullptr;
   /// The same of a test that is only predicted.
   /// @throws InputError for unusable data
   std::unique_ptr<WholeSheetTest> (*make_whole)(const ExperimentSpec& spec,

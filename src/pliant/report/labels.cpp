@@ -75,6 +75,10 @@ ShownStrain::ShownStrain(std::string_view component, std::optional<MembraneMeasu
     label_ = {"Shear strain", "%"};
   } else if (component == kCoupling) {
     label_ = {"Sum of both strains", "%"};
+  } else if (component.empty() || units_of(component) == LawUnits::solid) {
+    label_ = component.empty() ? QuantityLabel{"Strain", "%"}
+                               : QuantityLabel{std::string(component), ""};
+    if (!component.empty()) factor_ = 1;
   } else if (measure) {
     label_ = {"Extension", "%"};
     green_ = *measure == MembraneMeasure::stvk;
@@ -123,6 +127,7 @@ std::string strain_range_text(std::string_view component, std::optional<Membrane
 
 QuantityLabel stress_label(std::string_view component) {
   if (is_bending(component)) return {"Moment per width", "N"};
+  if (units_of(component) == LawUnits::solid) return {"Energy per strain", "Pa"};
   return {component.starts_with("shear") ? "Shear stress" : "Stress", "N/m"};
 }
 

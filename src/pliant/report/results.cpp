@@ -25,8 +25,10 @@ std::filesystem::path results_file(const std::filesystem::path& directory) {
 
 /// `stretch.warp` of `stretch.warp.friction.a` or `stretch.warp.k[2]`; empty for numbers of none.
 std::string component_of(const std::string& parameter) {
-  for (const std::string& name : cloth_component_names()) {
-    if (parameter.starts_with(name + ".")) return name;
+  for (const MaterialKind kind : {MaterialKind::cloth, MaterialKind::solid}) {
+    for (const std::string& name : component_names(kind)) {
+      if (parameter.starts_with(name + ".")) return name;
+    }
   }
   return {};
 }
@@ -124,8 +126,9 @@ ResultExperiment read_experiment(const JsonReader& json) {
   e.quantity = json.text_or("quantity", "force_N");
   e.prediction_file = json.relative_file_or("prediction_file", "predictions/" + e.name + ".csv");
   e.validation = json.text_or("role", "fit") == "validate";
-  e.rms_force = json.number("rms_force_N");
-  e.peak_force = json.number("peak_force_N");
+  const bool stress = e.quantity.ends_with("_Pa");
+  e.rms_force = json.number(stress ? "rms_stress_Pa" : "rms_force_N");
+  e.peak_force = json.number(stress ? "peak_stress_Pa" : "peak_force_N");
   e.rms_percent_of_peak = json.number("rms_percent_of_peak");
   e.rms_elastic_percent_of_peak = json.number("rms_elastic_percent_of_peak");
   e.rms_limp_percent_of_peak = json.number("rms_limp_percent_of_peak");

@@ -61,6 +61,7 @@ void conclude_evaluation(const Study& study, StudyResult& result) {
   result.judgement = judge(result, study.accept, /*evaluation=*/true);
   const Material material = with_ranges(result);
   for (const auto& [name, component] : material.components) {
+    if (material.kind == MaterialKind::solid) break;  // textile laboratories know sheets
     if (component.status != ComponentStatus::measured || !component.stiffness) continue;
     std::ranges::move(lab_figures(material, name, {}), std::back_inserter(result.figures));
   }

@@ -72,14 +72,17 @@ std::string sheet_folder(const ExperimentResult& e) { return "sheets/" + e.name;
 Json experiment_json(const ExperimentResult& e) {
   const bool distance = e.quantity.kind == "distance";
   const bool length = e.quantity.kind == "length" || distance;
+  const bool stress = e.quantity.kind == "stress";
   Json json{{"name", e.name},
             {"type", e.type},
             {"direction", e.direction},
             {"component", e.component},
             {"role", e.role == ExperimentRole::fit ? "fit" : "validate"},
             {"quantity", e.quantity.name},
-            {"rms_force_N", length ? Json(nullptr) : number(e.rms)},
-            {"peak_force_N", distance ? Json(nullptr) : number(e.peak_force)},
+            {"rms_force_N", length || stress ? Json(nullptr) : number(e.rms)},
+            {"peak_force_N", distance || stress ? Json(nullptr) : number(e.peak_force)},
+            {"rms_stress_Pa", stress ? number(e.rms) : Json(nullptr)},
+            {"peak_stress_Pa", stress ? number(e.peak_force) : Json(nullptr)},
             {"rms_percent_of_peak", distance ? Json(nullptr) : number(e.rms_percent)},
             {"rms_percent_of_length", distance ? number(e.rms_percent) : Json(nullptr)},
             {"rms_position_mm", length ? number(e.rms * 1e3) : Json(nullptr)},
@@ -87,6 +90,7 @@ Json experiment_json(const ExperimentResult& e) {
             {"rms_elastic_position_mm",
              length && e.elastic_rms ? number(*e.elastic_rms * 1e3) : Json(nullptr)},
             {"rms_limp_percent_of_peak", number(e.limp_percent)},
+            {"r_squared", number(e.r_squared)},
             {"points", e.points},
             {"specimens", e.specimens.size()},
             {"excluded", e.excluded},

@@ -9,6 +9,7 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
@@ -16,10 +17,14 @@
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/blank_fields.h"
+#include "pliant/study/solid_study.h"
 #include "pliant/study/told_sizes.h"
 
 namespace pliant {
 namespace {
+
+// Rubber is measured far into compression and tension.
+constexpr int kSolidControlPoints = 10;
 
 constexpr long kMostRows = 1'000'000'000;
 
@@ -115,6 +120,7 @@ std::vector<ExperimentSpec> read_experiments(const Value& list, const SpecimenDe
 CurveKind curve_kind(const std::string& kind) {
   if (kind == "none") return CurveKind::none;
   if (kind == "constant") return CurveKind::constant;
+  if (kind == "spline") return CurveKind::spline;
   return kind == "affine" ? CurveKind::affine : CurveKind::hermite;
 }
 
@@ -130,15 +136,17 @@ std::vector<const AddendKind*> read_addends(const Value& list) {
   return addends;
 }
 
-ComponentModel read_component_model(const Value& node) {
+/// @param curves  that its stiffness may have
+ComponentModel read_component_model(const Value& node,
+                                    const std::vector<std::string_view>& curves) {
   Fields fields = node.fields();
   ComponentModel model;
   if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
   if (auto v = fields.optional("stiffness")) {
-    model.stiffness = curve_kind(v->choice({"none", "constant", "affine", "hermite"}));
+    model.stiffness = curve_kind(v->choice(curves));
     if (model.stiffness == CurveKind::none && model.addends.empty()) {
       v->fail("is `none`, and no addends are there to carry anything",
-              "constant, affine or hermite, or `addends`");
+              "another stiffness, or `addends`");
     }
   }
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
@@ -156,12 +164,37 @@ void read_sheet_mesh(const Value& node, ModelOptions& model) {
   fields.finish();
 }
 
-ModelOptions read_model(Fields& study) {
+/// The model of a solid: a law by its name, or components with theirs.
+ModelOptions read_solid_model(Fields& fields) {
   ModelOptions model;
+  model.kind = MaterialKind::solid;
+  if (auto v = fields.optional("law")) model.solid_law = v->choice(solid_laws());
+  if (auto v = fields.optional("components")) {
+    Fields components = v->fields();
+    for (const std::string& name : solid_component_names()) {
+      if (auto c = components.optional(name)) {
+        model.components[name] = read_component_model(*c, {"none", "constant", "affine", "spline"});
+      }
+    }
+    components.finish();
+    if (model.components.empty()) v->fail("is empty", "at least one component");
+    if (fields.optional("law")) {
+      v->fail("stands beside `law`, which names components itself", "one of both");
+    }
+  }
+  fields.finish();
+  return model;
+}
+
+/// @param kind  of what the experiments measure
+ModelOptions read_model(Fields& study, MaterialKind kind) {
+  ModelOptions model;
+  model.kind = kind;
   const auto node = study.optional("model");
   if (!node) return model;
   Fields fields = node->fields();
-  if (auto v = fields.optional("kind")) v->choice({"cloth"});
+  if (auto v = fields.optional("kind")) v->choice({name_of(kind)});
+  if (kind == MaterialKind::solid) return read_solid_model(fields);
   if (auto v = fields.optional("membrane")) {
     model.membrane = membrane_measure(v->choice({"stvk", "soft-constraint", "spring"}));
   }
@@ -183,7 +216,10 @@ ModelOptions read_model(Fields& study) {
   if (auto v = fields.optional("components")) {
     Fields components = v->fields();
     for (const std::string& name : cloth_component_names()) {
-      if (auto c = components.optional(name)) model.components[name] = read_component_model(*c);
+      if (auto c = components.optional(name)) {
+        model.components[name] =
+            read_component_model(*c, {"none", "constant", "affine", "hermite"});
+      }
     }
     components.finish();
   }
@@ -240,8 +276,9 @@ PlanStage read_plan_stage(const Value& node) {
   return stage;
 }
 
-FitOptions read_fit(Fields& study) {
+FitOptions read_fit(Fields& study, MaterialKind kind) {
   FitOptions fit;
+  if (kind == MaterialKind::solid) fit.control_points = kSolidControlPoints;
   const auto node = study.optional("fit");
   if (!node) return fit;
   Fields fields = node->fields();
@@ -322,16 +359,19 @@ Study read_study(const std::filesystem::path& path) {
   Study study;
   study.file = path.string();
   study.name = fields.require("name").text();
-  if (auto v = fields.optional("density")) {
-    study.density = v->positive_quantity(Dimension::area_density);
-  }
+  const auto density = fields.optional("density");
   study.info = fields.texts("info");
   study.conditions = read_conditions(fields);
   const SpecimenDefaults defaults = read_defaults(fields);
   study.experiments = read_experiments(fields.require("experiments"), defaults);
-  study.model = read_model(fields);
+  const MaterialKind kind = measures_solids(study) ? MaterialKind::solid : MaterialKind::cloth;
+  if (density) {
+    study.density = density->positive_quantity(
+        kind == MaterialKind::solid ? Dimension::volume_density : Dimension::area_density);
+  }
+  study.model = read_model(fields, kind);
   refuse_oblique_strips_in_one_dimension(study);
-  study.fit = read_fit(fields);
+  study.fit = read_fit(fields, kind);
   if (auto v = fields.optional("validate")) apply_validate(*v, study);
   if (auto v = fields.optional("accept")) study.accept = read_acceptance(*v);
   fields.finish();

@@ -20,11 +20,19 @@
 #include "pliant/material/use_warnings.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
+#include "pliant/study/solid_study.h"
 #include "pliant/study/study_experiments.h"
 #include "pliant/study/whole_sheets.h"
 
 namespace pliant {
 namespace {
+
+void refuse_solid(const Study& study, const Material& material) {
+  if (material.kind == MaterialKind::cloth) return;
+  throw InputError({study.file, 0, "experiments"},
+                   "are of cloth, and the material " + quoted_value(material.name) + " is a solid",
+                   "a material of kind `cloth`");
+}
 
 /// Of the components that experiments in one dimension and sheets were predicted with.
 void warn_of_guesses(const Material& material, StudyResult& result) {
@@ -168,6 +176,8 @@ void refuse_if_nothing_is_left(const Study& study, const Material& material,
 
 StudyResult evaluate_study(const Study& study, const Material& material, const RunContext& context,
                            const FoundNuisance& found) {
+  if (measures_solids(study)) return evaluate_solid_study(study, material, context);
+  refuse_solid(study, material);
   const Stopwatch watch;
   StudyResult result = describe(study);
   result.material = material;

@@ -23,7 +23,8 @@ StudyResult describe(const Study& study) {
   result.conditions = study.conditions;
   result.material.membrane = study.model.membrane;
   result.estimator = study.fit.estimator;
-  if (study.density > 0) {
+  const bool cloth_study = study.model.kind == MaterialKind::cloth;
+  if (cloth_study && study.density > 0) {
     Plausibility cloth;
     cloth.add(figures::kAreaDensity, study.density,
               {{cloth.field("density", Dimension::area_density, study.density)}});

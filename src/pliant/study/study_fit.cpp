@@ -15,6 +15,7 @@
 #include "pliant/study/conclusion.h"
 #include "pliant/study/joint_study.h"
 #include "pliant/study/sheet_study.h"
+#include "pliant/study/solid_study.h"
 #include "pliant/study/study_experiments.h"
 #include "pliant/study/whole_sheets.h"
 
@@ -104,6 +105,7 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
 
 StudyResult fit_study(const Study& study, const StudyFitOptions& options,
                       const RunContext& context) {
+  if (measures_solids(study)) return fit_solid_study(study, context);
   const auto fit = [&] {
     if (!fits_sheets(study)) return fit_strips(study, options, context);
     // The stages of sheets know squares alone; the fit of everything together knows losses.

@@ -78,9 +78,26 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
   return node;
 }
 
+void write_components(const ModelOptions& model, YAML::Node& node) {
+  for (const auto& [name, component] : model.components) {
+    YAML::Node inner;
+    if (component.stiffness) inner["stiffness"] = std::string(name_of(*component.stiffness));
+    if (component.friction) inner["friction"] = std::string(name_of(*component.friction));
+    for (const AddendKind* kind : component.addends) {
+      inner["addends"].push_back(std::string(kind->name));
+    }
+    node["components"][name] = inner;
+  }
+}
+
 YAML::Node model_node(const ModelOptions& model) {
   YAML::Node node;
-  node["kind"] = "cloth";
+  node["kind"] = std::string(name_of(model.kind));
+  if (model.kind == MaterialKind::solid) {
+    if (model.components.empty()) node["law"] = model.solid_law;
+    write_components(model, node);
+    return node;
+  }
   node["membrane"] = std::string(name_of(model.membrane));
   node["bending"] = model.bending;
   if (model.isotropic) {
@@ -92,15 +109,7 @@ YAML::Node model_node(const ModelOptions& model) {
   node["strips"] = model.strips_as_sheets ? "sheet" : "one-dimensional";
   if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
   node["friction"] = std::string(name_of(model.friction));
-  for (const auto& [name, component] : model.components) {
-    YAML::Node inner;
-    if (component.stiffness) inner["stiffness"] = std::string(name_of(*component.stiffness));
-    if (component.friction) inner["friction"] = std::string(name_of(*component.friction));
-    for (const AddendKind* kind : component.addends) {
-      inner["addends"].push_back(std::string(kind->name));
-    }
-    node["components"][name] = inner;
-  }
+  write_components(model, node);
   return node;
 }
 
@@ -133,7 +142,10 @@ std::string resolved_study_text(const Study& study, const std::filesystem::path&
   YAML::Node node;
   node["pliant"] = "study/1";
   node["name"] = study.name;
-  if (study.density > 0) node["density"] = exact_quantity(study.density, Dimension::area_density);
+  if (study.density > 0)
+    node["density"] = exact_quantity(study.density, study.model.kind == MaterialKind::solid
+                                                        ? Dimension::volume_density
+                                                        : Dimension::area_density);
   if (!study.info.empty()) node["info"] = texts_node(study.info);
   if (!study.conditions.empty()) node["conditions"] = texts_node(study.conditions);
   for (const ExperimentSpec& spec : study.experiments) {

@@ -48,10 +48,14 @@ std::string study_text(const VirtualLab& lab, std::uint64_t seed) {
   const std::string source =
       fmt::format("virtual measurements of the material {}, seed {}", lab.material.name, seed);
   std::string study = fmt::format("pliant: study/1\nname: {}\n", yaml_text(lab.name));
-  if (lab.material.density > 0) study += fmt::format("density: {} kg/m^2\n", lab.material.density);
+  const bool solid = lab.material.kind == MaterialKind::solid;
+  if (lab.material.density > 0) {
+    study += fmt::format("density: {} kg/m^{}\n", lab.material.density, solid ? 3 : 2);
+  }
   study += fmt::format("info:\n  source: {}\nexperiments:\n", yaml_text(source));
   for (const auto& test : lab.experiments) study += study_entries(lab, *test);
-  study += fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
+  study += solid ? "model: {kind: solid}\n"
+                 : fmt::format("model: {{membrane: {}}}\n", name_of(lab.material.membrane));
   if (!lab.validate.empty()) study += "validate:\n";
   for (const std::string& pattern : lab.validate) study += "  - " + yaml_text(pattern) + "\n";
   return study;

@@ -1,0 +1,163 @@
+#include "apps/pliant/solid_info.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
+#include "pliant/estimation/solid/solid_laws.h"
+#include "pliant/material/solid/solid_density.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+constexpr int kSamples = 400;  // of a range
+
+/// Strains between which an energy is not convex; nothing where it is.
+std::optional<std::pair<double, double>> concave_strains(const MaterialComponent& component) {
+  const ComponentLaw law = law_of(component);
+  const auto [low, high] = component.range.value_or(std::pair(0.0, 0.0));
+  const double steepest = std::abs(law.elastic_tangent(0)) + std::abs(law.elastic_tangent(high));
+  std::optional<std::pair<double, double>> found;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double strain = low + (high - low) * i / kSamples;
+    if (law.elastic_tangent(strain) >= -1e-12 * steepest) continue;
+    if (!found) found = std::pair(strain, strain);
+    found->second = strain;
+  }
+  return found;
+}
+
+std::string numbers_text(const std::string& name, const MaterialComponent& component) {
+  const ComponentLaw law = law_of(component);
+  const std::vector<std::string> names = parameter_names(law, name);
+  const std::vector<std::string> units = parameter_units(law, units_of(name));
+  const Eigen::VectorXd values = law.parameters();
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    texts.push_back(fmt::format("{} = {}{}", names[i].substr(name.size() + 1),
+                                format_number(values(static_cast<Eigen::Index>(i)), kDigits),
+                                units[i] == "1" ? "" : " " + units[i]));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+Json component_info(const std::string& name, const MaterialComponent& component, FileInfo& info) {
+  Json json{{"status", name_of(component.status)}, {"range", nullptr}, {"convex", nullptr}};
+  std::string text(name_of(component.status));
+  if (component.range) {
+    json["range"] = {component.range->first, component.range->second};
+    text += fmt::format(", from {} to {}", format_number(component.range->first, kDigits),
+                        format_number(component.range->second, kDigits));
+  }
+  info.lines.push_back(labelled(name, text));
+  if (!component.stiffness) return json;
+  info.lines.push_back(labelled("numbers", numbers_text(name, component), 1));
+  const auto concave = concave_strains(component);
+  json["convex"] = !concave.has_value();
+  std::string convex = component.range ? "over its range" : "at rest; no range is stated";
+  if (concave) {
+    json["concave"] = {concave->first, concave->second};
+    convex = fmt::format("not between strains of {} and {}", format_number(concave->first, kDigits),
+                         format_number(concave->second, kDigits));
+    info.warnings.push_back(
+        fmt::format("the energy of {} is not convex in its strain: {}", name, convex));
+  }
+  info.lines.push_back(labelled("convex", convex, 1));
+  return json;
+}
+
+/// Smallest second derivative of the energy by the Green strain at rest; a change of shape alone
+/// where nothing resists one of the volume.
+double least_curvature_at_rest(const Material& material) {
+  const SolidDensity density = solid_density(material, {.friction = false});
+  Eigen::Array<double, kLanes, Eigen::Dynamic> rest =
+      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, 6);
+  const Eigen::Array<double, kLanes, Eigen::Dynamic> history =
+      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, density.law->history_size());
+  const LaneView strain(rest.data(), kLanes, 6);
+  Response response(6);
+  density.law->add({strain, strain, strain, LaneView(history.data(), kLanes, history.cols())}, {},
+                   response);
+  Eigen::MatrixXd tangent(6, 6);
+  for (int k = 0; k < 36; ++k) tangent(k / 6, k % 6) = response.tangent(0, k);
+  const bool isochoric = std::ranges::all_of(material.components, [](const auto& component) {
+    return !component.second.stiffness || component.first.ends_with("-bar");
+  });
+  if (isochoric) tangent.topLeftCorner(3, 3).array() += tangent.cwiseAbs().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tangent).eigenvalues()(0);
+}
+
+}  // namespace
+
+void add_solid(const Material& material, FileInfo& info) {
+  info.lines.push_back(labelled(
+      "density", material.density > 0
+                     ? format_quantity(material.density, Dimension::volume_density, kDigits)
+                     : "not stated"));
+  Json components = Json::object();
+  for (const std::string& name : solid_component_names()) {
+    const auto found = material.components.find(name);
+    if (found != material.components.end()) {
+      components[name] = component_info(name, found->second, info);
+    }
+  }
+  info.json["components"] = std::move(components);
+  const double least = least_curvature_at_rest(material);
+  info.json["least_curvature_at_rest_Pa"] = least;
+  info.lines.push_back(
+      labelled("at rest", fmt::format("the energy curves by {} or more in every strain",
+                                      format_quantity(least, Dimension::stress, kDigits))));
+  if (least >= 0) return;
+  info.warnings.push_back(fmt::format(
+      "the material is not stable at rest: its energy falls in some strain (curvature {}), so that "
+      "a body flies apart instead of coming back",
+      format_quantity(least, Dimension::stress, kDigits)));
+}
+
+void add_solid_experiments(const Study& study, FileInfo& info) {
+  info.json["experiments"] = Json::array();
+  for (const ExperimentSpec& spec : study.experiments) {
+    const auto experiment = spec.test->type().make_solid(spec, DataRows(spec.data));
+    const ExperimentInfo& about = experiment->info();
+    info.lines.push_back(labelled(
+        spec.name,
+        fmt::format("{}, {}", spec.type,
+                    spec.role == ExperimentRole::fit ? "fitted" : "predicted, not fitted")));
+    for (const auto& [key, value] : spec.test->fields()) {
+      info.lines.push_back(labelled(key, value, 1));
+    }
+    info.lines.push_back(
+        labelled("data",
+                 fmt::format("{} rows, up to {}", experiment->rows(),
+                             format_quantity(experiment->reference(), Dimension::stress, kDigits)),
+                 1));
+    for (const std::string& text : about.handled) {
+      info.lines.push_back(labelled("handled", text, 1));
+    }
+    for (const std::string& text : about.warnings) info.warnings.push_back(spec.name + ": " + text);
+    info.json["experiments"].push_back({{"name", spec.name},
+                                        {"type", spec.type},
+                                        {"rows", experiment->rows()},
+                                        {"peak_stress_Pa", experiment->reference()},
+                                        {"handled", about.handled}});
+  }
+  std::vector<std::string> components;
+  for (const auto& [name, model] : solid_components(study.model, /*compressible=*/false)) {
+    components.push_back(name);
+  }
+  const std::string law = study.model.components.empty() ? study.model.solid_law : "of its own";
+  info.json["fit"] = {{"law", law}, {"components", components}};
+  info.lines.push_back(
+      labelled("fit", fmt::format("all together; law {}: {}", law, fmt::join(components, ", "))));
+}
+
+}  // namespace pliant

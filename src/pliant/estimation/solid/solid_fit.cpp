@@ -1,0 +1,100 @@
+#include "pliant/estimation/solid/solid_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/estimation/solid/solid_growth.h"
+#include "pliant/estimation/solid/solid_starts.h"
+#include "pliant/estimation/solid/true_stress.h"
+
+namespace pliant {
+namespace {
+
+constexpr const char* kUnit = "% of the largest stress";
+constexpr LeastSquaresOptions kFirst{
+    .max_iterations = 60, .function_tolerance = 1e-6, .parameter_tolerance = 1e-6};
+
+struct Start {
+  Material material;
+  LeastSquaresSummary solution;
+};
+
+/// Follows all starts a way, and the best to its end.
+Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit) {
+  std::vector<Start> ends(starts.size());
+  const bool one = starts.size() == 1;
+  const StartSearch search = search_from(starts.size(), [&](std::size_t s, double least) {
+    ends[s].material = std::move(starts[s]);
+    LeastSquaresOptions options = one ? LeastSquaresOptions{} : kFirst;
+    if (std::isfinite(least)) {
+      options.hopeless_cost = 30 * least;
+      options.patience = 15;
+    }
+    ends[s].solution = problem.solve(ends[s].material, options);
+    return ends[s].solution.cost;
+  });
+  if (!search.found()) throw SolverError("the prediction of the solid's experiments", 0, 0);
+  fit.starts = {"solid", "law", kUnit, {}, search.reached_best};
+  for (const double cost : search.costs) {
+    fit.starts.ends.push_back(std::sqrt(2 * cost / std::max(problem.rows(), 1)));
+  }
+  Start best = std::move(ends[search.best]);
+  if (!one) best.solution = problem.solve(best.material);
+  return best;
+}
+
+/// An experiment that no number of the material changes tells nothing.
+void refuse_unseen(const FitSettings& settings, const Problem& problem) {
+  for (std::size_t p = 0; p < problem.parts().size(); ++p) {
+    const auto rows = problem.predict(p, starts_of(problem.unknowns()), /*derivatives=*/true);
+    if (!rows || rows->by.cwiseAbs().maxCoeff() > 0) continue;
+    const std::string& name = problem.parts()[p].experiment->info().name;
+    throw InputError({settings.file, 0, "experiments"},
+                     quoted_value(name) +
+                         " shows nothing of the material: no number of its "
+                         "components changes the stress there",
+                     "a model with components that this test strains");
+  }
+}
+
+}  // namespace
+
+SolidFit fit_solid(const FitSettings& settings,
+                   const std::map<std::string, ComponentModel>& components,
+                   const std::vector<const Experiment*>& experiments, const RunContext& context) {
+  SolidFit fit;
+  SolidProblem problem(settings, experiments, context);
+  std::vector<Material> starts = solid_starts(settings, components, problem);
+  refuse_unseen(settings, problem.problem(starts.front()));
+  Start best = search(problem, std::move(starts), fit);
+  GrownSolid grown = grow_solid(problem, best.material, best.solution);
+  for (const SolidGrowthStage& stage : grown.stages) {
+    fit.stages.push_back({"solid",
+                          fmt::format("{} control point{}", stage.control_points,
+                                      stage.control_points == 1 ? "" : "s"),
+                          kUnit, stage.rms, stage.accepted});
+  }
+  if (grown.stages.empty()) {
+    fit.stages.push_back(
+        {"solid", "law", kUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
+  }
+  const Problem own = problem.problem(grown.material);
+  fit.unknowns = own.unknowns();
+  fit.values = grown.solution.parameters;
+  fit.converged = grown.solution.converged;
+  fit.iterations = grown.solution.iterations;
+  fit.rms = rms_of(grown.solution, problem.rows());
+  fit.uncertainty = uncertainty_of(own, fit.values);
+  for (auto& [name, component] : grown.material.components) {
+    const MetricData& data = problem.data_of(name);
+    component.range = {std::min(data.low(), 0.0), data.high()};
+  }
+  fit.material = std::move(grown.material);
+  fit.questions = true_stress_questions(settings, fit.material, experiments, context);
+  return fit;
+}
+
+}  // namespace pliant

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/uncertainty.h"
+#include "pliant/experiment/experiment.h"
+
+namespace pliant {
+
+/// A solid fitted to all of its experiments together.
+struct SolidFit {
+  Material material;
+  std::vector<Unknown> unknowns;
+  Eigen::VectorXd values;
+  Uncertainty uncertainty;
+  bool converged = true;
+  int iterations = 0;
+  double rms = 0;  ///< of the differences, in hundredths of the largest stress of each experiment
+  std::vector<FitStage> stages;
+  StartRecord starts;
+  std::vector<std::string> notes;      ///< what was left out
+  std::vector<std::string> questions;  ///< whether stresses are true ones, where that explains more
+};
+
+/// Fits the laws of a solid's components to experiments by bounded least squares, from all
+/// combinations of where the numbers of its laws begin; spline energies grow control points.
+/// @param components    of the model (`solid_components`)
+/// @param experiments   role fit; they outlive the fit
+/// @throws InputError where an experiment shows nothing of the material, or a component nothing in
+///         the experiments; SolverError without any prediction
+SolidFit fit_solid(const FitSettings& settings,
+                   const std::map<std::string, ComponentModel>& components,
+                   const std::vector<const Experiment*>& experiments, const RunContext& context);
+
+}  // namespace pliant

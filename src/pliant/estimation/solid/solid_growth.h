@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/estimation/solid/solid_problem.h"
+
+namespace pliant {
+
+/// One step of growing the spline energies of a solid.
+struct SolidGrowthStage {
+  int control_points = 0;  ///< of all components together
+  double rms = 0;          ///< of the weighted differences
+  bool accepted = false;
+};
+
+struct GrownSolid {
+  Material material;
+  LeastSquaresSummary solution;
+  std::vector<SolidGrowthStage> stages;
+};
+
+/// Grows the spline energies of a material point by point while one or two more are worth it
+/// (`is_worth`), each where the data say that it explains most: at rest, at an end, or at a
+/// quantile of the strains of the data. Control values are never negative, so that each energy is
+/// convex.
+/// @param material  fitted, its spline energies with one control point each
+GrownSolid grow_solid(SolidProblem& problem, const Material& material,
+                      const LeastSquaresSummary& fitted);
+
+}  // namespace pliant

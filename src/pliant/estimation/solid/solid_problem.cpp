@@ -1,0 +1,108 @@
+#include "pliant/estimation/solid/solid_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pliant/material/solid/standard_solids.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kShare = 0.01;  // of the largest stress: the unit of differences
+
+/// A solid whose stretches across are near those of any solid.
+Material probe() { return neo_hookean_solid(1, 100); }
+
+double weight_of(const Experiment& experiment) {
+  return 1 / experiment.info().stated_noise().value_or(kShare * experiment.reference());
+}
+
+}  // namespace
+
+bool MetricData::is_seen() const {
+  constexpr double kNothing = 1e-9;  // what rounding leaves of a volume that stays
+  return !strains.empty() && std::max(std::abs(low()), std::abs(high())) > kNothing;
+}
+
+SolidProblem::SolidProblem(const FitSettings& settings, std::vector<const Experiment*> experiments,
+                           const RunContext& context)
+    : settings_(settings), experiments_(std::move(experiments)), context_(context) {
+  const std::vector<double> pulled = strains_of("fibre.x");
+  double reach = 0, peak = 0;
+  for (const double strain : pulled) reach = std::max(reach, std::abs(strain));
+  for (const Experiment* experiment : experiments_) peak = std::max(peak, experiment->reference());
+  energy_ = peak * reach;
+}
+
+int SolidProblem::rows() const {
+  double rows = 0;
+  for (const Experiment* experiment : experiments_) rows += experiment->weights().sum();
+  return static_cast<int>(rows);
+}
+
+std::vector<double> SolidProblem::strains_of(const std::string& metric) const {
+  std::vector<double> all;
+  for (const Experiment* experiment : experiments_) {
+    const auto predictor = experiment->predictor(probe());
+    const std::vector<double> own = predictor->strains(metric, predictor->values(), {});
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+const MetricData& SolidProblem::data_of(const std::string& metric) {
+  const auto known = data_.find(metric);
+  if (known != data_.end()) return known->second;
+  MetricData& data = data_[metric];
+  data.strains = strains_of(metric);
+  if (!data.is_seen()) return data;
+  data.scale.strain = std::max(std::abs(data.low()), std::abs(data.high()));
+  data.scale.stress = energy_ / data.scale.strain;
+  return data;
+}
+
+Problem SolidProblem::problem(const Material& material) {
+  std::vector<ProblemPart> parts;
+  for (const Experiment* experiment : experiments_) {
+    ProblemPart part{experiment, experiment->predictor(material)};
+    part.weight = experiment->weights() * weight_of(*experiment);
+    parts.push_back(std::move(part));
+  }
+  std::vector<Unknown> unknowns;
+  for (const std::string& name : solid_component_names()) {
+    const auto law = law_of(material, name);
+    if (!law) continue;
+    std::ranges::move(unknowns_of(*law, {name}, data_of(name).scale), std::back_inserter(unknowns));
+  }
+  apply_options(settings_.fit, unknowns);
+  Problem problem(std::move(parts), std::move(unknowns), {context_.threads, context_.stop});
+  problem.set_loss(settings_.fit.loss);
+  return problem;
+}
+
+LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOptions& options) {
+  const Problem own = problem(material);
+  const LeastSquaresSummary end =
+      solve_least_squares(own.least_squares(), starts_of(own.unknowns()), options, context_.stop);
+  if (std::isfinite(end.cost)) set_numbers(end.parameters, material);
+  return end;
+}
+
+void set_numbers(const Eigen::VectorXd& numbers, Material& material) {
+  Eigen::Index next = 0;
+  for (const std::string& name : solid_component_names()) {
+    const auto law = law_of(material, name);
+    if (!law) continue;
+    const Eigen::Index count = law->parameter_count();
+    set_law(material.components.at(name), law->with_parameters(numbers.segment(next, count)));
+    next += count;
+  }
+}
+
+double rms_of(const LeastSquaresSummary& solution, int rows) {
+  return std::sqrt(2 * solution.cost / std::max(rows, 1));
+}
+
+}  // namespace pliant

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pliant/base/run_context.h"
+#include "pliant/estimation/fit_settings.h"
+#include "pliant/estimation/least_squares.h"
+#include "pliant/estimation/problem.h"
+
+namespace pliant {
+
+/// What data show of a metric of the Green strain.
+struct MetricData {
+  std::vector<double> strains;  ///< of all rows, sorted; three a row of principal stretches
+  DataScale scale;              ///< the stress is energy per strain
+
+  double low() const { return strains.front(); }
+  double high() const { return strains.back(); }
+  /// Whether any row changes it.
+  bool is_seen() const;
+};
+
+/// The estimation of a solid from all experiments together: unknowns are the numbers of the laws of
+/// all its components.
+///
+/// Each experiment counts by its largest stress, or by the noise that the study states of it: what
+/// a law misses is a share of the stress, and a law that misses one mode by much must not be pulled
+/// to those that it happens to meet.
+class SolidProblem {
+ public:
+  /// @param experiments  outlive it
+  SolidProblem(const FitSettings& settings, std::vector<const Experiment*> experiments,
+               const RunContext& context);
+
+  const std::vector<const Experiment*>& experiments() const { return experiments_; }
+  const FitOptions& options() const { return settings_.fit; }
+  const RunContext& context() const { return context_; }
+  int rows() const;
+
+  /// What the data show of a metric.
+  const MetricData& data_of(const std::string& metric);
+
+  /// The least-squares problem of a material of some form, which begins at its numbers.
+  Problem problem(const Material& material);
+
+  /// Numbers of the material that make the differences least, from its own on.
+  LeastSquaresSummary solve(Material& material, const LeastSquaresOptions& options = {});
+
+ private:
+  std::vector<double> strains_of(const std::string& metric) const;
+
+  const FitSettings& settings_;
+  std::vector<const Experiment*> experiments_;
+  RunContext context_;
+  double energy_ = 0;  // largest of the data, roughly
+  std::map<std::string, MetricData> data_;
+};
+
+/// Gives the laws of a material's components other numbers, in the order of `unknowns_of` a solid.
+void set_numbers(const Eigen::VectorXd& numbers, Material& material);
+
+/// Root mean square of the weighted differences.
+double rms_of(const LeastSquaresSummary& solution, int rows);
+
+}  // namespace pliant

@@ -1,0 +1,122 @@
+#include "pliant/estimation/solid/solid_starts.h"
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/material/solid/principal_metric.h"
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t kMostStarts = 64;
+
+/// Where friction begins: shares of the largest stress and strain.
+constexpr double kFriction = 0.05;
+
+ScalarCurve first_curve(CurveKind kind, const DataScale& data, bool even) {
+  const double stiffness = data.stress / data.strain;
+  switch (kind) {
+    case CurveKind::none:
+      return ScalarCurve::none();
+    case CurveKind::constant:
+      return ScalarCurve::constant(stiffness);
+    case CurveKind::affine:
+      return ScalarCurve::affine(stiffness, 0);
+    case CurveKind::hermite:
+    case CurveKind::spline:
+      return ScalarCurve::spline({0}, {stiffness}, even);
+  }
+  return ScalarCurve::none();
+}
+
+std::vector<Addend> more_addends(const std::vector<Addend>& before, const AddendKind& kind,
+                                 const std::vector<double>& start, const DataScale& data) {
+  Eigen::VectorXd values(std::ssize(start));
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    values(static_cast<Eigen::Index>(i)) =
+        start[i] * data_unit(kind.parameters[i], data.stress, data.strain);
+  }
+  std::vector<Addend> addends = before;
+  addends.emplace_back(kind, values);
+  return addends;
+}
+
+/// The addends of a component at all combinations; of two of a kind the second begins no earlier in
+/// the kind's list than the first, as they may change places.
+std::vector<std::vector<Addend>> combinations(const std::vector<const AddendKind*>& kinds,
+                                              const DataScale& data) {
+  struct Choice {
+    std::vector<Addend> addends;
+    std::size_t last = 0;
+  };
+  std::vector<Choice> choices{{}};
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const bool again = k > 0 && kinds[k] == kinds[k - 1];
+    std::vector<Choice> more;
+    for (const Choice& choice : choices) {
+      for (std::size_t s = again ? choice.last : 0; s < kinds[k]->starts.size(); ++s) {
+        more.push_back({more_addends(choice.addends, *kinds[k], kinds[k]->starts[s], data), s});
+      }
+    }
+    choices = std::move(more);
+  }
+  std::vector<std::vector<Addend>> result;
+  for (Choice& choice : choices) result.push_back(std::move(choice.addends));
+  return result;
+}
+
+MaterialComponent first_component(const std::string& name, const ComponentModel& model,
+                                  const DataScale& data) {
+  MaterialComponent component;
+  const CurveKind kind =
+      model.stiffness.value_or(model.addends.empty() ? CurveKind::spline : CurveKind::none);
+  component.stiffness = first_curve(kind, data, is_even(name));
+  if (model.friction == FrictionChoice::dahl) {
+    component.friction = ComponentFriction{
+        {kFriction * data.stress, kFriction * data.stress / data.strain, 0.1 * data.strain}, {}};
+  }
+  return component;
+}
+
+void refuse(const FitSettings& settings, const std::string& component, std::string problem,
+            std::string expected) {
+  throw InputError({settings.file, 0, "model.components." + component}, std::move(problem),
+                   std::move(expected));
+}
+
+}  // namespace
+
+std::vector<Material> solid_starts(const FitSettings& settings,
+                                   const std::map<std::string, ComponentModel>& components,
+                                   SolidProblem& problem) {
+  Material first;
+  first.name = settings.name;
+  first.density = settings.density;
+  first.kind = MaterialKind::solid;
+  std::vector<Material> starts{first};
+  for (const auto& [name, model] : components) {
+    const MetricData& data = problem.data_of(name);
+    if (!data.is_seen()) {
+      refuse(settings, name, "changes in no experiment: the data cannot tell it",
+             "components that the experiments strain (an incompressible test shows no J)");
+    }
+    const MaterialComponent component = first_component(name, model, data.scale);
+    std::vector<Material> more;
+    for (const std::vector<Addend>& addends : combinations(model.addends, data.scale)) {
+      for (const Material& start : starts) {
+        if (more.size() >= kMostStarts) break;
+        Material& own = more.emplace_back(start);
+        own.components[name] = component;
+        own.components[name].addends = addends;
+        if (find_principal_metric(name) && law_of(own.components[name]).remembers()) {
+          refuse(settings, name, "has friction or another law that remembers",
+                 "such laws on another metric than principal stretches: green.xx, I1-bar, ...");
+        }
+      }
+    }
+    starts = std::move(more);
+  }
+  return starts;
+}
+
+}  // namespace pliant

@@ -1,0 +1,76 @@
+#include "pliant/experiment/homogeneous/homogeneous.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/experiment/experiment_data.h"
+#include "pliant/experiment/homogeneous/homogeneous_predictor.h"
+#include "pliant/experiment/homogeneous/homogeneous_type.h"
+#include "pliant/measurement/turning_points.h"
+
+namespace pliant {
+
+HomogeneousTest::HomogeneousTest(const ExperimentSpec& spec, const DataRows& data) {
+  const auto& own = spec_of<HomogeneousSpec>(spec);
+  incompressible_ = own.incompressible;
+  HomogeneousRows rows = read_rows(own, spec.where, data);
+  path_ = std::move(rows.rows);
+  measured_ = Eigen::Map<const Eigen::VectorXd>(rows.nominal_stress.data(),
+                                                std::ssize(rows.nominal_stress));
+  const std::vector<SpecimenRows> specimens = data.specimens();
+  require_rows(specimens, data, 3);
+  info_ = describe_experiment(spec, data, {"nominal_stress_Pa", "stress", "Pa", 1});
+  for (std::string& text : rows.handled) info_.handled.push_back(std::move(text));
+  info_.handled.emplace_back(incompressible_
+                                 ? "the volume is taken to stay: the pressure is what makes the "
+                                   "stress on the free sides vanish"
+                                 : "the stretches across are those at which the stress on the free "
+                                   "sides vanishes");
+  cut_into_frames(specimens);
+}
+
+void HomogeneousTest::cut_into_frames(const std::vector<SpecimenRows>& specimens) {
+  for (std::size_t s = 0; s < specimens.size(); ++s) {
+    const int end = specimens[s].first + specimens[s].count;
+    for (int first = specimens[s].first; first < end;) {
+      int last = first;
+      while (last < end && path_[static_cast<std::size_t>(last)].mode ==
+                               path_[static_cast<std::size_t>(first)].mode) {
+        ++last;
+      }
+      std::vector<double> stretches;
+      for (int i = first; i < last; ++i) {
+        stretches.push_back(path_[static_cast<std::size_t>(i)].stretch);
+      }
+      beginnings_.push_back(first);
+      const double threshold = reversal_threshold(stretches, 0);
+      for (const HalfCycle& half : half_cycles_of(stretches, threshold)) {
+        frames_.push_back({first + half.first, half.last - half.first + 1, static_cast<int>(s)});
+      }
+      first = last;
+    }
+  }
+}
+
+std::vector<std::vector<int>> HomogeneousTest::series() const {
+  std::vector<std::vector<int>> series;
+  for (int row = 0; row < rows(); ++row) {
+    if (std::ranges::binary_search(beginnings_, row)) series.emplace_back();
+    series.back().push_back(row);
+  }
+  return series;
+}
+
+double HomogeneousTest::reference() const { return measured_.cwiseAbs().maxCoeff(); }
+
+Eigen::ArrayXd HomogeneousTest::weights() const {
+  return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(info_.used.data(),
+                                                                 std::ssize(info_.used))
+      .cast<double>();
+}
+
+std::unique_ptr<Predictor> HomogeneousTest::predictor(const Material& material) const {
+  return std::make_unique<HomogeneousPredictor>(*this, material);
+}
+
+}  // namespace pliant

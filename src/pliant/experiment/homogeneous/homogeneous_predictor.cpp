@@ -1,0 +1,106 @@
+#include "pliant/experiment/homogeneous/homogeneous_predictor.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "pliant/base/assert.h"
+#include "pliant/material/solid/metric.h"
+#include "pliant/material/solid/principal_metric.h"
+
+namespace pliant {
+namespace {
+
+/// Values of a metric where a point is stretched along its axes.
+std::vector<double> metric_values(const std::string& name, const Eigen::Vector3d& stretches) {
+  const Eigen::Array3d logs = stretches.array().log();
+  if (const PrincipalMetric* metric = find_principal_metric(name)) {
+    std::vector<double> values;
+    for (const double log : logs) {
+      values.push_back(metric->of_log(log - (metric->isochoric ? logs.mean() : 0)).value);
+    }
+    return values;
+  }
+  const StrainMetric* metric = find_strain_metric(name);
+  PLIANT_ASSERT(metric, "a metric of solids");
+  Eigen::Array<double, kLanes, Eigen::Dynamic> strain =
+      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, kSolidStrains);
+  for (int i = 0; i < 3; ++i) strain.col(i) = (stretches(i) * stretches(i) - 1) / 2;
+  return {metric->jet(LaneView(strain.data(), kLanes, kSolidStrains)).value(0)};
+}
+
+}  // namespace
+
+std::optional<std::vector<HomogeneousStress>> homogeneous_stresses(
+    const ParametricDensity& law, const std::vector<HomogeneousRow>& rows,
+    const std::vector<int>& beginnings, bool incompressible, bool derivatives) {
+  std::vector<HomogeneousStress> stresses;
+  std::optional<HomogeneousPoint> point;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (std::ranges::binary_search(beginnings, static_cast<int>(row))) {
+      point.emplace(law, incompressible, derivatives);
+    }
+    auto stress = point->move_to(rows[row]);
+    if (!stress) return std::nullopt;
+    stresses.push_back(std::move(*stress));
+  }
+  return stresses;
+}
+
+HomogeneousPredictor::HomogeneousPredictor(const HomogeneousTest& experiment,
+                                           const Material& material)
+    : experiment_(experiment) {
+  SolidDensity density = solid_density(material);
+  parameters_ = std::move(density.names.parameters);
+  values_ = density.law->parameters();
+  law_ = std::move(density.law);
+}
+
+std::optional<std::vector<HomogeneousStress>> HomogeneousPredictor::stresses(
+    const Eigen::VectorXd& values, bool derivatives, const Workers& workers) const {
+  workers.stop.throw_if_requested();
+  const auto law = law_->with_parameters(values);
+  return homogeneous_stresses(*law, experiment_.path(), experiment_.beginnings(),
+                              experiment_.is_incompressible(), derivatives);
+}
+
+bool HomogeneousPredictor::predict(const Eigen::VectorXd& values, const std::vector<int>& by,
+                                   const Workers& workers, FrameSink& rows) {
+  const auto all = stresses(values, !by.empty(), workers);
+  if (!all) return false;
+  const std::vector<Frame> frames = experiment_.frames();
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const auto [first, count, specimen] = frames[f];
+    PredictedFrame frame;
+    frame.value.resize(count);
+    frame.by.resize(count, std::ssize(by));
+    for (int i = 0; i < count; ++i) {
+      const HomogeneousStress& stress = (*all)[static_cast<std::size_t>(first + i)];
+      frame.value(i) = stress.value;
+      if (!by.empty()) frame.by.row(i) = stress.by(by);
+    }
+    rows.take(static_cast<int>(f), frame);
+  }
+  return true;
+}
+
+std::vector<double> HomogeneousPredictor::strains(const std::string& component,
+                                                  const Eigen::VectorXd& values,
+                                                  const Workers& workers) {
+  std::vector<double> result;
+  const auto all = stresses(values, /*derivatives=*/false, workers);
+  if (!all) return result;
+  for (const HomogeneousStress& stress : *all) {
+    for (const double value : metric_values(component, stress.stretches)) result.push_back(value);
+  }
+  return result;
+}
+
+std::vector<int> HomogeneousPredictor::lost_frames(const Eigen::VectorXd& values,
+                                                   const Workers& workers) {
+  if (stresses(values, /*derivatives=*/false, workers)) return {};
+  std::vector<int> all(experiment_.frames().size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace pliant

@@ -1,0 +1,162 @@
+#include "pliant/study/solid_study.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pliant/base/assert.h"
+#include "pliant/base/errors.h"
+#include "pliant/base/stopwatch.h"
+#include "pliant/estimation/estimate.h"
+#include "pliant/estimation/solid/solid_laws.h"
+#include "pliant/estimation/stated_options.h"
+#include "pliant/study/conclusion.h"
+#include "pliant/study/solid_results.h"
+#include "pliant/study/study_experiments.h"
+
+namespace pliant {
+namespace {
+
+using SolidExperiments = std::vector<std::unique_ptr<Experiment>>;
+
+bool is_of_solid(const ExperimentSpec& spec) { return spec.test->type().facts.measures_solids; }
+
+bool is_isochoric(const std::string& component) { return component.ends_with("-bar"); }
+
+SolidExperiments read_solids(const Study& study, StudyResult& result) {
+  SolidExperiments experiments;
+  for (const ExperimentSpec& spec : study.experiments) {
+    const TestType& type = spec.test->type();
+    PLIANT_ASSERT(type.make_solid, "tests of solids make experiments");
+    experiments.push_back(type.make_solid(spec, DataRows(spec.data)));
+    add_remarks(spec.name, experiments.back()->info(), result);
+  }
+  return experiments;
+}
+
+void refuse_sheets(const Study& study) {
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (is_of_solid(spec)) continue;
+    throw InputError(
+        spec.where,
+        quoted_value(spec.name) + " is of cloth, and others of the study are of a solid",
+        "experiments of one of them, in a study each");
+  }
+}
+
+/// Whether the volume may change in some experiment.
+bool is_compressible(const Study& study) {
+  return std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
+    const WrittenFields fields = spec.test->fields();
+    return std::ranges::find(fields, WrittenFields::value_type{"incompressible", "false"}) !=
+           fields.end();
+  });
+}
+
+/// The stretches across are those of least energy, which a material without anything against a
+/// change of volume has none of.
+void require_volume(const Study& study, bool has_volume) {
+  if (has_volume || !is_compressible(study)) return;
+  throw InputError({study.file, 0, "model.components"},
+                   "nothing in the material resists a change of volume, which experiments with "
+                   "`incompressible: false` leave free",
+                   "a component `J` or `log-J`, or `incompressible: true`");
+}
+
+std::vector<const Experiment*> fitted(const Study& study, const SolidExperiments& all) {
+  std::vector<const Experiment*> experiments;
+  for (const auto& experiment : all) {
+    if (experiment->info().role == ExperimentRole::fit) experiments.push_back(experiment.get());
+  }
+  if (!experiments.empty()) return experiments;
+  throw InputError({study.file, 0, "validate"}, "leaves no experiment to be fitted",
+                   "at least one that is not under `validate`");
+}
+
+void refuse_estimator(const Study& study) {
+  if (study.fit.estimator == EstimatorKind::path) return;
+  throw InputError({study.file, 0, "fit.estimator"},
+                   "the published estimator knows strips of cloth alone", "path");
+}
+
+std::vector<std::string> assumptions_of(const Study& study, const SolidExperiments& experiments) {
+  std::vector<std::string> assumptions;
+  for (const auto& experiment : experiments) {
+    const ExperimentInfo& info = experiment->info();
+    assumptions.push_back(fmt::format("{}: {}", info.name, info.test.assumption));
+  }
+  assumptions.emplace_back("no rate dependence, no damage (Mullins effect)");
+  assumptions.emplace_back(
+      "each experiment counts by its largest stress (or the noise stated of it): what the law "
+      "misses is a share of the stress");
+  std::ranges::move(stated_options(study.fit), std::back_inserter(assumptions));
+  return assumptions;
+}
+
+}  // namespace
+
+bool measures_solids(const Study& study) {
+  return std::ranges::any_of(study.experiments, is_of_solid);
+}
+
+StudyResult fit_solid_study(const Study& study, const RunContext& context) {
+  const Stopwatch watch;
+  refuse_sheets(study);
+  refuse_estimator(study);
+  StudyResult result = describe(study);
+  const SolidExperiments experiments = read_solids(study, result);
+  const auto components = solid_components(study.model, is_compressible(study));
+  require_volume(study, std::ranges::any_of(components, [](const auto& component) {
+                   return !is_isochoric(component.first);
+                 }));
+  const SolidFit fit = fit_solid(study, components, fitted(study, experiments), context);
+  result.assumptions = assumptions_of(study, experiments);
+  add_solid_fit(fit, result);
+  std::size_t part = 0;
+  for (const auto& experiment : experiments) {
+    ExperimentResult row = compare_solid(*experiment, fit.material);
+    if (row.role == ExperimentRole::fit) {
+      take_noise(fit.uncertainty, part++, row, result.warnings);
+    } else {
+      row.handled.emplace_back("predicted, the material not fitted to it");
+    }
+    result.experiments.push_back(std::move(row));
+  }
+  warn_of_unmatched_options(study.fit, result);
+  result.seconds = watch.seconds();
+  conclude_fit(study, result);
+  return result;
+}
+
+StudyResult evaluate_solid_study(const Study& study, const Material& material,
+                                 const RunContext& context) {
+  const Stopwatch watch;
+  refuse_sheets(study);
+  if (material.kind != MaterialKind::solid) {
+    throw InputError(
+        {study.file, 0, "experiments"},
+        "are of a solid, and the material " + quoted_value(material.name) + " is cloth",
+        "a material of kind `solid`");
+  }
+  require_volume(study, std::ranges::any_of(material.components, [](const auto& component) {
+                   return component.second.stiffness && !is_isochoric(component.first);
+                 }));
+  Study predicted = study;
+  for (ExperimentSpec& spec : predicted.experiments) spec.role = ExperimentRole::validate;
+  StudyResult result = describe(predicted);
+  result.material = material;
+  if (result.density == 0) result.density = material.density;
+  const SolidExperiments experiments = read_solids(predicted, result);
+  for (const auto& experiment : experiments) {
+    context.stop.throw_if_requested();
+    result.experiments.push_back(compare_solid(*experiment, material));
+    result.experiments.back().handled.emplace_back("predicted, the material as it is given");
+  }
+  add_solid_curves(material, nullptr, result);
+  result.assumptions = assumptions_of(study, experiments);
+  result.seconds = watch.seconds();
+  conclude_evaluation(predicted, result);
+  return result;
+}
+
+}  // namespace pliant

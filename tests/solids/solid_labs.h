@@ -1,0 +1,84 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/experiment/homogeneous/homogeneous_type.h"
+#include "pliant/material/addend/rubber_addends.h"
+#include "pliant/study/study_fit.h"
+
+#include "io/temporary_folder.h"
+#include "support/virtual_lab.h"
+
+namespace pliant::test {
+
+inline MaterialComponent component_of(std::vector<Addend> addends) {
+  MaterialComponent component;
+  component.stiffness = ScalarCurve::none();
+  component.addends = std::move(addends);
+  return component;
+}
+
+inline MaterialComponent component_of(const ScalarCurve& stiffness) {
+  MaterialComponent component;
+  component.stiffness = stiffness;
+  return component;
+}
+
+inline Addend linear(double c) { return {linear_addend(), Eigen::VectorXd::Constant(1, c)}; }
+
+inline Addend ogden(double mu, double alpha) {
+  return {ogden_addend(), Eigen::Vector2d(mu, alpha)};
+}
+
+inline Material solid_of(std::map<std::string, MaterialComponent> components) {
+  Material material;
+  material.name = "made-up";
+  material.kind = MaterialKind::solid;
+  material.components = std::move(components);
+  return material;
+}
+
+inline VirtualHomogeneous homogeneous(HomogeneousMode mode, std::vector<double> peaks) {
+  VirtualHomogeneous test;
+  test.name = std::string(name_of(mode));
+  test.mode = mode;
+  test.peaks = std::move(peaks);
+  return test;
+}
+
+/// Uniaxial, equibiaxial and planar tests of a rubber.
+inline std::vector<AnyTest> three_modes(double noise = 0) {
+  std::vector<VirtualHomogeneous> tests{homogeneous(HomogeneousMode::uniaxial, {4}),
+                                        homogeneous(HomogeneousMode::equibiaxial, {2.5}),
+                                        homogeneous(HomogeneousMode::planar, {3})};
+  std::vector<AnyTest> any;
+  for (VirtualHomogeneous& test : tests) {
+    test.noise = noise;
+    any.emplace_back(test);
+  }
+  return any;
+}
+
+/// A study of virtual measurements of a solid.
+/// @param model  fields of the study's model
+inline Study solid_study(const LabFolder& folder, const std::string& model,
+                         const std::string& more = "") {
+  std::string text = content_of(folder.path() / "study.yaml");
+  const std::string usual = "model: {kind: solid}";
+  text.replace(text.find(usual), usual.size(), "model: {kind: solid, " + model + "}");
+  folder.write("study.yaml", text + more);
+  return read_study(folder.path() / "study.yaml");
+}
+
+inline double value_of(const StudyResult& result, const std::string& name) {
+  for (const ParameterEstimate& parameter : result.parameters) {
+    if (parameter.name == name) return parameter.value;
+  }
+  ADD_FAILURE() << "no parameter " << name;
+  return 0;
+}
+
+}  // namespace pliant::test

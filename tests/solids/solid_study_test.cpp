@@ -1,0 +1,237 @@
+// Fits of solids to virtual measurements of them: numbers come back, and bad input is told.
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/material/material_file.h"
+#include "pliant/material/solid/standard_solids.h"
+#include "pliant/study/study_evaluation.h"
+
+#include "solids/solid_labs.h"
+#include "support/refusal.h"
+
+namespace pliant {
+namespace {
+
+using test::component_of;
+using test::LabFolder;
+using test::linear;
+using test::ogden;
+using test::solid_of;
+using test::solid_study;
+using test::value_of;
+using ::testing::HasSubstr;
+
+StudyResult fit(const LabFolder& folder, const std::string& model, const std::string& more = "") {
+  return fit_study(solid_study(folder, model, more), {}, {});
+}
+
+LabFolder measured(const Material& material, double noise = 0, std::uint64_t seed = 1) {
+  return LabFolder(test::measurements_of(test::lab_of(material, test::three_modes(noise)), seed));
+}
+
+/// A law of some numbers, and the model that looks for them.
+struct Recovery {
+  std::string model;
+  Material material;
+  std::map<std::string, double> numbers;
+};
+
+void PrintTo(const Recovery& recovery, std::ostream* out) { *out << recovery.model; }
+
+std::vector<Recovery> recoveries() {
+  const Addend yeoh{polynomial_addend(), Eigen::Vector3d(0.3e6, -4e3, 500)};
+  const Addend chains{arruda_boyce_addend(), Eigen::Vector2d(0.5e6, 3)};
+  return {
+      {"law: neo-hookean",
+       solid_of({{"I1-bar", component_of({linear(0.3e6)})}}),
+       {{"I1-bar.linear.c", 0.3e6}}},
+      {"law: mooney-rivlin",
+       solid_of(
+           {{"I1-bar", component_of({linear(0.3e6)})}, {"I2-bar", component_of({linear(0.02e6)})}}),
+       {{"I1-bar.linear.c", 0.3e6}, {"I2-bar.linear.c", 0.02e6}}},
+      {"law: yeoh",
+       solid_of({{"I1-bar", component_of({yeoh})}}),
+       {{"I1-bar.polynomial.c1", 0.3e6},
+        {"I1-bar.polynomial.c2", -4e3},
+        {"I1-bar.polynomial.c3", 500}}},
+      {"law: arruda-boyce",
+       solid_of({{"I1-bar", component_of({chains})}}),
+       {{"I1-bar.arruda-boyce.mu", 0.5e6}, {"I1-bar.arruda-boyce.lock", 3}}},
+      {"law: ogden-2",
+       solid_of({{"stretch-bar", component_of({ogden(0.5e6, 1.4), ogden(3e3, 5)})}}),
+       {{"stretch-bar.ogden.mu", 0.5e6},
+        {"stretch-bar.ogden.alpha", 1.4},
+        {"stretch-bar.ogden2.mu", 3e3},
+        {"stretch-bar.ogden2.alpha", 5}}},
+      {"law: stvk",
+       stvk_solid(2e6, 0.6e6),
+       {{"trace.k", 2e6}, {"trace-of-square.linear.c", 0.6e6}}},
+      // [T] 4.2.2: StVK as a sum of interpolated energies.
+      {"components: {trace: {stiffness: spline}, trace-of-square: {addends: [linear]}}",
+       stvk_solid(2e6, 0.6e6),
+       {{"trace.k[0]", 2e6}, {"trace-of-square.linear.c", 0.6e6}}},
+  };
+}
+
+class SolidRecovery : public ::testing::TestWithParam<Recovery> {};
+
+TEST_P(SolidRecovery, FindsTheNumbersThatMadeTheData) {
+  const LabFolder folder = measured(GetParam().material);
+  const StudyResult result = fit(folder, GetParam().model);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.parameters.size(), GetParam().numbers.size());
+  for (const auto& [name, value] : GetParam().numbers) {
+    EXPECT_NEAR(value_of(result, name), value, 1e-8 * std::abs(value)) << name;
+  }
+  for (const ExperimentResult& e : result.experiments) {
+    EXPECT_NEAR(e.r_squared.value(), 1, 1e-12) << e.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, SolidRecovery, ::testing::ValuesIn(recoveries()));
+
+TEST(SolidStudy, AConvexSplineEnergyFollowsOgdensMaterial) {
+  const LabFolder folder = measured(
+      solid_of({{"stretch-bar", component_of({ogden(0.5e6, 1.4), ogden(3e3, 5)})}}), 1000, 3);
+  const StudyResult result = fit(folder, "law: additive");
+  for (const ExperimentResult& e : result.experiments) EXPECT_GT(e.r_squared.value(), 0.999);
+  const ScalarCurve& curve = *result.material.components.at("stretch-bar").stiffness;
+  EXPECT_EQ(curve.kind(), CurveKind::spline);
+  for (const double value : curve.values()) EXPECT_GE(value, 0);
+  EXPECT_GT(curve.size(), 2);
+}
+
+TEST(SolidStudy, FindsLawsOfSolidsWhoseVolumeChanges) {
+  std::vector<test::AnyTest> tests = test::three_modes();
+  for (test::AnyTest& any : tests) {
+    auto& own = dynamic_cast<VirtualHomogeneous&>(*any.test);
+    own.incompressible = false;
+    for (double& peak : own.peaks) peak = 1 + 0.2 * (peak - 1);
+  }
+  const Material material = neo_hookean_solid(0.3e6, 1.5e6);
+  const LabFolder folder(test::measurements_of(test::lab_of(material, tests), 1));
+  const StudyResult result = fit(folder, "law: neo-hookean");
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-8 * 0.3e6);
+  EXPECT_NEAR(value_of(result, "J.k"), 1.5e6, 1e-8 * 1.5e6);
+}
+
+TEST(SolidStudy, FindsFrictionOnAMetric) {
+  Material material = solid_of({{"I1-bar", component_of({linear(0.3e6)})},
+                                {"green.xx", component_of(ScalarCurve::constant(1e4))}});
+  material.components["green.xx"].friction = ComponentFriction{{2e4, 5e3, 0.2}, {}};
+  VirtualHomogeneous cycles = test::homogeneous(HomogeneousMode::uniaxial, {1.4, 1.8});
+  cycles.cycles = true;
+  cycles.samples = 60;
+  const LabFolder folder(test::measurements_of(test::lab_of(material, cycles), 1));
+  const StudyResult result =
+      fit(folder,
+          "components: {I1-bar: {addends: [linear]}, green.xx: {stiffness: constant, friction: "
+          "dahl}}");
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-6 * 0.3e6);
+  EXPECT_NEAR(value_of(result, "green.xx.friction.a"), 2e4, 1e-5 * 2e4);
+  EXPECT_NEAR(value_of(result, "green.xx.friction.tau"), 0.2, 1e-5 * 0.2);
+}
+
+TEST(SolidStudy, StandardErrorsCoverTheTruth) {
+  constexpr int kSeeds = 40;
+  int covered = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const LabFolder folder = measured(solid_of({{"I1-bar", component_of({linear(0.3e6)})}}), 5000,
+                                      static_cast<std::uint64_t>(seed));
+    const StudyResult result = fit(folder, "law: neo-hookean");
+    const ParameterEstimate& c = result.parameters.front();
+    covered += *c.lower <= 0.3e6 && 0.3e6 <= *c.upper;
+  }
+  // 95 % of 40 is 38; fewer than 34 would come by chance in one of 100.
+  EXPECT_GE(covered, 34);
+}
+
+TEST(SolidStudy, PredictsWhatIsKeptOutOfTheFitAndWhatAMaterialFileHolds) {
+  const LabFolder folder =
+      measured(solid_of({{"stretch-bar", component_of({ogden(0.5e6, 1.4), ogden(3e3, 5)})}}));
+  const Study study = solid_study(folder, "law: ogden-2", "validate: [planar]\n");
+  const StudyResult result = fit_study(study, {}, {});
+  EXPECT_EQ(result.experiments.back().role, ExperimentRole::validate);
+  EXPECT_NEAR(result.experiments.back().r_squared.value(), 1, 1e-9);
+  folder.write("material.json", material_text(result.material));
+  const Material material = read_material(folder.path() / "material.json");
+  EXPECT_EQ(material.kind, MaterialKind::solid);
+  const StudyResult again = evaluate_study(study, material, {}, {});
+  for (const ExperimentResult& e : again.experiments) {
+    EXPECT_NEAR(e.r_squared.value(), 1, 1e-9) << e.name;
+  }
+}
+
+TEST(SolidStudy, AsksWhetherStressesAreTrueOnes) {
+  const LabFolder folder = measured(solid_of({{"I1-bar", component_of({linear(0.3e6)})}}));
+  EXPECT_TRUE(fit(folder, "law: neo-hookean").questions.empty());
+  // Of an incompressible solid the true stress along 1 is the nominal one times the stretch.
+  const LabFolder other = measured(solid_of({{"I1-bar", component_of({linear(0.3e6)})}}));
+  for (const char* mode : {"uniaxial", "equibiaxial", "planar"}) {
+    const CsvTable table = read_csv(other.path() / (std::string(mode) + ".csv"));
+    const std::vector<double> stretch = table.numbers("stretch");
+    const std::vector<double> stress = table.numbers("nominal_stress_Pa");
+    std::string text = "stretch,nominal_stress_Pa\n";
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      text += fmt::format("{},{}\n", stretch[i], stretch[i] * stress[i]);
+    }
+    other.write(std::string(mode) + ".csv", text);
+  }
+  const StudyResult result = fit(other, "law: neo-hookean");
+  ASSERT_EQ(result.questions.size(), 1u);
+  EXPECT_THAT(result.questions.front(), HasSubstr("true ones"));
+  EXPECT_THAT(result.questions.front(), HasSubstr("1.0000"));
+}
+
+std::string study_of(const std::string& experiment, const std::string& model) {
+  return "pliant: study/1\nname: rubber\nexperiments:\n  - " + experiment + "\nmodel: " + model +
+         "\n";
+}
+
+TEST(SolidStudy, RefusesBadInputWhereItStands) {
+  const test::TemporaryFolder folder;
+  folder.write("good.csv", "stretch,nominal_stress_MPa\n1.1,0.1\n1.5,0.4\n2,0.6\n");
+  folder.write("zero.csv", "stretch,nominal_stress_MPa\n1.1,0.1\n0,0.4\n2,0.6\n");
+  folder.write("modes.csv",
+               "mode,stretch,nominal_stress_MPa\nuniaxial,1.1,0.1\nuniaxail,1.5,0.4\nplanar,2,1\n");
+  const std::string good = "{name: pull, type: homogeneous, mode: uniaxial, data: good.csv}";
+  const auto refused = [&](const std::string& experiment, const std::string& model) {
+    folder.write("study.yaml", study_of(experiment, model));
+    return test::input_error_of(
+        [&] { fit_study(read_study(folder.path() / "study.yaml"), {}, {}); });
+  };
+  const InputError zero =
+      refused("{name: pull, type: homogeneous, mode: uniaxial, data: zero.csv}", "{kind: solid}");
+  EXPECT_EQ(zero.where().line, 3);
+  EXPECT_THAT(std::string(zero.what()), HasSubstr("stretch 0 is not above 0"));
+  const InputError mode =
+      refused("{name: pull, type: homogeneous, data: modes.csv}", "{kind: solid}");
+  EXPECT_EQ(mode.where().line, 3);
+  EXPECT_THAT(std::string(mode.what()), HasSubstr("uniaxail"));
+  const InputError law = refused(good, "{kind: solid, law: neohookean}");
+  EXPECT_EQ(law.where().line, 5);
+  EXPECT_THAT(std::string(law.what()), HasSubstr("neo-hookean"));
+  // A shear strain does not change where a specimen is pulled along its axes.
+  EXPECT_THAT(std::string(refused(good,
+                                  "{kind: solid, components: {green.xy: {stiffness: "
+                                  "constant}}}")
+                              .what()),
+              HasSubstr("changes in no experiment"));
+  EXPECT_THAT(std::string(refused(good,
+                                  "{kind: solid, components: {stretch: {stiffness: spline, "
+                                  "friction: dahl}}}")
+                              .what()),
+              HasSubstr("remembers"));
+  EXPECT_THAT(std::string(refused("{name: pull, type: homogeneous, mode: uniaxial, data: good.csv, "
+                                  "incompressible: false}",
+                                  "{kind: solid, components: {I1-bar: {addends: [linear]}}}")
+                              .what()),
+              HasSubstr("resists a change of volume"));
+}
+
+}  // namespace
+}  // namespace pliant

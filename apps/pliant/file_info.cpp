@@ -9,6 +9,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/exchange/u3m_file.h"
 #include "pliant/geometry/polygon_mesh.h"
+#include "pliant/geometry/volume_file.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/file_kind.h"
@@ -18,6 +19,7 @@
 #include "pliant/scene/checkpoint.h"
 
 #include "apps/pliant/mesh_info.h"
+#include "apps/pliant/volume_info.h"
 
 namespace pliant {
 namespace {
@@ -89,6 +91,7 @@ std::string labelled(std::string_view label, std::string_view text, int indent) 
 FileInfo describe_file(const fs::path& path, const CsvOptions& reading) {
   if (fs::is_directory(path)) return directory_info(path);
   if (is_mesh_file(path)) return mesh_info(path);
+  if (is_volume_file(path)) return volume_info(path);
   if (lower_case_extension(path) == ".vtu") return vtu_info(path);
   if (is_checkpoint(path)) return checkpoint_info(path);
   if (is_journal(path)) return progress_info(path);

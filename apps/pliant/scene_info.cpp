@@ -11,6 +11,7 @@
 #include "pliant/scene/cloth_mesh.h"
 #include "pliant/scene/held_vertices.h"
 #include "pliant/scene/scene.h"
+#include "pliant/scene/solid_piece.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -112,6 +113,49 @@ void describe_cloth(const MeshedCloth& meshed, FileInfo& info) {
       labelled("material", fmt::format("{}", fmt::join(material_names(cloth), "; regions: ")), 1));
 }
 
+std::string source_text(const VolumeFileSource& source) { return source.file.string(); }
+
+std::string source_text(const SurfaceSource& source) {
+  return fmt::format("tetrahedra in {}, edges of {}", source.file.string(),
+                     format_quantity(source.edge, Dimension::length));
+}
+
+std::string source_text(const BlockSource& block) {
+  const auto length = [&](int axis) {
+    return format_quantity(block.size(axis), Dimension::length);
+  };
+  return fmt::format("block {} x {} x {}, {} x {} x {} cells", length(0), length(1), length(2),
+                     block.cells[0], block.cells[1], block.cells[2]);
+}
+
+void describe_solid(const SceneSolid& solid, const SolidPiece& piece, FileInfo& info) {
+  const std::string source =
+      std::visit([](const auto& kind) { return source_text(kind); }, solid.mesh.kind);
+  std::vector<std::string> materials;
+  for (const auto& region : piece.regions) materials.push_back(region.material.name);
+  const double volume = element_volumes(piece.mesh).sum(), mass = piece.masses().sum();
+  info.json["solids"].push_back({{"name", solid.name},
+                                 {"mesh", source},
+                                 {"nodes", piece.node_count()},
+                                 {"tetrahedra", piece.mesh.tetrahedron_count()},
+                                 {"hexahedra", piece.mesh.hexahedron_count()},
+                                 {"volume", volume},
+                                 {"mass", mass > 0 ? Json(mass) : Json(nullptr)},
+                                 {"materials", materials}});
+  info.lines.push_back(labelled("solid " + solid.name, source));
+  info.lines.push_back(
+      labelled("mesh",
+               fmt::format("{} nodes, {} tetrahedra, {} hexahedra", piece.node_count(),
+                           piece.mesh.tetrahedron_count(), piece.mesh.hexahedron_count()),
+               1));
+  info.lines.push_back(labelled("size",
+                                fmt::format("{} m^3, {}", format_number(volume, kDigits),
+                                            format_quantity(mass, Dimension::mass)),
+                                1));
+  info.lines.push_back(
+      labelled("material", fmt::format("{}", fmt::join(materials, "; regions: ")), 1));
+}
+
 /// What a simulation would refuse of a material.
 void warn_of_material(const Material& material, FileInfo& info) {
   for (const std::string& warning : use_warnings(material, sheet_component_names())) {
@@ -176,9 +220,13 @@ void describe_holds(const Scene& scene, const HeldVertices& held, FileInfo& info
   info.json["pins"] = Json::array();
   for (std::size_t i = 0; i < scene.pins.size(); ++i) {
     const ScenePin& pin = scene.pins[i];
-    const std::string& cloth = scene.cloth[static_cast<std::size_t>(pin.cloth)].name;
-    info.json["pins"].push_back(
-        {{"cloth", cloth}, {"vertices", held.pins[i].size()}, {"moved", pin.motion.has_value()}});
+    const auto piece = static_cast<std::size_t>(pin.piece);
+    const bool of_cloth = piece < scene.cloth.size();
+    const std::string& cloth =
+        of_cloth ? scene.cloth[piece].name : scene.solids[piece - scene.cloth.size()].name;
+    info.json["pins"].push_back({{of_cloth ? "cloth" : "solid", cloth},
+                                 {"vertices", held.pins[i].size()},
+                                 {"moved", pin.motion.has_value()}});
     info.lines.push_back(
         labelled(fmt::format("pin {}", i),
                  fmt::format("{}, {}{}", vertices_text(held.pins[i], cloth),
@@ -375,6 +423,12 @@ FileInfo scene_info(const std::filesystem::path& path) {
     describe_cloth(built, info);
     for (const std::string& warning : built.mesh.warnings) info.warnings.push_back(warning);
     vertices.push_back({built.mesh.mesh.positions, built.mesh.numbering.groups});
+  }
+  info.json["solids"] = Json::array();
+  for (const SceneSolid& solid : scene.solids) {
+    const SolidPiece piece = make_solid_piece(solid, scene);
+    describe_solid(solid, piece, info);
+    vertices.push_back({piece.mesh.positions, piece.mesh.groups});
   }
   describe_holds(scene, held_vertices(scene, vertices), info);
   describe_obstacles(scene, info);

@@ -22,7 +22,7 @@ using testing::StartsWith;
 VtuGrid sample_grid() {
   VtuGrid grid;
   grid.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}};
-  grid.corners = {0, 1, 2, 0, 2, 3};
+  grid.cells = {{VtkCell::triangle, {0, 1, 2, 0, 2, 3}}};
   grid.point_data = {{"velocity", 3, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}};
   grid.cell_data = {{"strain < 1 & \"more\"", 1, {0.25, -0.5}}};
   return grid;
@@ -49,7 +49,7 @@ TEST(Vtu, HoldsPointsCellsAndFieldsBehindTheXml) {
                          HasSubstr("NumberOfPoints=\"4\" NumberOfCells=\"2\"")));
   EXPECT_EQ(appended_array<double>(vtu, "Points"),
             (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0.5, 0, 1, 0}));
-  EXPECT_EQ(appended_array<std::int32_t>(vtu, "connectivity"), sample_grid().corners);
+  EXPECT_EQ(appended_array<std::int32_t>(vtu, "connectivity"), sample_grid().cells[0].corners);
   EXPECT_EQ(appended_array<std::int64_t>(vtu, "offsets"), (std::vector<std::int64_t>{3, 6}));
   EXPECT_EQ(appended_array<std::uint8_t>(vtu, "types"), (std::vector<std::uint8_t>{5, 5}));
   EXPECT_EQ(appended_array<double>(vtu, "velocity"), sample_grid().point_data[0].values);
@@ -95,7 +95,7 @@ TEST(VtuHead, TellsSizesAndFieldsOfBothEncodings) {
   const TemporaryFolder folder;
   VtuGrid grid;
   grid.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  grid.corners = {0, 1, 2};
+  grid.cells = {{VtkCell::triangle, {0, 1, 2}}};
   grid.point_data = {{"strain.<weft>", 1, {1, 2, 3}}, {"velocity", 3, std::vector<double>(9)}};
   grid.cell_data = {{"stress", 1, {1}}};
   for (const VtuEncoding encoding : {VtuEncoding::appended_raw, VtuEncoding::base64}) {

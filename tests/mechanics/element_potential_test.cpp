@@ -220,10 +220,10 @@ Configuration moved_on(const System& system, const State& state, RandomStream& r
   return system.coordinates().moved(state.configuration, change);
 }
 
-// Steps of differences, a hundredth of an edge and less: the chance that one takes an element past
+// Steps of differences, a five hundredth of an edge and less: the chance that one takes an element past
 // its last strain, where the slope jumps, is small, and the seeds are fixed.
 Eigen::VectorXd step_scale(const System& system) {
-  return Eigen::VectorXd::Constant(system.coordinates().unknowns(), 0.01 * kEdge);
+  return Eigen::VectorXd::Constant(system.coordinates().unknowns(), 0.002 * kEdge);
 }
 
 TEST(ElementPotential, IsTestedForEveryMeasure) {

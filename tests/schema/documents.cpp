@@ -125,7 +125,10 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
   // Readers of scenes and sessions ask whether such files are there, and no more.
-  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply"}) write(name, "");
+  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"}) {
+    write(name, "");
+  }
+  write("rubber.json", read_text_file(kSource / "examples" / "rubber.json"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};

@@ -58,7 +58,7 @@ TEST(SolidMasses, AreThoseOfTheVolume) {
 
 TEST(SolidDynamics, KeepsTheMomentumOfABodyThatTumblesFreely) {
   for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
-    const test::SolidSystem solid = free_block(cells, test::neo_hookean_law({1e4, 0.4}));
+    const test::SolidSystem solid = free_block(cells, test::pointwise_rubber_law({1e4, 0.4}));
     State state = solid.system->initial_state();
     const Eigen::Vector3d spin(3, -5, 8);
     for (int i = 0; i < solid.system->points(); ++i) {
@@ -106,7 +106,7 @@ TEST(SolidDynamics, KeepsTheVolumeOfRubber) {
 // Nodes start at random with velocities that would turn every element inside out within a step.
 TEST(SolidDynamics, NeverTurnsAnElementInsideOut) {
   for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
-    const test::SolidSystem solid = free_block(cells, test::neo_hookean_law({1e4, 0.3}));
+    const test::SolidSystem solid = free_block(cells, test::pointwise_rubber_law({1e4, 0.3}));
     State state = solid.system->initial_state();
     RandomStream random(7);
     for (double& v : state.velocities.reshaped()) v = 10 * random.normal();

@@ -101,7 +101,7 @@ TEST(HangingColumn, PullsAtItsTopWithItsWeight) {
 double tip_deflection(Cells cells, int across) {
   test::SolidSystem solid =
       test::solid_system(test::block_of(cells, {2, 1, 1}, {2 * across, across, across}),
-                         test::neo_hookean_law({1000, 0}));
+                         test::pointwise_rubber_law({1000, 0}));
   solid.hold(nodes_at(solid.mesh, 0, 0));
   const std::vector<int> tip = nodes_at(solid.mesh, 0, 2);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(solid.mesh.node_count());
@@ -235,7 +235,7 @@ TEST(SlowTwistedBlock, ConvergesFromAbove) {
 
 // 5,000 tetrahedra that hang by a side and bend far.
 TEST(SlowSolidEquilibrium, OfFiveThousandTetrahedraTakesTwentyIterationsAtMost) {
-  for (const auto& law : {test::neo_hookean_law({2e4, 0.45}), test::rubber_law({2e4, 0.49})}) {
+  for (const auto& law : {test::pointwise_rubber_law({2e4, 0.45}), test::rubber_law({2e4, 0.49})}) {
     test::SolidSystem solid =
         test::solid_system(block_of_tetrahedra({0.4, 0.1, 0.1}, {26, 6, 6}), law, 1000);
     EXPECT_GT(solid.mesh.element_count(), 5000);

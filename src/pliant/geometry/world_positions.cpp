@@ -31,12 +31,16 @@ Eigen::Matrix3d world_axes(const std::string& up, const std::string& file) {
 }  // namespace
 
 Eigen::Matrix3Xd world_positions(const PolygonMesh& polygons, double unit, const std::string& up) {
-  const std::string& file = polygons.numbering.file;
-  const Eigen::Matrix3Xd positions = world_axes(up, file) * (unit * polygons.positions);
-  if (!positions.allFinite()) {
+  return world_positions(polygons.positions, unit, up, polygons.numbering.file);
+}
+
+Eigen::Matrix3Xd world_positions(const Eigen::Matrix3Xd& positions, double unit,
+                                 const std::string& up, const std::string& file) {
+  Eigen::Matrix3Xd world = world_axes(up, file) * (unit * positions);
+  if (!world.allFinite()) {
     throw InputError({file, 0, "unit"}, "positions overflow", "a smaller unit");
   }
-  return positions;
+  return world;
 }
 
 }  // namespace pliant

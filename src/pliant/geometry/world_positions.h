@@ -16,4 +16,9 @@ namespace pliant {
 /// @throws InputError
 Eigen::Matrix3Xd world_positions(const PolygonMesh& polygons, double unit, const std::string& up);
 
+/// The same for other points of a file.
+/// @param positions  in the file's unit and axes, one column each
+Eigen::Matrix3Xd world_positions(const Eigen::Matrix3Xd& positions, double unit,
+                                 const std::string& up, const std::string& file);
+
 }  // namespace pliant

@@ -32,11 +32,14 @@ std::size_t corner_count(VtkCell cell) {
 class VtuWriter {
  public:
   VtuWriter(const VtuGrid& grid, const VtuOptions& options) : grid_(grid), options_(options) {
-    PLIANT_ASSERT(grid.corners.size() % corner_count(grid.cell) == 0, "cells are complete");
+    for (const VtuCells& cells : grid.cells) {
+      PLIANT_ASSERT(cells.corners.size() % corner_count(cells.cell) == 0, "cells are complete");
+    }
   }
 
   std::string write() && {
-    const std::size_t cells = grid_.corners.size() / corner_count(grid_.cell);
+    std::size_t cells = 0;
+    for (const VtuCells& own : grid_.cells) cells += own.count();
     xml_ = fmt::format(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" {}>\n<UnstructuredGrid>\n"
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
@@ -44,7 +47,7 @@ class VtuWriter {
     write_fields("PointData", grid_.point_data, grid_.points.size());
     write_fields("CellData", grid_.cell_data, cells);
     write_points();
-    write_cells(cells);
+    write_cells();
     xml_ += "</Piece>\n</UnstructuredGrid>\n";
     if (options_.encoding == VtuEncoding::appended_raw) {
       xml_ += "<AppendedData encoding=\"raw\">\n_" + appended_ + "\n</AppendedData>\n";
@@ -74,17 +77,21 @@ class VtuWriter {
     xml_ += "</Points>\n";
   }
 
-  void write_cells(std::size_t cells) {
+  void write_cells() {
     xml_ += "<Cells>\n";
-    std::string bytes;
-    for (const int corner : grid_.corners) append_number(corner, ByteOrder::little, bytes);
-    write_array("connectivity", "Int32", 1, std::exchange(bytes, {}));
-    for (std::size_t i = 1; i <= cells; ++i) {
-      append_number(static_cast<std::int64_t>(i * corner_count(grid_.cell)), ByteOrder::little,
-                    bytes);
+    std::string corners, ends, types;
+    std::int64_t end = 0;
+    for (const VtuCells& cells : grid_.cells) {
+      for (const int corner : cells.corners) append_number(corner, ByteOrder::little, corners);
+      for (std::size_t i = 0; i < cells.count(); ++i) {
+        end += static_cast<std::int64_t>(corner_count(cells.cell));
+        append_number(end, ByteOrder::little, ends);
+      }
+      types.append(cells.count(), static_cast<char>(cells.cell));
     }
-    write_array("offsets", "Int64", 1, std::exchange(bytes, {}));
-    write_array("types", "UInt8", 1, std::string(cells, static_cast<char>(grid_.cell)));
+    write_array("connectivity", "Int32", 1, corners);
+    write_array("offsets", "Int64", 1, ends);
+    write_array("types", "UInt8", 1, types);
     xml_ += "</Cells>\n";
   }
 
@@ -122,6 +129,8 @@ class VtuWriter {
 };
 
 }  // namespace
+
+std::size_t VtuCells::count() const { return corners.size() / corner_count(cell); }
 
 std::string write_vtu(const VtuGrid& grid, const VtuOptions& options) {
   return VtuWriter(grid, options).write();

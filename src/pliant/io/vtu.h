@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -20,11 +21,18 @@ struct VtuArray {
   std::vector<double> values;
 };
 
-/// A mesh of cells of one shape with fields on it.
-struct VtuGrid {
-  std::vector<Point3> points;
+/// Cells of one shape.
+struct VtuCells {
   VtkCell cell = VtkCell::triangle;
   std::vector<int> corners;  ///< points of each cell, one cell after the other, in VTK's order
+
+  std::size_t count() const;
+};
+
+/// A mesh of cells with fields on it. Cells are counted through all shapes, in their order.
+struct VtuGrid {
+  std::vector<Point3> points;
+  std::vector<VtuCells> cells;
   std::vector<VtuArray> point_data;
   std::vector<VtuArray> cell_data;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/geometry/volume_mesh.h"
+#include "pliant/material/component_density.h"
 #include "pliant/mechanics/cloth.h"
 #include "pliant/mechanics/system.h"
 
@@ -21,6 +22,13 @@ struct SolidLaw {
   std::vector<std::string> point_fields;   ///< names of the strains and histories of points
   std::vector<std::string> volume_fields;  ///< the same of volumes
 };
+
+/// The law of a material of kind solid. What its component J has, a law of the volume alone, acts
+/// on the volumes of elements and nodes; all else acts on points.
+SolidLaw solid_law(const Material& material, const DensityOptions& options = {});
+
+/// Stiffness of a law at rest: the tangent dS/dE on the six strains, volumes included (Pa).
+Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law);
 
 /// What a solid adds to a system.
 struct Solid {

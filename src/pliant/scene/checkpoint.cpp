@@ -139,6 +139,11 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
       add_file_of(region.faces, files);
     }
   }
+  for (const SceneSolid& solid : scene.solids) {
+    if (!solid.mesh.file().empty()) files.push_back(solid.mesh.file());
+    files.push_back(solid.material.file);
+    for (const SolidRegion& region : solid.regions) files.push_back(region.material.file);
+  }
   for (const SceneObstacle& obstacle : scene.obstacles) {
     if (const BodySource* body = obstacle.surface()) {
       files.insert(files.end(), body->files.begin(), body->files.end());

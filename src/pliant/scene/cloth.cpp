@@ -13,17 +13,17 @@
 namespace pliant {
 namespace {
 
-SceneMaterial read_scene_material(const Value& value) {
-  SceneMaterial material;
-  material.where = value.location();
-  material.file = read_named_file(value, "a material file");
-  material.material = read_material(material.file);
+SceneMaterial read_cloth_material(const Value& value) {
+  SceneMaterial material = read_scene_material(value);
+  if (material.material.kind != MaterialKind::cloth) {
+    value.fail("is a material of solids", "one of the kind `cloth`");
+  }
   return material;
 }
 
 SceneRegion read_region(const Value& value) {
   Fields fields = value.fields();
-  SceneRegion region{read_scene_material(fields.require("material")),
+  SceneRegion region{read_cloth_material(fields.require("material")),
                      read_index_list(fields.require("faces"))};
   fields.finish();
   return region;
@@ -67,6 +67,16 @@ Eigen::Matrix3Xd moved_at_random(const PositionNoise& noise, const Eigen::Matrix
   return moved;
 }
 
+}  // namespace
+
+SceneMaterial read_scene_material(const Value& value) {
+  SceneMaterial material;
+  material.where = value.location();
+  material.file = read_named_file(value, "a material file");
+  material.material = read_material(material.file);
+  return material;
+}
+
 Pose read_place(const Value& value) {
   Fields fields = value.fields();
   Pose pose;
@@ -76,15 +86,13 @@ Pose read_place(const Value& value) {
   return pose;
 }
 
-}  // namespace
-
 SceneCloth read_scene_cloth(const Value& value, std::set<std::string>& taken) {
   Fields fields = value.fields();
   SceneCloth cloth;
   cloth.where = value.location();
   cloth.name = read_result_name(fields.require("name"), "a cloth", taken);
   cloth.mesh = read_mesh_source(fields.require("mesh"));
-  cloth.material = read_scene_material(fields.require("material"));
+  cloth.material = read_cloth_material(fields.require("material"));
   if (auto v = fields.optional("regions")) {
     for (const Value& region : v->items()) cloth.regions.push_back(read_region(region));
   }

@@ -24,6 +24,14 @@ struct SceneMaterial {
   Location where;  ///< where the scene names it
 };
 
+/// Reads a material that a scene names.
+/// @throws InputError
+SceneMaterial read_scene_material(const Value& value);
+
+/// `{rotate, translate}`.
+/// @throws InputError
+Pose read_place(const Value& value);
+
 /// Faces of a cloth that are of another material than the rest.
 struct SceneRegion {
   SceneMaterial material;

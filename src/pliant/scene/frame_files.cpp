@@ -31,21 +31,22 @@ Polygons faces_of(const Simulation& simulation) {
   return faces;
 }
 
-// Values at all vertices by name; 0 on cloths that do not have a field.
+// Values at all vertices by name; 0 on cloths and solids that do not have a field.
 std::map<std::string, Eigen::VectorXd> all_fields(const Simulation& simulation) {
   std::map<std::string, Eigen::VectorXd> all;
   if (simulation.scene().output.fields.empty()) return all;
   const SceneSystem& built = simulation.built();
-  for (const ClothPiece& cloth : built.cloths) {
-    const int vertices = cloth.mesh.vertex_count();
+  const auto add = [&](const auto& piece, int vertices) {
     for (const auto& [name, values] : vertex_fields(*built.system, simulation.now().state,
-                                                    cloth.shown, cloth.first_point, vertices)) {
+                                                    piece.shown, piece.first_point, vertices)) {
       if (!asks_for_field(simulation, name)) continue;
       Eigen::VectorXd& column = all[name];
       if (column.size() == 0) column = Eigen::VectorXd::Zero(built.vertices);
-      column.segment(cloth.first_point, vertices) = values;
+      column.segment(piece.first_point, vertices) = values;
     }
-  }
+  };
+  for (const ClothPiece& cloth : built.cloths) add(cloth, cloth.mesh.vertex_count());
+  for (const SolidPiece& solid : built.solids) add(solid, solid.node_count());
   return all;
 }
 
@@ -64,11 +65,32 @@ std::string ply_bytes(const Simulation& simulation) {
   return write_ply(ply);
 }
 
+std::vector<int> corners_of(const auto& elements, int first_point) {
+  std::vector<int> corners;
+  for (const int node : elements.reshaped()) corners.push_back(node + first_point);
+  return corners;
+}
+
+// Triangles of cloth, then the elements of solids.
+std::vector<VtuCells> vtu_cells(const SceneSystem& built) {
+  std::vector<VtuCells> all;
+  const auto add = [&](VtkCell cell, const auto& elements, int first_point) {
+    if (elements.cols() > 0) all.push_back({cell, corners_of(elements, first_point)});
+  };
+  for (const ClothPiece& cloth : built.cloths) {
+    add(VtkCell::triangle, cloth.mesh.triangles, cloth.first_point);
+  }
+  for (const SolidPiece& solid : built.solids) {
+    add(VtkCell::tetrahedron, solid.mesh.tetrahedra, solid.first_point);
+    add(VtkCell::hexahedron, solid.mesh.hexahedra, solid.first_point);
+  }
+  return all;
+}
+
 std::string vtu_bytes(const Simulation& simulation) {
   VtuGrid grid;
   grid.points = cloth_points(simulation);
-  const Eigen::Matrix3Xi& faces = simulation.built().faces;
-  grid.corners.assign(faces.data(), faces.data() + faces.size());
+  grid.cells = vtu_cells(simulation.built());
   for (const auto& [name, values] : all_fields(simulation)) {
     grid.point_data.push_back({name, 1, numbers(values)});
   }
@@ -119,6 +141,18 @@ void add_rest_plane(const TriangleMesh& mesh, ObjMesh& obj) {
   }
 }
 
+// Of a strain or a stress of friction.
+const char* unit_of_field(const std::string& name) {
+  const size_t dot = name.find('.');
+  const std::string component = name.substr(dot + 1);
+  const bool bending = component.starts_with("bend.");
+  if (!name.starts_with("friction.")) return bending ? "1/m" : "1";
+  if (std::ranges::find(solid_component_names(), component) != solid_component_names().end()) {
+    return "Pa";
+  }
+  return bending ? "N" : "N/m";
+}
+
 }  // namespace
 
 std::vector<Point3> cloth_points(const Simulation& simulation) {
@@ -133,9 +167,7 @@ std::vector<Point3> cloth_points(const Simulation& simulation) {
 std::vector<std::pair<std::string, std::string>> frame_fields(const Simulation& simulation) {
   std::vector<std::pair<std::string, std::string>> fields;
   for (const auto& [name, values] : all_fields(simulation)) {
-    const bool bending = name.find(".bend.") != std::string::npos;
-    const bool friction = name.starts_with("friction.");
-    fields.emplace_back(name, bending ? (friction ? "N" : "1/m") : (friction ? "N/m" : "1"));
+    fields.emplace_back(name, unit_of_field(name));
   }
   return fields;
 }
@@ -170,6 +202,8 @@ std::string cloth_obj(const Simulation& simulation) {
   for (const ClothPiece& cloth : simulation.built().cloths) {
     add_rest_plane(cloth.mesh, obj);
   }
+  // Surfaces of solids have no rest plane.
+  if (!obj.texture_corners.empty()) obj.texture_corners.resize(obj.faces.corners.size(), -1);
   return write_obj(obj);
 }
 
@@ -178,6 +212,10 @@ std::string obstacles_obj(const Simulation& simulation) {
   for (const ClothPiece& cloth : simulation.built().cloths) {
     box.extend(Eigen::AlignedBox3d(cloth.mesh.positions.rowwise().minCoeff(),
                                    cloth.mesh.positions.rowwise().maxCoeff()));
+  }
+  for (const SolidPiece& solid : simulation.built().solids) {
+    box.extend(
+        Eigen::AlignedBox3d(solid.placed.rowwise().minCoeff(), solid.placed.rowwise().maxCoeff()));
   }
   return write_obj(obstacle_mesh(simulation.scene().obstacles, simulation.built().bodies, box,
                                  simulation.now().state.time));

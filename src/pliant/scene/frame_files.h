@@ -13,8 +13,8 @@ namespace pliant {
 using NamedFile = std::pair<std::string, std::string>;
 
 /// The files of the present step as frame `index`, in the scene's formats: frames/NNNNNN.ply and
-/// .vtu with the cloths' vertices (m) and the fields that the scene asks for, and where obstacles
-/// are led obstacles/NNNNNN.obj.
+/// .vtu with the vertices of cloths and nodes of solids (m) and the fields that the scene asks for,
+/// and where obstacles are led obstacles/NNNNNN.obj.
 std::vector<NamedFile> frame_files(const Simulation& simulation, int index);
 
 /// Files about all frames so far: energy.csv, clips.csv where there are clips, simulation.pvd for

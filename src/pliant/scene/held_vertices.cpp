@@ -54,13 +54,14 @@ void check_cords(const SceneClip& clip, const Eigen::Matrix3Xd& positions) {
 }  // namespace
 
 HeldVertices held_vertices(const Scene& scene, std::span<const ClothVertices> cloths) {
-  PLIANT_ASSERT(cloths.size() == scene.cloth.size(), "the vertices of each cloth");
+  PLIANT_ASSERT(cloths.size() == scene.cloth.size() + scene.solids.size(),
+                "the vertices of each cloth and solid");
   HeldVertices held;
   Holders holders(cloths);
   for (const ScenePin& pin : scene.pins) {
-    const ClothVertices& cloth = cloths[static_cast<std::size_t>(pin.cloth)];
+    const ClothVertices& cloth = cloths[static_cast<std::size_t>(pin.piece)];
     held.pins.push_back(selected_vertices(pin.vertices, cloth));
-    holders.hold(pin.cloth, held.pins.back(), pin.directions, pin.where);
+    holders.hold(pin.piece, held.pins.back(), pin.directions, pin.where);
   }
   for (const SceneClip& clip : scene.clips) {
     const ClothVertices& cloth = cloths[static_cast<std::size_t>(clip.cloth)];

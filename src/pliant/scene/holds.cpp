@@ -11,16 +11,33 @@
 namespace pliant {
 namespace {
 
-int read_cloth_name(const Value& value, std::span<const SceneCloth> cloths) {
+/// @param what  "cloth" or "solid"
+template <class Piece>
+int read_piece_name(const Value& value, const std::string& what, std::span<const Piece> pieces) {
   const std::string name = value.text();
   std::vector<std::string> names;
-  for (const SceneCloth& cloth : cloths) names.push_back(cloth.name);
+  for (const Piece& piece : pieces) names.push_back(piece.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    value.fail("there is no cloth " + quoted_value(name) + did_you_mean(name, names),
-               list_of_names(names));
+    value.fail("there is no " + what + " " + quoted_value(name) + did_you_mean(name, names),
+               names.empty() ? "a scene that has one" : list_of_names(names));
   }
   return static_cast<int>(found - names.begin());
+}
+
+int read_cloth_name(const Value& value, std::span<const SceneCloth> cloths) {
+  return read_piece_name(value, "cloth", cloths);
+}
+
+/// The nodes of a solid that a pin holds: it has no named edges and corners.
+VertexSelection read_held_nodes(Fields& fields) {
+  VertexSelection selection = read_vertex_selection(fields);
+  for (const char* key : {"edges", "corners"}) {
+    if (auto v = fields.optional(key)) {
+      v->fail("are those of cloth", "`vertices`, `nearest`, `groups` or `within`");
+    }
+  }
+  return selection;
 }
 
 /// The vertices that a pin or clip holds; only rectangles have edges and corners.
@@ -94,12 +111,19 @@ void read_clip_dynamics(Fields& fields, SceneClip& clip) {
 
 }  // namespace
 
-ScenePin read_scene_pin(const Value& value, std::span<const SceneCloth> cloths) {
+ScenePin read_scene_pin(const Value& value, std::span<const SceneCloth> cloths,
+                        std::span<const SceneSolid> solids) {
   Fields fields = value.fields();
   ScenePin pin;
   pin.where = value.location();
-  pin.cloth = read_cloth_name(fields.require("cloth"), cloths);
-  pin.vertices = read_held_vertices(fields, cloths[static_cast<std::size_t>(pin.cloth)]);
+  if (const auto solid = fields.optional("solid")) {
+    if (fields.optional("cloth")) value.fail("holds two bodies", "either `cloth` or `solid`");
+    pin.piece = static_cast<int>(cloths.size()) + read_piece_name(*solid, "solid", solids);
+    pin.vertices = read_held_nodes(fields);
+  } else {
+    pin.piece = read_cloth_name(fields.require("cloth"), cloths);
+    pin.vertices = read_held_vertices(fields, cloths[static_cast<std::size_t>(pin.piece)]);
+  }
   if (auto v = fields.optional("directions")) pin.directions = read_directions(*v);
   if (auto v = fields.optional("motion")) pin.motion = read_motion(*v);
   fields.finish();

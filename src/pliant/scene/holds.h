@@ -14,13 +14,14 @@
 #include "pliant/scene/cloth.h"
 #include "pliant/scene/keyframes.h"
 #include "pliant/scene/motion.h"
+#include "pliant/scene/solid.h"
 #include "pliant/scene/vertex_selection.h"
 
 namespace pliant {
 
 /// Vertices that are held where they start, or moved along.
 struct ScenePin {
-  int cloth = 0;  ///< its place in the scene's list
+  int piece = 0;  ///< its place among the scene's cloths and then its solids
   VertexSelection vertices;
   std::array<bool, 3> directions{true, true, true};  ///< world axes in which they are held
   std::optional<Motion> motion;                      ///< held still when absent
@@ -57,7 +58,8 @@ struct SceneClip {
 
 /// Reads an element of the list `pins`.
 /// @throws InputError
-ScenePin read_scene_pin(const Value& value, std::span<const SceneCloth> cloths);
+ScenePin read_scene_pin(const Value& value, std::span<const SceneCloth> cloths,
+                        std::span<const SceneSolid> solids);
 
 /// Reads an element of the list `clips`.
 /// @param taken  names of the clips so far; gets the new one

@@ -1,5 +1,6 @@
 #include "pliant/scene/scene.h"
 
+#include <algorithm>
 #include <set>
 
 #include "pliant/io/fields.h"
@@ -33,17 +34,23 @@ double read_damping(const Value& value) {
   return fraction;
 }
 
-std::vector<SceneCloth> read_cloths(const Value& list) {
-  std::vector<SceneCloth> cloths;
+void read_bodies(Fields& fields, Scene& scene) {
   std::set<std::string> names;
-  for (const Value& node : list.items()) cloths.push_back(read_scene_cloth(node, names));
-  if (cloths.empty()) list.fail("has no cloth", "at least one");
-  return cloths;
+  const auto solids = fields.optional("solids");
+  const std::optional<Value> list = solids ? fields.optional("cloth") : fields.require("cloth");
+  if (list) {
+    for (const Value& node : list->items()) scene.cloth.push_back(read_scene_cloth(node, names));
+    if (scene.cloth.empty()) list->fail("has no cloth", "at least one");
+  }
+  if (!solids) return;
+  for (const Value& node : solids->items()) scene.solids.push_back(read_scene_solid(node, names));
+  if (scene.solids.empty()) solids->fail("has no solid", "at least one");
 }
 
 void read_holds(Fields& fields, Scene& scene) {
   if (auto list = fields.optional("pins")) {
-    for (const Value& node : list->items()) scene.pins.push_back(read_scene_pin(node, scene.cloth));
+    for (const Value& node : list->items())
+      scene.pins.push_back(read_scene_pin(node, scene.cloth, scene.solids));
   }
   std::set<std::string> names;
   if (auto list = fields.optional("clips")) {
@@ -83,12 +90,14 @@ void require_search(const Scene& scene) {
 
 /// What belongs to movement means nothing along a path of equilibria.
 void refuse_movement(Fields& fields, const Scene& scene) {
-  for (const SceneCloth& cloth : scene.cloth) {
-    if (!cloth.velocity) continue;
-    Location where = cloth.where;
+  const auto refuse_velocity = [](const auto& body) {
+    if (!body.velocity) return;
+    Location where = body.where;
     where.field += ".velocity";
     throw InputError(where, "means nothing in a quasi-static simulation", "`kind: dynamic`");
-  }
+  };
+  std::ranges::for_each(scene.cloth, refuse_velocity);
+  std::ranges::for_each(scene.solids, refuse_velocity);
   if (auto v = fields.optional("damping")) {
     v->fail("means nothing in a quasi-static simulation", "`kind: dynamic`");
   }
@@ -105,7 +114,7 @@ Scene scene_of(const Document& document) {
   scene.name = std::filesystem::path(document.file).stem().string();
   if (auto v = fields.optional("name")) scene.name = v->text();
   scene.info = fields.texts("info");
-  scene.cloth = read_cloths(fields.require("cloth"));
+  read_bodies(fields, scene);
   read_holds(fields, scene);
   read_obstacles(fields, scene);
   if (auto v = fields.optional("gravity")) scene.gravity = read_vector(*v);

@@ -15,6 +15,7 @@
 #include "pliant/scene/frame_output.h"
 #include "pliant/scene/holds.h"
 #include "pliant/scene/obstacles.h"
+#include "pliant/scene/solid.h"
 #include "pliant/scene/stepping.h"
 
 namespace pliant {
@@ -24,7 +25,8 @@ struct Scene {
   std::string file;
   std::string name;
   std::map<std::string, std::string> info;
-  std::vector<SceneCloth> cloth;  ///< at least one
+  std::vector<SceneCloth> cloth;  ///< at least one, or a solid
+  std::vector<SceneSolid> solids;
   std::vector<ScenePin> pins;
   std::vector<SceneClip> clips;
   std::vector<SceneObstacle> obstacles;

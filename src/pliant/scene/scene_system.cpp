@@ -2,29 +2,19 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
-#include "pliant/base/add_once.h"
-#include "pliant/geometry/grid_pattern.h"
 #include "pliant/geometry/mesh_quality.h"
-#include "pliant/material/fill.h"
-#include "pliant/material/positive_stiffness.h"
-#include "pliant/material/use_warnings.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/scene/cloth_mesh.h"
+#include "pliant/scene/cloth_regions.h"
 #include "pliant/scene/held_vertices.h"
 #include "pliant/scene/obstacle_contacts.h"
 #include "pliant/scene/surface_contacts.h"
 
 namespace pliant {
 namespace {
-
-// A material with the triangles made of it.
-struct Region {
-  Material material;
-  Location where;
-  std::vector<int> triangles;
-};
 
 std::vector<int> held_axes(const ScenePin& pin) {
   std::vector<int> axes;
@@ -34,57 +24,6 @@ std::vector<int> held_axes(const ScenePin& pin) {
   return axes;
 }
 
-// Cloths and regions may share a material, and its warnings.
-Material usable(const SceneMaterial& given, const std::optional<Material>& filler,
-                std::vector<std::string>& warnings) {
-  Material material = given.material;
-  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
-    add_once(warning, warnings);
-  }
-  if (filler) {
-    for (const std::string& component : fillable_components(material, *filler)) {
-      add_once(component + " of " + quoted_value(material.name) + " was not measured: that of " +
-                   quoted_value(filler->name) + " is assumed",
-               warnings);
-    }
-    material = filled(material, *filler, given.where);
-  }
-  require_complete(material, sheet_component_names(), given.where);
-  require_positive_stiffness(material, sheet_component_names(), given.where);
-  return held_beyond_range(material);
-}
-
-void require_mass(const Region& region, const Scene& scene) {
-  const bool needed = scene.time.kind == SimulationKind::dynamic || !scene.gravity.isZero();
-  if (region.material.density > 0 || !needed) return;
-  throw InputError(region.where,
-                   "the material " + quoted_value(region.material.name) + " has no density",
-                   "a material with \"density\" above zero (kg/m^2), for cloth that has mass");
-}
-
-void require_grid(const Region& region, const TriangleMesh& mesh) {
-  if (!needs_grid(region.material) || is_cut_from_rectangles(mesh)) return;
-  throw InputError(region.where,
-                   "the springs of " + quoted_value(region.material.name) +
-                       " need a grid of rectangles along weft and warp, which this mesh is not",
-                   "a mesh of the kind \"grid\", or a material with other measures");
-}
-
-std::vector<Region> regions_of(const SceneCloth& cloth, const ClothMesh& mesh,
-                               const std::optional<Material>& filler,
-                               std::vector<std::string>& warnings) {
-  std::vector<Region> regions{{usable(cloth.material, filler, warnings), cloth.material.where, {}}};
-  for (const SceneRegion& region : cloth.regions) {
-    regions.push_back({usable(region.material, filler, warnings), region.material.where, {}});
-  }
-  const std::vector<int> region_of = material_of_triangles(cloth, mesh);
-  for (int t = 0; t < mesh.mesh.triangle_count(); ++t) {
-    regions[static_cast<size_t>(region_of[static_cast<size_t>(t)])].triangles.push_back(t);
-  }
-  std::erase_if(regions, [](const Region& region) { return region.triangles.empty(); });
-  return regions;
-}
-
 // Builds the system step by step; each step uses what the ones before it left.
 class SceneBuilder {
  public:
@@ -92,7 +31,7 @@ class SceneBuilder {
       : scene_(scene), filler_(filler) {}
 
   SceneSystem build() && {
-    read_cloths();
+    read_pieces();
     read_bodies();
     count_points();
     result_.system = std::make_unique<System>(positions_, masses_);
@@ -113,24 +52,31 @@ class SceneBuilder {
  private:
   System& system() { return *result_.system; }
 
-  void read_cloths() {
+  void read_pieces() {
     std::vector<ClothVertices> vertices;
+    read_cloths(vertices);
+    for (const SceneSolid& solid : scene_.solids) {
+      SolidPiece piece = make_solid_piece(solid, scene_);
+      piece.first_point = result_.vertices;
+      vertices.push_back({piece.mesh.positions, piece.mesh.groups});
+      result_.vertices += piece.node_count();
+      result_.solids.push_back(std::move(piece));
+    }
+    held_ = held_vertices(scene_, vertices);
+  }
+
+  void read_cloths(std::vector<ClothVertices>& vertices) {
     for (const SceneCloth& cloth : scene_.cloth) {
       ClothMesh made = make_cloth_mesh(cloth.mesh);
       result_.warnings.insert(result_.warnings.end(), made.warnings.begin(), made.warnings.end());
-      regions_.push_back(regions_of(cloth, made, filler_, result_.warnings));
+      regions_.push_back(cloth_regions(cloth, made, scene_, filler_, result_.warnings));
       TriangleMesh& mesh = made.mesh;
       vertices.push_back({mesh.positions, made.numbering.groups});
-      for (const Region& region : regions_.back()) {
-        require_mass(region, scene_);
-        require_grid(region, mesh);
-      }
       mesh.positions = initial_positions(cloth, mesh.positions);
       const int count = mesh.vertex_count();
       result_.cloths.push_back({cloth.name, std::move(mesh), result_.vertices, {}});
       result_.vertices += count;
     }
-    held_ = held_vertices(scene_, vertices);
   }
 
   void read_bodies() {
@@ -148,6 +94,9 @@ class SceneBuilder {
       for (const SceneCord& cord : clip.cords) attachments += cord.vertex ? 0 : 1;
     }
     for (const ClothPiece& cloth : result_.cloths) faces += cloth.mesh.triangle_count();
+    for (const SolidPiece& solid : result_.solids) {
+      faces += static_cast<int>(solid.surface.cols());
+    }
     int points = result_.vertices + attachments;
     for (BodyPiece& piece : result_.bodies) {
       piece.first_point = points;
@@ -173,11 +122,17 @@ class SceneBuilder {
       result_.faces.middleCols(next_face, mesh.triangle_count()) =
           mesh.triangles.array() + cloth.first_point;
       next_face += mesh.triangle_count();
-      for (const Region& region : regions_[c]) add_mass(cloth, region);
+      for (const ClothRegion& region : regions_[c]) add_mass(cloth, region);
+    }
+    for (const SolidPiece& solid : result_.solids) {
+      positions_.middleCols(solid.first_point, solid.node_count()) = solid.placed;
+      masses_.segment(solid.first_point, solid.node_count()) = solid.masses();
+      result_.faces.middleCols(next_face, solid.surface.cols()) = solid.faces();
+      next_face += static_cast<int>(solid.surface.cols());
     }
   }
 
-  void add_mass(const ClothPiece& cloth, const Region& region) {
+  void add_mass(const ClothPiece& cloth, const ClothRegion& region) {
     for (const int t : region.triangles) {
       const double third = region.material.density * rest_area(cloth.mesh, t) / 3;
       for (const int vertex : cloth.mesh.triangles.col(t)) {
@@ -203,8 +158,15 @@ class SceneBuilder {
     }
   }
 
+  // Of a cloth or, counted on, a solid.
+  int first_point_of(int piece) const {
+    const auto number = static_cast<size_t>(piece), cloths = result_.cloths.size();
+    return number < cloths ? result_.cloths[number].first_point
+                           : result_.solids[number - cloths].first_point;
+  }
+
   void add_pin(const ScenePin& pin, const std::vector<int>& vertices) {
-    const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
+    const int first = first_point_of(pin.piece);
     const std::vector<int> axes = held_axes(pin);
     std::vector<int> points;
     for (const int vertex : vertices) {
@@ -280,7 +242,7 @@ class SceneBuilder {
   void add_materials() {
     for (size_t c = 0; c < result_.cloths.size(); ++c) {
       ClothPiece& piece = result_.cloths[c];
-      for (const Region& region : regions_[c]) {
+      for (const ClothRegion& region : regions_[c]) {
         DensityOptions options;
         options.friction = scene_.time.friction.has_value();
         options.friction_form = scene_.time.friction.value_or(FrictionForm::variational);
@@ -293,6 +255,7 @@ class SceneBuilder {
                                 cloth.warnings.end());
       }
     }
+    for (SolidPiece& solid : result_.solids) add_solid_materials(system(), scene_, solid);
   }
 
   void add_forces() {
@@ -301,12 +264,15 @@ class SceneBuilder {
 
   void add_obstacles() {
     TouchingCloth cloth{{}, {}, positions_, masses_};
-    for (int point = 0; point < result_.vertices; ++point) {
+    for (const int point : outer_points()) {
       const bool led = system().coordinates().is_led(point);
       (led ? cloth.led : cloth.points).push_back(point);
     }
     for (const ClothPiece& piece : result_.cloths) {
       cloth.longest_edge = std::max(cloth.longest_edge, mesh_quality(piece.mesh).longest_edge);
+    }
+    for (const SolidPiece& piece : result_.solids) {
+      cloth.longest_edge = std::max(cloth.longest_edge, piece.edge_lengths().longest);
     }
     result_.obstacle_contacts = obstacle_contacts(scene_, cloth, result_.warnings);
     for (const auto& contact : result_.obstacle_contacts) system().add(contact);
@@ -316,6 +282,13 @@ class SceneBuilder {
         controls.bodies.push_back(pose_at(motion, controls.time));
       });
     }
+  }
+
+  // Those of faces, rising: nodes inside a solid meet nothing.
+  std::vector<int> outer_points() const {
+    const auto corners = result_.faces.reshaped();
+    const std::set<int> points(corners.begin(), corners.end());
+    return {points.begin(), points.end()};
   }
 
   void add_bodies() {
@@ -337,6 +310,9 @@ class SceneBuilder {
     for (const ClothPiece& piece : result_.cloths) {
       shortest_edge = std::min(shortest_edge, mesh_quality(piece.mesh).shortest_edge);
     }
+    for (const SolidPiece& piece : result_.solids) {
+      shortest_edge = std::min(shortest_edge, piece.edge_lengths().shortest);
+    }
     std::vector<bool> moves;
     for (int point = 0; point < system().points(); ++point) {
       moves.push_back(!system().coordinates().is_prescribed(point));
@@ -354,7 +330,7 @@ class SceneBuilder {
     Eigen::VectorXd resistance = Eigen::VectorXd::Zero(positions_.cols());
     for (size_t c = 0; c < result_.cloths.size(); ++c) {
       const ClothPiece& cloth = result_.cloths[c];
-      for (const Region& region : regions_[c]) {
+      for (const ClothRegion& region : regions_[c]) {
         double largest = 0;
         for (const char* component : {"stretch.weft", "stretch.warp"}) {
           const auto law = law_of(region.material, component);
@@ -367,6 +343,9 @@ class SceneBuilder {
           }
         }
       }
+    }
+    for (const SolidPiece& solid : result_.solids) {
+      resistance.segment(solid.first_point, solid.node_count()) = solid.resistance_to_stretch();
     }
     return resistance;
   }
@@ -382,6 +361,11 @@ class SceneBuilder {
       velocities.middleCols(piece.first_point, piece.mesh.vertex_count()).colwise() =
           of_cloth(static_cast<int>(c));
     }
+    for (size_t s = 0; s < result_.solids.size(); ++s) {
+      const SolidPiece& piece = result_.solids[s];
+      velocities.middleCols(piece.first_point, piece.node_count()).colwise() =
+          scene_.solids[s].velocity.value_or(Eigen::Vector3d::Zero());
+    }
     for (size_t k = 0; k < scene_.clips.size(); ++k) {
       const SceneClip& clip = scene_.clips[k];
       const Eigen::Vector3d velocity =
@@ -394,7 +378,7 @@ class SceneBuilder {
   }
 
   void stop_pin(const ScenePin& pin, const std::vector<int>& vertices) {
-    const int first = result_.cloths[static_cast<size_t>(pin.cloth)].first_point;
+    const int first = first_point_of(pin.piece);
     const std::vector<int> axes = held_axes(pin);
     for (const int vertex : vertices) {
       for (const int axis : axes) result_.start.velocities(axis, first + vertex) = 0;
@@ -404,7 +388,7 @@ class SceneBuilder {
   const Scene& scene_;
   const std::optional<Material>& filler_;
   SceneSystem result_;
-  std::vector<std::vector<Region>> regions_;  // by cloth
+  std::vector<std::vector<ClothRegion>> regions_;  // by cloth
   HeldVertices held_;
   Eigen::Matrix3Xd positions_;
   Eigen::VectorXd masses_;

@@ -12,6 +12,7 @@
 #include "pliant/mechanics/system.h"
 #include "pliant/scene/scene.h"
 #include "pliant/scene/scene_crossings.h"
+#include "pliant/scene/solid_piece.h"
 
 namespace pliant {
 
@@ -24,12 +25,14 @@ struct ClothPiece {
 };
 
 /// A scene made into a mechanical system. The points are the vertices of all cloths, one cloth
-/// after the other, then the points of clips that cords pull at, then the vertices of all bodies.
+/// after the other, and in the same way the nodes of all solids, then the points of clips that
+/// cords pull at, then the vertices of all bodies.
 struct SceneSystem {
   std::unique_ptr<System> system;
   std::vector<ClothPiece> cloths;
-  Eigen::Matrix3Xi faces;         ///< of all cloths, as points of the system
-  int vertices = 0;               ///< of all cloths
+  std::vector<SolidPiece> solids;
+  Eigen::Matrix3Xi faces;         ///< of all cloths, then all solids, as points of the system
+  int vertices = 0;               ///< of all cloths and solids
   std::vector<BodyPiece> bodies;  ///< of triangles
   std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts;  ///< one for each convex one
   std::shared_ptr<SurfaceContact> surface_contact;  ///< with cloth and bodies; may be null
@@ -46,7 +49,8 @@ struct SceneSystem {
 /// @param filler  takes the place of components that a material does not know
 /// @throws InputError for a mesh that cannot be used, a component that was not measured and is not
 ///         filled, a stiffness that is not positive, springs on a mesh that is no grid, cloth
-///         without mass, cloth that begins inside an obstacle or passing through itself
+///         without mass, a volume mesh or a material of a solid that cannot be used, cloth that
+///         begins inside an obstacle or passing through itself
 SceneSystem build_scene(const Scene& scene, const std::optional<Material>& filler);
 
 }  // namespace pliant

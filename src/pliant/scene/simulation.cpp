@@ -44,13 +44,17 @@ double default_tolerance(const System& system) {
   return heavy > 0 ? std::min(kOfThesis, kOfWeight * weight) : kOfThesis;
 }
 
-// 30 um, but never more than a 300th of a cloth's mean edge: with more, strains of a fine mesh
-// would tremble from step to step, and what friction holds would be lost to it.
+// 30 um, but never more than a 300th of the mean edge of a cloth or a solid's surface: with more,
+// strains of a fine mesh would tremble from step to step, and what friction holds would be lost to
+// it.
 double default_motion_tolerance(const SceneSystem& built) {
   constexpr double kMost = 3e-5, kOfEdge = 1.0 / 300;
   double tolerance = kMost;
   for (const ClothPiece& cloth : built.cloths) {
     tolerance = std::min(tolerance, kOfEdge * mesh_quality(cloth.mesh).mean_edge);
+  }
+  for (const SolidPiece& solid : built.solids) {
+    tolerance = std::min(tolerance, kOfEdge * solid.edge_lengths().mean);
   }
   return tolerance;
 }

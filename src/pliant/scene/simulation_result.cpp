@@ -80,6 +80,13 @@ Json crossing_pairs(const Simulation& simulation) {
   return crossings ? Json(crossings->count()) : Json(nullptr);
 }
 
+// Of solids.
+int element_count(const SceneSystem& built) {
+  int count = 0;
+  for (const SolidPiece& solid : built.solids) count += solid.mesh.element_count();
+  return count;
+}
+
 Json obstacles_path(const Scene& scene) {
   if (scene.obstacles.empty()) return nullptr;
   return has_moving_obstacles(scene.obstacles) ? "obstacles" : "obstacles.obj";
@@ -109,6 +116,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"finished", simulation.is_finished()},
             {"triangles", simulation.built().faces.cols()},
             {"vertices", simulation.built().vertices},
+            {"elements", element_count(simulation.built())},
             {"steps", now.steps},
             {"time_step", scene.time.step},
             {"method", method(scene.time)},
@@ -124,7 +132,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"crossing_pairs", crossing_pairs(simulation)},
             {"contacts", statistics(now.records.contacts)},
             {"min_contact_distance", least_distance(now.records)},
-            {"mesh", "cloth.obj"},
+            {"mesh", scene.solids.empty() ? Json("cloth.obj") : Json(nullptr)},
             {"obstacles", obstacles_path(scene)},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},

@@ -1,0 +1,56 @@
+#include <iterator>
+
+#include "pliant/material/solid/solid_density.h"
+#include "pliant/mechanics/solid.h"
+
+namespace pliant {
+namespace {
+
+constexpr const char* kVolume = "J";
+
+// The response of a law where it is at rest and remembers nothing.
+Response response_at_rest(const ParametricDensity& law, int strains) {
+  const Eigen::Array<double, kLanes, Eigen::Dynamic> zeros =
+      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, strains + law.history_size());
+  const LaneView strain(zeros.data(), kLanes, strains);
+  Response response(strains);
+  law.add({strain, strain, strain, LaneView(zeros.data(), kLanes, law.history_size())}, {},
+          response);
+  return response;
+}
+
+}  // namespace
+
+SolidLaw solid_law(const Material& material, const DensityOptions& options) {
+  Material of_points = material;
+  const bool has_volume = of_points.components.erase(kVolume) > 0 &&
+                          material.components.at(kVolume).stiffness.has_value();
+  SolidDensity density = solid_density(of_points, options);
+  SolidLaw law;
+  law.of_points = density.law;
+  law.parameters = std::move(density.names.parameters);
+  law.point_fields = {"strain.green.xx", "strain.green.yy", "strain.green.zz",
+                      "strain.green.yz", "strain.green.xz", "strain.green.xy"};
+  std::ranges::move(density.names.history, std::back_inserter(law.point_fields));
+  if (!has_volume) return law;
+  const auto of_volume = std::make_shared<Sum>();
+  AddedNames names = add_component(material, kVolume, /*strain=*/0, options, *of_volume);
+  law.of_volume = of_volume;
+  std::ranges::move(names.parameters, std::back_inserter(law.parameters));
+  law.volume_fields = {"strain.J"};
+  std::ranges::move(names.history, std::back_inserter(law.volume_fields));
+  return law;
+}
+
+Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law) {
+  const Response of_points = response_at_rest(*law.of_points, 6);
+  Eigen::Matrix<double, 6, 6> stiffness;
+  for (int k = 0; k < 36; ++k) stiffness(k) = of_points.tangent(0, k);
+  if (law.of_volume) {
+    // J - 1 is the trace of E there.
+    stiffness.topLeftCorner<3, 3>().array() += response_at_rest(*law.of_volume, 1).tangent(0, 0);
+  }
+  return stiffness;
+}
+
+}  // namespace pliant

@@ -27,9 +27,13 @@ ComponentModel ogden(std::size_t terms) {
 }
 
 const std::array kLaws{
+    // The line on the stretches leaves their spline the second derivative alone; products of two
+    // stretches, which no sum over single ones holds, are those of I2.
     SolidLaw{"additive",
              [] {
-               return Components{{"stretch-bar", of(CurveKind::spline)}};
+               ComponentModel stretches = of(CurveKind::spline);
+               stretches.addends = {&linear_addend()};
+               return Components{{"stretch-bar", stretches}, {"I2-bar", of({&linear_addend()})}};
              }},
     SolidLaw{"neo-hookean",
              [] {

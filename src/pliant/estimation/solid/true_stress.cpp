@@ -72,6 +72,7 @@ std::vector<std::string> true_stress_questions(const FitSettings& settings,
                                                const std::vector<const Experiment*>& experiments,
                                                const RunContext& context) {
   constexpr double kGood = 0.999;  // as it is: nothing to ask
+  constexpr double kWell = 0.998;  // as true ones: a poor law explains many things better
   constexpr double kLess = 0.25;   // of what is missed, where it is taken otherwise
   const double nominal = explained_share(experiments, material);
   if (nominal > kGood) return {};
@@ -88,7 +89,7 @@ std::vector<std::string> true_stress_questions(const FitSettings& settings,
   Material other = material;
   if (!std::isfinite(problem.solve(other).cost)) return {};
   const double as_true_share = explained_share(as_true, other);
-  if (!(1 - as_true_share < kLess * (1 - nominal))) return {};
+  if (as_true_share < kWell || !(1 - as_true_share < kLess * (1 - nominal))) return {};
   return {fmt::format(
       "the material explains R^2 = {:.4f} of the stresses as nominal ones (force over the area at "
       "rest) and would explain {:.4f} if they were true ones (over the area as it is): which are "

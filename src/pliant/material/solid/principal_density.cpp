@@ -1,5 +1,6 @@
 #include "pliant/material/solid/principal_density.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -14,12 +15,24 @@ SolidVector strain_of(const Samples& samples, int lane) {
   return samples.strain.row(lane).transpose().matrix();
 }
 
+/// Whether a point is strained as the one before it is: single points come as eight alike.
+bool is_as_before(const Samples& samples, int lane) {
+  return lane > 0 && (samples.strain.row(lane) == samples.strain.row(lane - 1)).all();
+}
+
 /// Principal stretches of eight points and their metrics, and the law's answers on them.
 class PrincipalPoints {
  public:
   PrincipalPoints(const PrincipalMetric& metric, const Samples& samples)
       : isochoric_(metric.isochoric) {
     for (int lane = 0; lane < kLanes; ++lane) {
+      if (is_as_before(samples, lane)) {
+        points_.push_back(points_.back());
+        value_.row(lane) = value_.row(lane - 1);
+        first_.row(lane) = first_.row(lane - 1);
+        second_.row(lane) = second_.row(lane - 1);
+        continue;
+      }
       const PrincipalStretches& point = points_.emplace_back(strain_of(samples, lane));
       const double volume = isochoric_ ? point.logs().mean() : 0;
       for (int a = 0; a < 3; ++a) {
@@ -78,6 +91,8 @@ PrincipalDensity::PrincipalDensity(const PrincipalMetric& metric,
 void PrincipalDensity::add(const Samples& samples, const StepTime& time, Response& response) const {
   const PrincipalPoints points(*metric_, samples);
   Eigen::Array<double, kLanes, 3> stress, tangent;
+  Eigen::Array<double, kLanes, kSolidStrains> own_stress;
+  Eigen::Array<double, kLanes, kSolidStrains * kSolidStrains> own_tangent;
   for (int a = 0; a < 3; ++a) {
     Response inner(1);
     law_->add(points.samples(a), time, inner);
@@ -87,18 +102,25 @@ void PrincipalDensity::add(const Samples& samples, const StepTime& time, Respons
     tangent.col(a) = inner.tangent.col(0);
   }
   for (int lane = 0; lane < kLanes; ++lane) {
+    if (is_as_before(samples, lane)) {
+      own_stress.row(lane) = own_stress.row(lane - 1);
+      own_tangent.row(lane) = own_tangent.row(lane - 1);
+      continue;
+    }
     const Eigen::Vector3d y = stress.row(lane).transpose().matrix();
     const Eigen::Vector3d by_log = points.by_log(lane, y);
     const PrincipalStretches& point = points.point(lane);
     const SolidMatrix second = point.tangent(
         by_log, points.second_by_log(lane, y, tangent.row(lane).transpose().matrix()));
-    response.stress.row(lane) += point.stress(by_log).transpose().array();
+    own_stress.row(lane) = point.stress(by_log).transpose().array();
     for (int i = 0; i < kSolidStrains; ++i) {
       for (int j = 0; j < kSolidStrains; ++j) {  // symmetric to the last bit
-        response.tangent(lane, kSolidStrains * i + j) += second(std::min(i, j), std::max(i, j));
+        own_tangent(lane, kSolidStrains * i + j) = second(std::min(i, j), std::max(i, j));
       }
     }
   }
+  response.stress += own_stress;
+  response.tangent += own_tangent;
 }
 
 void PrincipalDensity::add_stored(const Samples& samples, Lane& stored) const {

@@ -1,0 +1,76 @@
+// What the program does with solids: templates, virtual measurements, fits, predictions, reports.
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+
+namespace pliant::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string in(const TemporaryFolder& folder, const std::string& name) {
+  return (folder.path() / name).string();
+}
+
+ProgramRun done(const std::vector<std::string>& arguments) {
+  ProgramRun run = run_program(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+  return run;
+}
+
+TEST(SolidProgram, FitsWhatItsTemplateHolds) {
+  const TemporaryFolder folder;
+  done({"init", "homogeneous", "-o", in(folder, "study")});
+  const ProgramRun run =
+      done({"fit", in(folder, "study/study.yaml"), "-o", in(folder, "fit"), "--json"});
+  const auto fit = nlohmann::json::parse(run.out);
+  for (const auto& e : fit["experiments"]) EXPECT_GT(e["r_squared"].get<double>(), 0.99);
+  for (const char* file :
+       {"fit/material.json", "fit/report.html", "fit/predictions/planar.csv", "fit/curves.csv"}) {
+    EXPECT_TRUE(fs::exists(folder.path() / file)) << file;
+  }
+  EXPECT_THAT(done({"info", in(folder, "study/study.yaml")}).out, HasSubstr("law additive"));
+  EXPECT_THAT(done({"info", in(folder, "fit/material.json")}).out, HasSubstr("over its range"));
+  done({"report", in(folder, "fit")});
+  done({"evaluate", in(folder, "study/study.yaml"), "-m", in(folder, "fit/material.json"), "-o",
+        in(folder, "evaluation")});
+  EXPECT_TRUE(fs::exists(folder.path() / "evaluation/report.html"));
+}
+
+TEST(SolidProgram, MeasuresASolidVirtually) {
+  const TemporaryFolder folder;
+  folder.write("rubber.json",
+               R"({"pliant": "material/1", "name": "rubber", "kind": "solid", "density": 950,
+                   "components": {"I1-bar": {"addends": [{"law": "linear", "c": 3e5}]}}})");
+  folder.write("lab.yaml",
+               "pliant: lab/1\nmaterial: rubber.json\nspecimens: 2\nexperiments:\n"
+               "  - {name: pull, type: homogeneous, mode: uniaxial, peaks: [3], noise: 1 kPa}\n");
+  done({"lab", in(folder, "lab.yaml"), "-o", in(folder, "lab")});
+  const ProgramRun run =
+      done({"fit", in(folder, "lab/study.yaml"), "-o", in(folder, "fit"), "--json"});
+  const auto fit = nlohmann::json::parse(run.out);
+  EXPECT_GT(fit["experiments"][0]["r_squared"].get<double>(), 0.999);
+  EXPECT_EQ(fit["experiments"][0]["specimens"], 2);
+}
+
+// [T] Fig. 4.2: a large negative lambda makes the energy fall where the volume changes.
+TEST(SolidProgram, TellsOfALargeNegativeLambda) {
+  const TemporaryFolder folder;
+  folder.write("stvk.json",
+               R"({"pliant": "material/1", "name": "stvk", "kind": "solid", "components": {
+                   "trace": {"stiffness": {"curve": "constant", "value": -5e6}},
+                   "trace-of-square": {"addends": [{"law": "linear", "c": 1e6}]}}})");
+  const ProgramRun run = done({"info", in(folder, "stvk.json")});
+  EXPECT_THAT(run.out + run.err, HasSubstr("the energy of trace is not convex in its strain"));
+  EXPECT_THAT(run.out + run.err, HasSubstr("not stable at rest"));
+}
+
+}  // namespace
+}  // namespace pliant::test

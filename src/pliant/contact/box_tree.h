@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/base/parallel.h"
 #include "pliant/contact/swept_box.h"
 
 namespace pliant {
@@ -19,13 +20,15 @@ class BoxTree {
   Eigen::Index size() const { return (std::ssize(nodes_) + 1) / 2; }
 
   /// Calls `visit` with the numbers of each two different things whose boxes may meet, the smaller
-  /// first, in a fixed order.
+  /// first. Parts of the search, whose numbers it is told first, are made by several threads at
+  /// once, each in a fixed order.
   /// @param boxes  of all things
   /// @param reach  of `SweptBox::may_meet` (m)
   template <class Visit>
   void pairs(const std::vector<SweptBox>& boxes, float reach, const Visit& visit) const;
+  static constexpr int kParts = 32;  ///< of the search
 
-  /// The same for each thing with each of another tree, this tree's first.
+  /// The same, in one go, for each thing with each of another tree, this tree's first.
   template <class Visit>
   void pairs_with(const BoxTree& other, const std::vector<SweptBox>& boxes,
                   const std::vector<SweptBox>& boxes_of_other, float reach,
@@ -56,11 +59,14 @@ class BoxTree {
 template <class Visit>
 void BoxTree::pairs(const std::vector<SweptBox>& boxes, float reach, const Visit& visit) const {
   const Fitted all = fitted(boxes);
-  for (const Node& node : nodes_) {
-    if (node.is_leaf()) continue;
-    meet(all, node.first, all, node.second, reach,
-         [&](int one, int other) { visit(std::min(one, other), std::max(one, other)); });
-  }
+  parallel_for(kParts, [&](int part) {
+    for (auto n = static_cast<size_t>(part); n < nodes_.size(); n += kParts) {
+      const Node& node = nodes_[n];
+      if (node.is_leaf()) continue;
+      meet(all, node.first, all, node.second, reach,
+           [&](int one, int other) { visit(part, std::min(one, other), std::max(one, other)); });
+    }
+  });
 }
 
 template <class Visit>

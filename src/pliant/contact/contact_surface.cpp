@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pliant/base/parallel.h"
 #include "pliant/geometry/topology.h"
 
 namespace pliant {
@@ -33,6 +34,31 @@ SweptBox box_of(const Corners& corners, const std::vector<SweptBox>& vertices) {
   SweptBox box = vertices[static_cast<size_t>(corners[0])];
   for (const int corner : corners) box.include(vertices[static_cast<size_t>(corner)]);
   return box;
+}
+
+// All pairs of some parts, by halves that are merged. No pair is in two of them, so that there is
+// one order.
+std::vector<SurfacePair> sorted(std::vector<std::vector<SurfacePair>> parts) {
+  parallel_for(static_cast<int>(parts.size()), [&](int i) {
+    auto& part = parts[static_cast<size_t>(i)];
+    std::sort(part.begin(), part.end());
+  });
+  while (parts.size() > 1) {
+    std::vector<std::vector<SurfacePair>> merged((parts.size() + 1) / 2);
+    parallel_for(static_cast<int>(merged.size()), [&](int i) {
+      const size_t one = 2 * static_cast<size_t>(i), other = one + 1;
+      auto& both = merged[static_cast<size_t>(i)];
+      if (other == parts.size()) {
+        both = std::move(parts[one]);
+        return;
+      }
+      both.resize(parts[one].size() + parts[other].size());
+      std::merge(parts[one].begin(), parts[one].end(), parts[other].begin(), parts[other].end(),
+                 both.begin());
+    });
+    parts = std::move(merged);
+  }
+  return std::move(parts.front());
 }
 
 }  // namespace
@@ -112,19 +138,19 @@ std::vector<SurfacePair> ContactSurface::near_pairs(const Eigen::Matrix3Xd& posi
                                                     const Eigen::Matrix3Xd& ways,
                                                     double reach) const {
   const Boxes boxes = boxes_of(positions, ways, reach);
-  std::vector<SurfacePair> pairs;
+  std::vector<std::vector<SurfacePair>> parts(BoxTree::kParts);
   if (cloth_meets_cloth_) {
-    cloth_.pairs(boxes.cloth, boxes.reach,
-                 [&](int one, int other) { add_pairs(one, other, boxes, pairs); });
+    cloth_.pairs(boxes.cloth, boxes.reach, [&](int part, int one, int other) {
+      add_pairs(one, other, boxes, parts[static_cast<size_t>(part)]);
+    });
   }
   if (bodies_) {
     const int first_of_bodies = static_cast<int>(boxes.cloth.size());
     cloth_.pairs_with(*bodies_, boxes.cloth, boxes.bodies, boxes.reach, [&](int one, int other) {
-      add_pairs(one, first_of_bodies + other, boxes, pairs);
+      add_pairs(one, first_of_bodies + other, boxes, parts.front());
     });
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return sorted(std::move(parts));
 }
 
 ContactSurface::Boxes ContactSurface::boxes_of(const Eigen::Matrix3Xd& positions,

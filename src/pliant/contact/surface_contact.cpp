@@ -1,10 +1,12 @@
 #include "pliant/contact/surface_contact.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "pliant/base/parallel.h"
 #include "pliant/contact/barrier.h"
 #include "pliant/contact/coulomb.h"
 
@@ -63,6 +65,26 @@ Crossing crossing_of(const PairPoints& x, double built_one, double built_other) 
   Crossing crossing{sine * (2 - sine), {}};
   crossing.gradient << -by_one, by_one, -by_other, by_other;
   return crossing;
+}
+
+// What `find` makes of each of many pairs, where it makes something, in their order. Several
+// threads take neighbouring pairs together.
+template <class Found, class Find>
+std::vector<Found> found_of(const std::vector<SurfacePair>& pairs, const Find& find) {
+  constexpr size_t kTogether = 512;
+  std::vector<std::vector<Found>> parts((pairs.size() + kTogether - 1) / kTogether);
+  parallel_for(static_cast<int>(parts.size()), [&](int i) {
+    const size_t begin = kTogether * static_cast<size_t>(i);
+    const size_t end = std::min(begin + kTogether, pairs.size());
+    for (size_t k = begin; k < end; ++k) {
+      if (std::optional<Found> found = find(pairs[k])) {
+        parts[static_cast<size_t>(i)].push_back(std::move(*found));
+      }
+    }
+  });
+  std::vector<Found> all;
+  for (const std::vector<Found>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 double length(const Eigen::Matrix3Xd& positions, int from, int to) {
@@ -180,9 +202,12 @@ void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
   const Eigen::Matrix3Xd& start = from.configuration.positions;
   const Eigen::Matrix3Xd ways = to - start;
   const NearPairs::Pairs near = near_.between(start, to);
-  for (const SurfacePair& pair : *near) {
+  using Share = std::pair<SurfacePair, double>;
+  const auto shares = found_of<Share>(*near, [&](const SurfacePair& pair) {
     const double share = free_share_of(pair, start, ways, limits.kept);
-    if (share == 1) continue;
+    return share == 1 ? std::nullopt : std::optional(Share{pair, share});
+  });
+  for (const auto& [pair, share] : shares) {
     limits.obstructed = true;
     for (const int point : pair.points) {
       limits.shares(point) = std::min(limits.shares(point), share);
@@ -191,9 +216,8 @@ void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
 }
 
 void SurfaceContact::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  const NearPairs::Pairs near = near_.at(at.configuration.positions);
-  for (const SurfacePair& pair : *near) {
-    add_push(pair, at, derivatives);
+  for (const auto& [pair, push] : pushes_at(at.configuration.positions)) {
+    add_push(pair, push, at, derivatives);
   }
   const auto before = lagged(at.history);
   for (const Rubbing& rubbing : before->rubbing) {
@@ -201,10 +225,18 @@ void SurfaceContact::evaluate(const Evaluation& at, Derivatives& derivatives) co
   }
 }
 
-void SurfaceContact::add_push(const SurfacePair& pair, const Evaluation& at,
+std::vector<std::pair<SurfacePair, SurfaceContact::Push>> SurfaceContact::pushes_at(
+    const Eigen::Matrix3Xd& positions) const {
+  using Pushed = std::pair<SurfacePair, Push>;
+  const NearPairs::Pairs near = near_.at(positions);
+  return found_of<Pushed>(*near, [&](const SurfacePair& pair) {
+    const Push push = push_of(pair, positions);
+    return push.acts() ? std::optional(Pushed{pair, push}) : std::nullopt;
+  });
+}
+
+void SurfaceContact::add_push(const SurfacePair& pair, const Push& push, const Evaluation& at,
                               Derivatives& derivatives) const {
-  const Push push = push_of(pair, at.configuration.positions);
-  if (!push.acts()) return;
   derivatives.energy.add_contact(push.energy);
   if (derivatives.gradient) {
     for (int k = 0; k < 4; ++k) {
@@ -253,12 +285,9 @@ std::shared_ptr<const SurfaceContact::Lagged> SurfaceContact::lagged(const doubl
   }
   auto made = std::make_shared<Lagged>();
   made->positions = positions;
-  const NearPairs::Pairs near = near_.at(made->positions);
-  for (const SurfacePair& pair : *near) {
+  for (const auto& [pair, push] : pushes_at(made->positions)) {
     const double friction = friction_of(pair);
     if (friction == 0) continue;
-    const Push push = push_of(pair, made->positions);
-    if (!push.acts()) continue;
     made->rubbing.push_back({pair, push.weights, push.normal, friction * push.normal_force});
   }
   const std::lock_guard lock(mutex_);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "pliant/contact/near_pairs.h"
@@ -69,7 +70,10 @@ class SurfaceContact : public HistoryPotential {
   double free_share_of(const SurfacePair& pair, const Eigen::Matrix3Xd& from,
                        const Eigen::Matrix3Xd& ways, double kept) const;
   Push push_of(const SurfacePair& pair, const Eigen::Matrix3Xd& positions) const;
-  void add_push(const SurfacePair& pair, const Evaluation& at, Derivatives& derivatives) const;
+  /// Of all pairs that push, in their order.
+  std::vector<std::pair<SurfacePair, Push>> pushes_at(const Eigen::Matrix3Xd& positions) const;
+  void add_push(const SurfacePair& pair, const Push& push, const Evaluation& at,
+                Derivatives& derivatives) const;
   void add_friction(const Rubbing& rubbing, const Evaluation& at, Derivatives& derivatives) const;
   std::shared_ptr<const Lagged> lagged(const double* history) const;
 

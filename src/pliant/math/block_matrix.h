@@ -40,6 +40,10 @@ struct RowVector {
   Eigen::Vector3d value;
 };
 
+/// How the blocks of a matrix beside its diagonal are kept: those on it are always of double
+/// precision. An iterative solver of a large system is bound by memory.
+enum class Precision { full, single };
+
 /// A sparse symmetric matrix of 3x3 blocks, of which the upper triangle is stored, and beside the
 /// pattern a sum of products f u u^T of vectors u that are zero but in a few rows. The pattern
 /// holds the diagonal blocks of those, too.
@@ -48,14 +52,36 @@ class BlockMatrix {
   using Block = Eigen::Map<Eigen::Matrix3d>;
   using ConstBlock = Eigen::Map<const Eigen::Matrix3d>;
 
-  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern);
+  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern,
+                       Precision precision = Precision::full);
 
   const BlockPattern& pattern() const { return *pattern_; }
   void set_zero();
 
-  /// Block number `block` of the pattern, column by column.
+  /// Block number `block` of the pattern, column by column, of a matrix of full precision.
   Block block(int block) { return Block(values_.data() + 9 * block); }
   ConstBlock block(int block) const { return ConstBlock(values_.data() + 9 * block); }
+
+  /// The diagonal block of a row.
+  Block diagonal(int row) { return Block(values_.data() + 9 * place_of_diagonal(row)); }
+  ConstBlock diagonal(int row) const {
+    return ConstBlock(values_.data() + 9 * place_of_diagonal(row));
+  }
+
+  /// work(entries), where the nine numbers of block k that is not on the diagonal begin at entries
+  /// + 9 k, column by column: float or double.
+  template <class Work>
+  auto with_entries(const Work& work) {
+    return precision_ == Precision::full ? work(values_.data()) : work(singles_.data());
+  }
+  template <class Work>
+  auto with_entries(const Work& work) const {
+    return precision_ == Precision::full ? work(values_.data()) : work(singles_.data());
+  }
+
+  /// Subtracts from the diagonal blocks of the first rows the sums of the blocks that couple them
+  /// with each other. What depends on differences of positions alone need not add to diagonals.
+  void complete_diagonals(int rows);
 
   /// Adds to block (i, j) or, transposed, to (j, i): whichever is stored. For i = j, `value` is
   /// symmetric.
@@ -89,8 +115,14 @@ class BlockMatrix {
   void copy_to(Eigen::SparseMatrix<double>& lower) const;
 
  private:
+  int place_of_diagonal(int row) const {
+    return precision_ == Precision::full ? pattern_->diagonal(row) : row;
+  }
+
   std::shared_ptr<const BlockPattern> pattern_;
-  std::vector<double> values_;
+  Precision precision_;
+  std::vector<double> values_;   // of all blocks, or of those on the diagonal
+  std::vector<float> singles_;   // of all blocks in single precision; on the diagonal nothing
   std::vector<double> factors_;  // of the products beside the pattern
   std::vector<size_t> vector_begin_{0};
   std::vector<RowVector> vectors_;

@@ -18,7 +18,7 @@ size_t index(int i) { return static_cast<size_t>(i); }
 constexpr double kRelaxation = 1.5;
 
 // L B R^T with lower triangular L and R.
-QuadBlock scaled_block(const QuadBlock& l, const QuadBlock& b, const QuadBlock& r) {
+PLIANT_INLINE QuadBlock scaled_block(const QuadBlock& l, const QuadBlock& b, const QuadBlock& r) {
   QuadBlock left;
   for (int c = 0; c < 3; ++c) left.column[c] = product(l, b.column[c]);
   QuadBlock result;
@@ -105,25 +105,71 @@ void SsorMatrix::find_blocks(const BlockPattern& pattern) {
   }
 }
 
+// The blocks of rows begin .. end - 1 of U.
+struct SsorMatrix::Scaling {
+  template <class V, class Number>
+  PLIANT_INLINE static void run(SsorMatrix* m, const Number* entries, const QuadBlock* scales,
+                                int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+      const QuadBlock left = scales[n];
+      for (int k = m->row_begin_[index(n)]; k < m->row_begin_[index(n) + 1]; ++k) {
+        const Source source = m->sources_[index(k)];
+        QuadBlock block = quad_block(entries + 9 * source.block);
+        if (source.transposed) block = transposed(block);
+        store_block(scaled_block(left, block, scales[m->columns_[index(k)]]), m->upper_block(k));
+      }
+    }
+  }
+};
+
+// (I + U)^-1 v in rows begin .. end - 1. What was found last is needed at once by the next row: it
+// is taken last.
+struct SsorMatrix::Upper {
+  template <class V>
+  PLIANT_INLINE static void run(const SsorMatrix* m, int begin, int end, const Quad* v, Quad* t) {
+    const int* const columns = m->columns_.data();
+    for (int n = end - 1; n >= begin; --n) {
+      Quad sum = v[n];
+      const int first = m->row_begin_[index(n)];
+      for (int k = m->row_begin_[index(n) + 1] - 1; k >= first; --k) {
+        sum -= product(load_block(m->upper_block(k)), t[columns[k]]);
+      }
+      t[n] = sum;
+    }
+  }
+};
+
+// (I + U^T)^-1 v in place, in rows begin .. end - 1.
+struct SsorMatrix::Lower {
+  template <class V>
+  PLIANT_INLINE static void run(const SsorMatrix* m, int begin, int end, Quad* v) {
+    const int* const columns = m->columns_.data();
+    for (int n = begin; n < end; ++n) {
+      Quad own = v[n];
+      for (int k = m->of_halves_begin_[index(n)]; k < m->of_halves_begin_[index(n) + 1]; ++k) {
+        const OfHalf from = m->of_halves_[index(k)];
+        own -= transposed_product(load_block(m->upper_block(from.block)), v[from.row]);
+      }
+      v[n] = own;
+      for (int k = m->row_begin_[index(n)]; k < m->inner_end_[index(n)]; ++k) {
+        v[columns[k]] -= transposed_product(load_block(m->upper_block(k)), own);
+      }
+    }
+  }
+};
+
 bool SsorMatrix::take(const BlockMatrix& matrix) {
-  const BlockPattern& pattern = matrix.pattern();
   std::vector<QuadBlock> scales(rows());  // inverse_c
   for (size_t n = 0; n < rows(); ++n) {
     Eigen::Matrix3d& inverse_c = inverse_c_[n];
-    if (!invert_cholesky(matrix.block(pattern.diagonal(parts_.rows[n])), inverse_c)) return false;
+    if (!invert_cholesky(matrix.diagonal(parts_.rows[n]), inverse_c)) return false;
     inverse_c *= std::sqrt(kRelaxation);
-    scales[n] = quad_block(inverse_c);
+    scales[n] = quad_block(inverse_c.data());
   }
-  parallel_for(kParts, [&](int part) {
-    for (int n = begin_of(part); n < end_of(part); ++n) {
-      for (int k = row_begin_[index(n)]; k < row_begin_[index(n) + 1]; ++k) {
-        const Source& source = sources_[index(k)];
-        QuadBlock block = quad_block(matrix.block(source.block));
-        if (source.transposed) block = transposed(block);
-        const QuadBlock& right = scales[index(columns_[index(k)])];
-        store_block(scaled_block(scales[index(n)], block, right), upper_block(k));
-      }
-    }
+  matrix.with_entries([&](const auto* entries) {
+    parallel_for(kParts, [&](int part) {
+      simd::run<Scaling>(this, entries, scales.data(), begin_of(part), end_of(part));
+    });
   });
   take_products(matrix);
   return true;
@@ -160,29 +206,12 @@ void SsorMatrix::add_unscaled(const Quads& y, Eigen::VectorXd& x) const {
   }
 }
 
-// What was found last is needed at once by the next row: it is taken last.
 void SsorMatrix::upper_of(int part, const Quads& v, Quads& t) const {
-  for (int n = end_of(part) - 1; n >= begin_of(part); --n) {
-    Quad sum = v[index(n)];
-    for (int k = row_begin_[index(n) + 1] - 1; k >= row_begin_[index(n)]; --k) {
-      sum -= product(load_block(upper_block(k)), t[index(columns_[index(k)])]);
-    }
-    t[index(n)] = sum;
-  }
+  simd::run<Upper>(this, begin_of(part), end_of(part), v.data(), t.data());
 }
 
 void SsorMatrix::lower_of(int part, Quads& v) const {
-  for (int n = begin_of(part); n < end_of(part); ++n) {
-    Quad own = v[index(n)];
-    for (int k = of_halves_begin_[index(n)]; k < of_halves_begin_[index(n) + 1]; ++k) {
-      const auto& [block, row] = of_halves_[index(k)];
-      own -= transposed_product(load_block(upper_block(block)), v[index(row)]);
-    }
-    v[index(n)] = own;
-    for (int k = row_begin_[index(n)]; k < inner_end_[index(n)]; ++k) {
-      v[index(columns_[index(k)])] -= transposed_product(load_block(upper_block(k)), own);
-    }
-  }
+  simd::run<Lower>(this, begin_of(part), end_of(part), v.data());
 }
 
 void SsorMatrix::solve_upper(const Quads& v, Quads& t) const {

@@ -57,6 +57,11 @@ class SsorMatrix {
     bool transposed = false;
   };
 
+  // What is made in the widest instructions.
+  struct Scaling;
+  struct Upper;
+  struct Lower;
+
   void find_blocks(const BlockPattern& pattern);
   void take_products(const BlockMatrix& matrix);
   void add_products(const Quads& t, Quads& result) const;

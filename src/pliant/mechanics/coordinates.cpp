@@ -134,6 +134,10 @@ Eigen::VectorXd Coordinates::reduce(const Configuration& at,
                                     const Eigen::Matrix3Xd& gradient) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(unknowns());
   for (int i = 0; i < points(); ++i) {
+    if (is_free(i)) {
+      result.segment<3>(3 * row(i)) = gradient.col(i);
+      continue;
+    }
     const Dependences parents = dependences(at, i);
     for (int a = 0; a < parents.count; ++a) {
       result.segment<3>(3 * parents.entry[a].row) +=
@@ -171,6 +175,18 @@ void Coordinates::add_coupling(const Configuration& at, int i, int j, const Eige
   }
 }
 
+void Coordinates::add_difference(const Configuration& at, int i, int j,
+                                 const Eigen::Matrix3d& value, BlockMatrix& hessian) const {
+  add_coupling(at, i, j, value, hessian);
+  add_coupling(at, i, i, -value, hessian);
+  add_coupling(at, j, j, -value.transpose(), hessian);
+}
+
+void Coordinates::complete_diagonals(BlockMatrix& hessian) const {
+  const auto is_free = [](int row) { return row >= 0; };
+  hessian.complete_diagonals(static_cast<int>(std::count_if(rows_.begin(), rows_.end(), is_free)));
+}
+
 // x(w) = exp(w) arm: the second-order part is w x (w x arm) / 2.
 void Coordinates::add_rotation_terms(const Configuration& at, const Eigen::Matrix3Xd& gradient,
                                      BlockMatrix& hessian) const {
@@ -201,7 +217,7 @@ void Coordinates::hold_neutral_rotations(const Configuration& at, BlockMatrix& h
     const Eigen::Vector3d line = spread.eigenvectors().col(2);
     const Eigen::Matrix3d neutral =
         is_point ? Eigen::Matrix3d::Identity().eval() : (line * line.transpose()).eval();
-    auto block = hessian.block(hessian.pattern().diagonal(clip.row + 1));
+    auto block = hessian.diagonal(clip.row + 1);
     const double size = block.diagonal().cwiseAbs().maxCoeff();
     block += (size > 0 ? size : 1) * neutral;
   }
@@ -238,22 +254,25 @@ void Coordinates::decouple_prescribed_axes(BlockMatrix& hessian) const {
   for (const HeldAxis& h : held_axes_) {
     held[static_cast<size_t>(row(h.point))][static_cast<size_t>(h.axis)] = true;
   }
+  const auto decouple = [&](int i, int j, auto block) {
+    for (size_t a = 0; a < 3; ++a) {
+      if (held[static_cast<size_t>(i)][a]) block.row(static_cast<Eigen::Index>(a)).setZero();
+      if (held[static_cast<size_t>(j)][a]) block.col(static_cast<Eigen::Index>(a)).setZero();
+    }
+  };
   const BlockPattern& pattern = hessian.pattern();
   for (int i = 0; i < pattern.size(); ++i) {
-    const auto& held_row = held[static_cast<size_t>(i)];
-    for (int k = pattern.row_begin(i); k < pattern.row_end(i); ++k) {
-      const auto& held_column = held[static_cast<size_t>(pattern.column(k))];
-      auto block = hessian.block(k);
-      const double scale = std::max(block.diagonal().cwiseAbs().maxCoeff(), 1e-300);
-      for (size_t a = 0; a < 3; ++a) {
-        if (held_row[a]) block.row(static_cast<Eigen::Index>(a)).setZero();
-        if (held_column[a]) block.col(static_cast<Eigen::Index>(a)).setZero();
-      }
-      if (k != pattern.diagonal(i)) continue;
-      for (int a = 0; a < 3; ++a) {
-        if (held_row[static_cast<size_t>(a)]) block(a, a) = scale;
-      }
+    auto block = hessian.diagonal(i);
+    const double scale = std::max(block.diagonal().cwiseAbs().maxCoeff(), 1e-300);
+    decouple(i, i, block);
+    for (int a = 0; a < 3; ++a) {
+      if (held[static_cast<size_t>(i)][static_cast<size_t>(a)]) block(a, a) = scale;
     }
+    hessian.with_entries([&]<class Number>(Number* entries) {
+      for (int k = pattern.row_begin(i) + 1; k < pattern.row_end(i); ++k) {
+        decouple(i, pattern.column(k), Eigen::Map<Eigen::Matrix<Number, 3, 3>>(entries + 9 * k));
+      }
+    });
   }
   for (RowVector& vector : hessian.vectors()) {
     for (size_t a = 0; a < 3; ++a) {

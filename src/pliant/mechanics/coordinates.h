@@ -74,6 +74,14 @@ class Coordinates {
   void add_coupling(const Configuration& at, int i, int j, const Eigen::Matrix3d& value,
                     BlockMatrix& hessian) const;
 
+  /// Adds d2E / (d point i d point j) of an energy that depends on the difference of two points,
+  /// and what follows of it for each of the two, where they are not both free.
+  void add_difference(const Configuration& at, int i, int j, const Eigen::Matrix3d& value,
+                      BlockMatrix& hessian) const;
+  /// The same for all pairs of free points, whose blocks alone were added to: the diagonal blocks
+  /// of what does not change with a translation. To be called once.
+  void complete_diagonals(BlockMatrix& hessian) const;
+
   /// Adds factor u u^T to a Hessian in the unknowns, u being zero but at four different points.
   void add_outer_product(const Configuration& at, double factor, const std::array<int, 4>& points,
                          const Eigen::Matrix<double, 3, 4>& u, BlockMatrix& hessian) const;

@@ -26,6 +26,17 @@ constexpr auto node_pairs() {
   return pairs;
 }
 
+/// Those of different nodes.
+template <class Measure>
+constexpr auto node_couplings() {
+  std::array<std::array<int, 2>, kPairs<Measure> - Measure::kNodes> couplings{};
+  size_t next = 0;
+  for (const auto& [i, j] : node_pairs<Measure>()) {
+    if (i != j) couplings[next++] = {i, j};
+  }
+  return couplings;
+}
+
 /// The number of pair (i, j), i <= j, among `node_pairs`.
 template <class Measure>
 constexpr int pair_number(int i, int j) {

@@ -81,14 +81,13 @@ std::vector<std::pair<int, int>> NodalDilatation::couplings() const {
 void NodalDilatation::bind(const Coordinates& coordinates, const BlockPattern& pattern) {
   const auto place = [&](int p, int q) {
     const int row = coordinates.row(p), column = coordinates.row(q);
-    if (coordinates.is_prescribed(p) || coordinates.is_prescribed(q)) return kNowhere;
-    if (row < 0 || column < 0) return kThroughClip;
-    return row <= column ? 2 * pattern.find(row, column) : 2 * pattern.find(column, row) + 1;
+    if (row < 0 || column < 0) return kThroughCoordinates;
+    return row < column ? 2 * pattern.find(row, column) : 2 * pattern.find(column, row) + 1;
   };
   for (Patch& patch : patches_) {
     patch.places.clear();
     for (size_t i = 0; i < patch.points.size(); ++i) {
-      for (size_t j = i; j < patch.points.size(); ++j) {
+      for (size_t j = i + 1; j < patch.points.size(); ++j) {
         patch.places.push_back(place(patch.points[i], patch.points[j]));
       }
     }
@@ -186,25 +185,28 @@ Eigen::Matrix3Xd NodalDilatation::patch_gradient(const Patch& patch,
   return sum;
 }
 
+// What is on the diagonal follows from the other blocks, as a translation changes no volume.
 void NodalDilatation::add_patch(const Patch& patch, double factor, const Eigen::Matrix3Xd& gradient,
                                 const Configuration& at, Hessian& hessian) const {
-  size_t next = 0;
-  for (Eigen::Index i = 0; i < gradient.cols(); ++i) {
-    const Eigen::Vector3d left = factor * gradient.col(i);
-    for (Eigen::Index j = i; j < gradient.cols(); ++j) {
-      const int place = patch.places[next++];
-      if (place == kNowhere) continue;
-      if (place == kThroughClip) {
-        hessian.coordinates.add_coupling(at, patch.points[static_cast<size_t>(i)],
-                                         patch.points[static_cast<size_t>(j)],
-                                         left * gradient.col(j).transpose(), hessian.matrix);
-      } else if (place & 1) {
-        hessian.matrix.block(place / 2) += gradient.col(j) * left.transpose();
-      } else {
-        hessian.matrix.block(place / 2) += left * gradient.col(j).transpose();
+  hessian.matrix.with_entries([&]<class Number>(Number* entries) {
+    size_t next = 0;
+    for (Eigen::Index i = 0; i < gradient.cols(); ++i) {
+      const Eigen::Vector3d left = factor * gradient.col(i);
+      for (Eigen::Index j = i + 1; j < gradient.cols(); ++j) {
+        const int place = patch.places[next++];
+        Eigen::Matrix3d block = left * gradient.col(j).transpose();
+        if (place == kThroughCoordinates) {
+          hessian.coordinates.add_difference(at, patch.points[static_cast<size_t>(i)],
+                                             patch.points[static_cast<size_t>(j)], block,
+                                             hessian.matrix);
+          continue;
+        }
+        if (place & 1) block.transposeInPlace();
+        Eigen::Map<Eigen::Matrix<Number, 3, 3>>(entries + 9 * (place / 2)) +=
+            block.template cast<Number>();
       }
     }
-  }
+  });
 }
 
 // d2 V / (d x_i d x_j) = [u]x / 6 of the edge u across from the edge i j, up to its sign.
@@ -215,14 +217,15 @@ void NodalDilatation::add_stress_part(int tetrahedron, double pressure, const Co
   const auto& nodes = tetrahedra_[static_cast<size_t>(tetrahedron)];
   for (const auto& [i, j, k, l] : kAcross) {
     const auto node = [&](int corner) { return nodes[static_cast<size_t>(corner)]; };
-    if (hessian.coordinates.is_prescribed(node(i)) || hessian.coordinates.is_prescribed(node(j))) {
-      continue;
-    }
     const Eigen::Vector3d u =
         pressure / 6 * (at.positions.col(node(k)) - at.positions.col(node(l)));
     Eigen::Matrix3d block;
     block << 0, -u.z(), u.y(), u.z(), 0, -u.x(), -u.y(), u.x(), 0;
-    hessian.coordinates.add_coupling(at, node(i), node(j), block, hessian.matrix);
+    if (hessian.coordinates.is_free(node(i)) && hessian.coordinates.is_free(node(j))) {
+      hessian.coordinates.add_coupling(at, node(i), node(j), block, hessian.matrix);
+    } else {
+      hessian.coordinates.add_difference(at, node(i), node(j), block, hessian.matrix);
+    }
   }
 }
 

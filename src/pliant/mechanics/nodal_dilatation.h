@@ -54,11 +54,11 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
     int point = 0;
     std::vector<int> tetrahedra;
     std::vector<int> points;  ///< of the tetrahedra, each once, rising
-    std::vector<int> places;  ///< of the pairs of `points` in the Hessian, row by row
+    std::vector<int> places;  ///< of the pairs of different `points` in the Hessian, row by row
   };
   using Gradient = Eigen::Matrix<double, 3, 4>;  // of a tetrahedron's volume by its nodes
 
-  static constexpr int kNowhere = -1, kThroughClip = -2;
+  static constexpr int kThroughCoordinates = -1;  // one of the points is not free
 
   int batches() const;
   int columns() const { return 2 + density_->history_size(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/mechanics/lane_kernel.h"
@@ -15,35 +16,18 @@ class LaneKernel<DiscreteShells> {
   LaneKernel(const DiscreteShells::Rest* rests, const LanePositions<DiscreteShells>& positions,
              bool differentiated = true)
       : rests_(rests), positions_(positions) {
-    const auto node = [&](int i) -> LaneVector {
-      return {positions.col(3 * i), positions.col(3 * i + 1), positions.col(3 * i + 2)};
-    };
-    edge_ = node(1) - node(0);
-    side_[0] = node(2) - node(0);
-    side_[1] = node(3) - node(0);
-    normal_[0] = cross(edge_, side_[0]);
-    normal_[1] = cross(side_[1], edge_);
-    squared_length_ = dot(edge_, edge_);
-    length_ = squared_length_.sqrt();
-    sine_ = dot(cross(normal_[0], normal_[1]), edge_) / length_;
-    cosine_ = dot(normal_[0], normal_[1]);
-    if (!differentiated) return;
-    for (int l = 0; l < kLanes; ++l) scale_(l) = 3 / rests[l].height;
-    for (int w = 0; w < 2; ++w) {
-      share_[w] = dot(side_[w], edge_) / squared_length_;
-      gradient_[2 + w] = Lane(-scale_ * length_ / dot(normal_[w], normal_[w])) * normal_[w];
-    }
-    gradient_[1] = Lane(-share_[0]) * gradient_[2] - share_[1] * gradient_[3];
-    gradient_[0] = Lane(share_[0] - 1) * gradient_[2] - Lane(1 - share_[1]) * gradient_[3];
+    for (int l = 0; l < kLanes; ++l) scale_(l) = rests[l].height;
+    simd::run<Geometry>(positions.data(), differentiated, this);
   }
 
   LaneStrains strain() const {
     LaneStrains result(kLanes, 1);
+    Lane near, rest;  // angles
     for (int l = 0; l < kLanes; ++l) {
-      const DiscreteShells::Rest& rest = rests_[l];
-      const double angle = continued_angle(std::atan2(sine_(l), cosine_(l)), rest.near_angle);
-      result(l, 0) = 3 * (angle - rest.angle) / rest.height;
+      near(l) = rests_[l].near_angle;
+      rest(l) = rests_[l].angle;
     }
+    simd::run<Angles>(this, near.data(), rest.data(), result.data());
     return result;
   }
 
@@ -96,6 +80,67 @@ class LaneKernel<DiscreteShells> {
   }
 
  private:
+  // Normals and the angle's sine and cosine; the gradients where they will be asked for.
+  struct Geometry {
+    template <class V>
+    PLIANT_INLINE static void run(const double* positions, bool differentiated,
+                                  LaneKernel* kernel) {
+      for (int l = 0; l < kLanes; l += simd::kWidth<V>) {
+        LaneKernel& k = *kernel;
+        const WideVector<V> origin = node<V>(positions + l, 0);
+        const WideVector<V> edge = node<V>(positions + l, 1) - origin;
+        const WideVector<V> side[2] = {node<V>(positions + l, 2) - origin,
+                                       node<V>(positions + l, 3) - origin};
+        const WideVector<V> normal[2] = {cross(edge, side[0]), cross(side[1], edge)};
+        const V squared_length = dot(edge, edge), length = simd::square_root(squared_length);
+        const V scale = 3 / simd::load<V>(k.scale_.data() + l);
+        simd::store(dot(cross(normal[0], normal[1]), edge) / length, k.sine_.data() + l);
+        simd::store(dot(normal[0], normal[1]), k.cosine_.data() + l);
+        simd::store(scale, k.scale_.data() + l);
+        if (!differentiated) continue;
+        WideVector<V> gradient[2];  // of the wings' vertices
+        V share[2];
+        for (int w = 0; w < 2; ++w) {
+          share[w] = dot(side[w], edge) / squared_length;
+          gradient[w] = V(-scale * length / dot(normal[w], normal[w])) * normal[w];
+          store(side[w], l, k.side_[w]);
+          store(normal[w], l, k.normal_[w]);
+          store(gradient[w], l, k.gradient_[2 + w]);
+          simd::store(share[w], k.share_[w].data() + l);
+        }
+        const WideVector<V> at_second = V(-share[0]) * gradient[0] - share[1] * gradient[1];
+        const WideVector<V> at_first =
+            V(share[0] - 1) * gradient[0] - V(1 - share[1]) * gradient[1];
+        store(at_second, l, k.gradient_[1]);
+        store(at_first, l, k.gradient_[0]);
+        store(edge, l, k.edge_);
+        simd::store(squared_length, k.squared_length_.data() + l);
+        simd::store(length, k.length_.data() + l);
+      }
+    }
+
+    template <class V>
+    PLIANT_INLINE static WideVector<V> node(const double* positions, int i) {
+      const double* const x = positions + 3 * kLanes * i;
+      return {simd::load<V>(x), simd::load<V>(x + kLanes), simd::load<V>(x + 2 * kLanes)};
+    }
+  };
+
+  struct Angles {
+    template <class V>
+    PLIANT_INLINE static void run(const LaneKernel* kernel, const double* near, const double* rest,
+                                  double* strain) {
+      constexpr double kTurn = 2 * std::numbers::pi;
+      for (int l = 0; l < kLanes; l += simd::kWidth<V>) {
+        const V angle = simd::atan2(simd::load<V>(kernel->sine_.data() + l),
+                                    simd::load<V>(kernel->cosine_.data() + l));
+        const V turns = simd::rounded(V((simd::load<V>(near + l) - angle) / kTurn));
+        const V scale = simd::load<V>(kernel->scale_.data() + l);
+        simd::store(V(scale * (angle + kTurn * turns - simd::load<V>(rest + l))), strain + l);
+      }
+    }
+  };
+
   struct LaneMatrix {
     Lane entry[3][3];
   };

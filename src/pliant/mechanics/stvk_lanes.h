@@ -20,12 +20,7 @@ class LaneKernel<StvkMembrane> {
         v_[i](l) = rests[l].weights(i, 1);
       }
     }
-    const auto map = [&](const Lane* weights, int axis) -> Lane {
-      return weights[0] * positions.col(axis) + weights[1] * positions.col(3 + axis) +
-             weights[2] * positions.col(6 + axis);
-    };
-    w_u_ = {map(u_, 0), map(u_, 1), map(u_, 2)};
-    w_v_ = {map(v_, 0), map(v_, 1), map(v_, 2)};
+    simd::run<Map>(positions.data(), this);
   }
 
   LaneStrains strain() const {
@@ -50,34 +45,8 @@ class LaneKernel<StvkMembrane> {
 
   void hessian(const Response& response, const Lane& size, bool convex,
                LaneHessian<StvkMembrane>& result) const {
-    const Stress y = stress(response, size, convex);
-    const auto t = [&](int i, int j) -> Lane { return size * response.tangent.col(3 * i + j); };
-    const Lane uu = t(0, 0), vv = t(1, 1), ss = t(2, 2), uv = t(0, 1), us = t(0, 2), vs = t(1, 2);
-    const Lane* const wu[3] = {&w_u_.x, &w_u_.y, &w_u_.z};
-    const Lane* const wv[3] = {&w_v_.x, &w_v_.y, &w_v_.z};
-    for (int b = 0; b < 3; ++b) {
-      for (int a = 0; a < 3; ++a) {
-        const Lane p = *wu[a] * *wu[b], q = *wu[a] * *wv[b], r = *wv[a] * *wu[b],
-                   s = *wv[a] * *wv[b];
-        Lane by_uu = uu * p + us * (q + r) + ss * s;
-        Lane by_uv = uv * q + us * p + vs * s + ss * r;
-        Lane by_vu = uv * r + us * p + vs * s + ss * q;
-        Lane by_vv = vv * s + vs * (q + r) + ss * p;
-        if (a == b) {
-          by_uu += y.u;
-          by_uv += y.s;
-          by_vu += y.s;
-          by_vv += y.v;
-        }
-        for (int i = 0; i < 3; ++i) {
-          const Lane row_u = u_[i] * by_uu + v_[i] * by_vu, row_v = u_[i] * by_uv + v_[i] * by_vv;
-          for (int j = i; j < 3; ++j) {
-            result.col(9 * pair_number<StvkMembrane>(i, j) + 3 * b + a) =
-                row_u * u_[j] + row_v * v_[j];
-          }
-        }
-      }
-    }
+    simd::run<Stiffness>(this, response.stress.data(), response.tangent.data(), size.data(), convex,
+                         result.data());
   }
 
   StvkMembrane::Positions at(int lane) const {
@@ -87,30 +56,97 @@ class LaneKernel<StvkMembrane> {
   }
 
  private:
-  struct Stress {
-    Lane u, v, s;
+  // w_u and w_v.
+  struct Map {
+    template <class V>
+    PLIANT_INLINE static void run(const double* positions, LaneKernel* kernel) {
+      for (int l = 0; l < kLanes; l += simd::kWidth<V>) {
+        WideVector<V> w_u{}, w_v{};
+        for (int i = 0; i < 3; ++i) {
+          const double* const x = positions + 3 * kLanes * i + l;
+          const WideVector<V> node{simd::load<V>(x), simd::load<V>(x + kLanes),
+                                   simd::load<V>(x + 2 * kLanes)};
+          w_u = w_u + simd::load<V>(kernel->u_[i].data() + l) * node;
+          w_v = w_v + simd::load<V>(kernel->v_[i].data() + l) * node;
+        }
+        store(w_u, l, kernel->w_u_);
+        store(w_v, l, kernel->w_v_);
+      }
+    }
   };
 
-  static Stress stress(const Response& response, const Lane& size, bool convex) {
-    Stress y{response.stress.col(0), response.stress.col(1), response.stress.col(2)};
-    if (convex) make_convex(y);
-    return {size * y.u, size * y.v, size * y.s};
-  }
+  template <class V>
+  struct Stress {
+    V u, v, s;
+  };
 
-  // The positive part of the stress matrix [u s; s v], as `positive_part` has it.
-  static void make_convex(Stress& y) {
-    const Lane mean = (y.u + y.v) / 2, half = (y.u - y.v) / 2;
-    const Lane spread = (half.square() + y.s.square()).sqrt();
-    const Lane high = mean + spread, low = mean - spread;
-    for (int l = 0; l < kLanes; ++l) {
-      const bool positive = low(l) >= 0;
-      const double scale = positive ? 1 : (high(l) <= 0 ? 0 : high(l) / (2 * spread(l)));
-      const double shift = positive ? 0 : low(l);
-      y.u(l) = scale * (y.u(l) - shift);
-      y.v(l) = scale * (y.v(l) - shift);
-      y.s(l) = scale * y.s(l);
+  struct Stiffness {
+    template <class V>
+    PLIANT_INLINE static void run(const LaneKernel* kernel, const double* stress,
+                                  const double* tangent, const double* sizes, bool convex,
+                                  double* result) {
+      for (int l = 0; l < kLanes; l += simd::kWidth<V>) {
+        Stress<V> y{simd::load<V>(stress + l), simd::load<V>(stress + kLanes + l),
+                    simd::load<V>(stress + 2 * kLanes + l)};
+        if (convex) make_convex(y);
+        add_up(*kernel, y, tangent + l, simd::load<V>(sizes + l), l, result + l);
+      }
     }
-  }
+
+    template <class V>
+    PLIANT_INLINE static void add_up(const LaneKernel& kernel, const Stress<V>& y,
+                                     const double* tangent, const V& size, int l, double* result) {
+      const auto t = [&](int i, int j) { return tangent + kLanes * (3 * i + j); };
+      const V uu = size * simd::load<V>(t(0, 0)), vv = size * simd::load<V>(t(1, 1)),
+              ss = size * simd::load<V>(t(2, 2)), uv = size * simd::load<V>(t(0, 1)),
+              us = size * simd::load<V>(t(0, 2)), vs = size * simd::load<V>(t(1, 2));
+      const V y_u = size * y.u, y_v = size * y.v, y_s = size * y.s;
+      const WideVector<V> w_u = load<V>(kernel.w_u_, l), w_v = load<V>(kernel.w_v_, l);
+      const V wu[3] = {w_u.x, w_u.y, w_u.z}, wv[3] = {w_v.x, w_v.y, w_v.z};
+      V u[3], v[3];
+      for (int i = 0; i < 3; ++i) {
+        u[i] = simd::load<V>(kernel.u_[i].data() + l);
+        v[i] = simd::load<V>(kernel.v_[i].data() + l);
+      }
+      for (int b = 0; b < 3; ++b) {
+        for (int a = 0; a < 3; ++a) {
+          const V p = wu[a] * wu[b], q = wu[a] * wv[b], r = wv[a] * wu[b], s = wv[a] * wv[b];
+          V by_uu = uu * p + us * (q + r) + ss * s;
+          V by_uv = uv * q + us * p + vs * s + ss * r;
+          V by_vu = uv * r + us * p + vs * s + ss * q;
+          V by_vv = vv * s + vs * (q + r) + ss * p;
+          if (a == b) {
+            by_uu += y_u;
+            by_uv += y_s;
+            by_vu += y_s;
+            by_vv += y_v;
+          }
+          for (int i = 0; i < 3; ++i) {
+            const V row_u = u[i] * by_uu + v[i] * by_vu, row_v = u[i] * by_uv + v[i] * by_vv;
+            for (int j = i; j < 3; ++j) {
+              simd::store(V(row_u * u[j] + row_v * v[j]),
+                          result + kLanes * (9 * pair_number<StvkMembrane>(i, j) + 3 * b + a));
+            }
+          }
+        }
+      }
+    }
+
+    // The positive part of the stress matrix [u s; s v], as `positive_part` has it.
+    template <class V>
+    PLIANT_INLINE static void make_convex(Stress<V>& y) {
+      const V zero{};
+      const V mean = (y.u + y.v) / 2, half = (y.u - y.v) / 2;
+      const V spread = simd::square_root(V(half * half + y.s * y.s));
+      const V high = mean + spread, low = mean - spread;
+      const auto positive = low >= zero;
+      const V part = high > zero ? high / (2 * spread) : zero;
+      const V scale = positive ? zero + 1 : part, shift = positive ? zero : low;
+      y.u = scale * (y.u - shift);
+      y.v = scale * (y.v - shift);
+      y.s = scale * y.s;
+    }
+  };
 
   const LanePositions<StvkMembrane>& positions_;
   Lane u_[3], v_[3];  // the rest weights of the nodes

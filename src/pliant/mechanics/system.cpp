@@ -84,7 +84,9 @@ const double* System::history_of(const Potential& potential, const State& state)
   return nullptr;
 }
 
-Hessian System::make_hessian() const { return {coordinates_, BlockMatrix(pattern_)}; }
+Hessian System::make_hessian(Precision precision) const {
+  return {coordinates_, BlockMatrix(pattern_, precision)};
+}
 
 std::optional<Eigen::Matrix3Xd> System::made_way(const Eigen::Matrix3Xd& led,
                                                  const Conditions& under) const {
@@ -124,6 +126,7 @@ void System::evaluate(const Configuration& at, const Conditions& under, Curvatur
   for (const Part& part : parts_) {
     part.potential->evaluate(evaluation(part, at, under, curvature), derivatives);
   }
+  if (derivatives.hessian) coordinates_.complete_diagonals(derivatives.hessian->matrix);
 }
 
 Energy System::advance_history(const Configuration& at, const Conditions& under,

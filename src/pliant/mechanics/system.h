@@ -61,7 +61,7 @@ class System {
   const double* history_of(const Potential& potential, const State& state) const;
 
   /// A Hessian of the right pattern, zero.
-  Hessian make_hessian() const;
+  Hessian make_hessian(Precision precision = Precision::full) const;
 
   /// How far each point has to move before a step begins, so that nothing that is led from outside
   /// has passed it (m); nothing where there is no room.

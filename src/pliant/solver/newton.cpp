@@ -13,7 +13,7 @@ namespace {
 Eigen::VectorXd diagonal_traces(const BlockMatrix& matrix) {
   Eigen::VectorXd traces(matrix.pattern().size());
   for (int i = 0; i < traces.size(); ++i) {
-    traces(i) = matrix.block(matrix.pattern().diagonal(i)).diagonal().cwiseAbs().sum() / 3;
+    traces(i) = matrix.diagonal(i).diagonal().cwiseAbs().sum() / 3;
   }
   return traces.cwiseMax(1e-12 * traces.maxCoeff());
 }

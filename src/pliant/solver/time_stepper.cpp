@@ -19,7 +19,7 @@ Workspace iterative(const System& system, const TimeStepOptions& options) {
   constexpr double kOfNewtonStep = 1e-2;
   const bool linearized = options.solve == StepSolve::linearized;
   const SsorCg::Options how{.tolerance = linearized ? options.linear_tolerance : kOfNewtonStep};
-  Hessian hessian = system.make_hessian();
+  Hessian hessian = system.make_hessian(Precision::single);
   auto solver = std::make_unique<SsorCg>(hessian.matrix, how);
   return {std::move(hessian), std::move(solver)};
 }

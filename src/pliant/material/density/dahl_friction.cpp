@@ -1,6 +1,6 @@
 #include "pliant/material/density/dahl_friction.h"
 
-#include <cmath>
+#include "pliant/math/simd.h"
 
 namespace pliant {
 namespace {
@@ -11,64 +11,29 @@ DahlParameters dahl_of(const Eigen::Vector3d& v) { return {v(0), v(1), v(2)}; }
 
 Eigen::RowVector3d row(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-// The direction from zero strain in which friction is stiffer, and so the side.
-double stiffer_side_of_zero(const DahlBySide& dahl, double stress) {
-  const DahlParameters &p = dahl.positive, &n = dahl.negative;
-  return (n.a + stress) / n.tau > (p.a - stress) / p.tau ? -1 : 1;
-}
-
-// Work, stress and slope of a stretch that lies on one side of zero in every lane: the same
-// solution as `friction_stress`, eight points at once. Plain loops, which become vector
-// instructions.
-struct Lanes {
-  Lane work, stress, slope;
-
-  Lanes(const DahlBySide& dahl, bool by_side, const Lane& strain, const Lane& last,
-        const Lane& from) {
-    const Lane way = strain - last, side = strain + last;
-    const DahlParameters &p = dahl.positive, &n = dahl.negative;
-    Lane s, g;
-    for (int i = 0; i < kLanes; ++i) {
-      const double to_zero = -from(i), now = way(i);  // the stiffer direction undoes the stress
-      s(i) = std::copysign(1.0, now == 0 ? to_zero : now);
-      g(i) = std::copysign(1.0, side(i));
-    }
-    if (!by_side) {
-      solve(p.a, p.b, p.tau, s, g, way, last, from);
-      return;
-    }
-    Lane a, b, tau;
-    for (int i = 0; i < kLanes; ++i) {
-      if (way(i) == 0 && side(i) == 0) s(i) = g(i) = stiffer_side_of_zero(dahl, from(i));
-      a(i) = g(i) < 0 ? n.a : p.a;
-      b(i) = g(i) < 0 ? n.b : p.b;
-      tau(i) = g(i) < 0 ? n.tau : p.tau;
-    }
-    solve(a, b, tau, s, g, way, last, from);
-  }
-
- private:
-  // Number: one for all lanes (double) or one for each (Lane).
-  template <class Number>
-  void solve(const Number& a, const Number& b, const Number& tau, const Lane& s, const Lane& g,
-             const Lane& way, const Lane& last, const Lane& from) {
-    const Number per_tau = 1 / tau;
-    const Lane g_b = g * b;
-    if ((way == 0).all()) {  // where a linearised step asks
-      work = Lane::Zero();
-      stress = from;
-      slope = (a + g_b * last - s * from) * per_tau;
-      return;
-    }
-    const Lane at_start = s * (a + g_b * last) - g_b * tau;
-    const Lane excess = from - at_start;
-    const Lane decay = (-s * way * per_tau).exp();
-    const Lane s_g_b = s * g_b;
-    work = way * (at_start + s_g_b * way / 2) + excess * s * tau * (1 - decay);
-    stress = at_start + s_g_b * way + excess * decay;
-    slope = s_g_b - s * excess * decay * per_tau;
-  }
+// Work, stress and slope of a stretch on one side of zero: the same solution as `friction_stress`.
+template <class V>
+struct Stretch {
+  V work, stress, slope;
 };
+
+// @param s, g  signs of the strain's rate and of the side
+template <class V>
+PLIANT_INLINE Stretch<V> stretch_on_one_side(const DahlBySide& dahl, const V& s, const V& g,
+                                             const V& way, const V& last, const V& from) {
+  const DahlParameters &p = dahl.positive, &n = dahl.negative;
+  const V zero{};
+  const auto negative = g < zero;
+  const V a = negative ? zero + n.a : zero + p.a;
+  const V g_b = g * (negative ? zero + n.b : zero + p.b);
+  const V tau = negative ? zero + n.tau : zero + p.tau;
+  const V at_start = s * (a + g_b * last) - g_b * tau, excess = from - at_start;
+  const V s_g_b = s * g_b;
+  const V decay = simd::any(way != zero) ? simd::exp_of_negative(V(-s * way / tau)) : zero + 1;
+  return {way * (at_start + s_g_b * way / 2) + excess * s * tau * (1 - decay),
+          way == zero ? from : at_start + s_g_b * way + excess * decay,
+          s_g_b - s * excess * decay / tau};
+}
 
 // Whether nothing changes where strain passes zero.
 bool is_blind_to_zero(const DahlBySide& dahl) {
@@ -76,21 +41,55 @@ bool is_blind_to_zero(const DahlBySide& dahl) {
   return p.b == 0 && n.b == 0 && p.a == n.a && p.tau == n.tau;
 }
 
-Lanes friction_lanes(const DahlBySide& dahl, bool by_side, int component, const Samples& samples) {
-  const Lane strain = samples.strain.col(component), last = samples.last.col(component);
-  const Lane from = samples.history.col(0);
-  Lanes lanes(dahl, by_side, strain, last, from);
-  if (is_blind_to_zero(dahl) || (strain * last).minCoeff() >= 0) return lanes;
-  for (int i = 0; i < kLanes; ++i) {
-    if (strain(i) * last(i) >= 0) continue;  // does not cross zero
-    const FrictionState start{last(i), from(i)};
-    const FrictionStress friction = friction_stress(dahl, strain(i), start).friction;
-    lanes.work(i) = friction_work(dahl, strain(i), start);
-    lanes.stress(i) = friction.stress;
-    lanes.slope(i) = friction.slope;
+struct FrictionLanes {
+  Lane work, stress, slope;
+
+  FrictionLanes(const DahlBySide& dahl, int component, const Samples& samples) {
+    simd::run<Solution>(&dahl, is_blind_to_zero(dahl), samples.strain.col(component).data(),
+                        samples.last.col(component).data(), samples.history.col(0).data(), this);
   }
-  return lanes;
-}
+
+ private:
+  struct Solution {
+    template <class V>
+    PLIANT_INLINE static void run(const DahlBySide* dahl, bool blind, const double* strains,
+                                  const double* lasts, const double* stresses,
+                                  FrictionLanes* lanes) {
+      for (int l = 0; l < kLanes; l += simd::kWidth<V>) {
+        const Stretch<V> stretch = solved(*dahl, blind, simd::load<V>(strains + l),
+                                          simd::load<V>(lasts + l), simd::load<V>(stresses + l));
+        simd::store(stretch.work, lanes->work.data() + l);
+        simd::store(stretch.stress, lanes->stress.data() + l);
+        simd::store(stretch.slope, lanes->slope.data() + l);
+      }
+    }
+
+    template <class V>
+    PLIANT_INLINE static Stretch<V> solved(const DahlBySide& dahl, bool blind, const V& strain,
+                                           const V& last, const V& from) {
+      const DahlParameters &p = dahl.positive, &n = dahl.negative;
+      const V zero{}, one = zero + 1, way = strain - last;
+      const auto crossing = blind ? zero != zero : strain * last < zero;
+      const V end = crossing ? zero : strain;
+      // Where nothing has moved yet, the stiffer direction undoes the stress.
+      V s = simd::with_sign(one, way == zero ? -from : way);
+      V g = simd::with_sign(one, V(end + last));
+      const auto at_zero =
+          (way == zero) & (end + last == zero) & (blind ? zero != zero : zero == zero);
+      const auto negative = (n.a + from) / n.tau > (p.a - from) / p.tau;  // is stiffer there
+      s = at_zero ? (negative ? -one : one) : s;
+      g = at_zero ? (negative ? -one : one) : g;
+      Stretch<V> stretch = stretch_on_one_side(dahl, s, g, V(end - last), last, from);
+      if (!simd::any(crossing)) return stretch;
+      const Stretch<V> beyond =
+          stretch_on_one_side(dahl, s, simd::with_sign(one, strain), strain, zero, stretch.stress);
+      stretch.work = crossing ? stretch.work + beyond.work : stretch.work;
+      stretch.stress = crossing ? beyond.stress : stretch.stress;
+      stretch.slope = crossing ? beyond.slope : stretch.slope;
+      return stretch;
+    }
+  };
+};
 
 }  // namespace
 
@@ -101,7 +100,7 @@ DahlFriction::DahlFriction(int component, const DahlBySide& dahl)
     : component_(component), dahl_(dahl), by_side_(true) {}
 
 void DahlFriction::add(const Samples& samples, const StepTime&, Response& response) const {
-  const Lanes lanes = friction_lanes(dahl_, by_side_, component_, samples);
+  const FrictionLanes lanes(dahl_, component_, samples);
   response.work += lanes.work;
   response.stress.col(component_) += lanes.stress;
   response.tangent.col(component_ * samples.strain.cols() + component_) += lanes.slope;
@@ -109,7 +108,7 @@ void DahlFriction::add(const Samples& samples, const StepTime&, Response& respon
 
 void DahlFriction::advance(const Samples& samples, const StepTime&, MutableLaneView next,
                            Lane& work) const {
-  const Lanes lanes = friction_lanes(dahl_, by_side_, component_, samples);
+  const FrictionLanes lanes(dahl_, component_, samples);
   next.col(0) = lanes.stress;
   work += lanes.work;
 }

@@ -75,11 +75,7 @@ const TestType& homogeneous_type() {
       .read_virtual = read_virtual,
       .own_quantities = {{"stretch", Dimension::number},
                          {"stretch_2", Dimension::number},
-                         {"nominal_stress", Dimension::stress}},
-      .is_table = [](const TableColumns& columns) {
-        return columns.has("stretch", Dimension::number) &&
-               columns.has("nominal_stress", Dimension::stress);
-      }};
+                         {"nominal_stress", Dimension::stress}}};
   return type;
 }
 

@@ -112,7 +112,7 @@ TEST(VolumeFiles, AreRefusedByTheLineOfABadElement) {
     read_volume_mesh(folder.write("two.msh", text), {.unit = 1});
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.where().line, 19);
+    EXPECT_EQ(error.where().line, 20);
     EXPECT_NE(error.problem().find("tetrahedron 1 is turned inside out"), std::string::npos);
   }
 }

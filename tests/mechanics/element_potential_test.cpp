@@ -16,29 +16,21 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "pliant/geometry/block_mesh.h"
-#include "pliant/geometry/hinges.h"
 #include "pliant/material/density/dahl_friction.h"
 #include "pliant/material/density/damping.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
-#include "pliant/material/strain/discrete_shells.h"
-#include "pliant/material/strain/hexahedron_dilatation.h"
-#include "pliant/material/strain/linear_tetrahedron.h"
-#include "pliant/material/strain/soft_constraint_membrane.h"
-#include "pliant/material/strain/spring.h"
-#include "pliant/material/strain/stvk_membrane.h"
-#include "pliant/material/strain/trilinear_hexahedron.h"
 #include "pliant/math/check_derivatives.h"
 #include "pliant/mechanics/nodal_dilatation.h"
 
 #include "support/cloth_systems.h"
+#include "support/element_stencils.h"
 #include "support/evaluate_system.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kEdge = 0.02;  // m
+constexpr double kEdge = 0.02;  // m; of solids twice that: no shake turns them inside out
 constexpr StepTime kTime{1 / 0.01, 1, 0};
 
 TriangleMesh small_mesh() { return test::jittered_grid(4 * kEdge, 3 * kEdge, 5, 4, 7); }
@@ -56,75 +48,6 @@ std::shared_ptr<Sum> law_of_all(int strains, double unit) {
     sum->add_addend(std::make_unique<Damping>(c, 1e-3 * k));
   }
   return sum;
-}
-
-template <class Membrane>
-Stencils<Membrane> triangles_of(const TriangleMesh& mesh) {
-  Stencils<Membrane> stencils;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const MembraneRest rest = membrane_rest(mesh.rest_triangle(t));
-    const Eigen::Vector3i nodes = mesh.triangles.col(t);
-    stencils.add({nodes(0), nodes(1), nodes(2)}, rest, rest.area);
-  }
-  return stencils;
-}
-
-Stencils<Spring> springs_of(const TriangleMesh& mesh) {
-  Stencils<Spring> stencils;
-  for (const Hinge& hinge : find_hinges(mesh)) {
-    const double length = hinge.rest_edge.norm();
-    stencils.add({hinge.vertices[0], hinge.vertices[1]}, {length}, length * length);
-  }
-  return stencils;
-}
-
-Stencils<DiscreteShells> hinges_of(const TriangleMesh& mesh) {
-  Stencils<DiscreteShells> stencils;
-  for (const Hinge& hinge : find_hinges(mesh)) {
-    stencils.add(hinge.vertices, {0, hinge.height, 0}, hinge.area);
-  }
-  return stencils;
-}
-
-// Edges are twice as long as those of the sheet: what shakes that turns no element inside out.
-VolumeMesh small_block(bool of_tetrahedra) {
-  const Eigen::Vector3d size(6 * kEdge, 4 * kEdge, 4 * kEdge);
-  return shaken_inside(
-      of_tetrahedra ? block_of_tetrahedra(size, {3, 2, 2}) : block_of_hexahedra(size, {3, 2, 2}),
-      0.2, 3);
-}
-
-Stencils<LinearTetrahedron> tetrahedra_of(const VolumeMesh& mesh) {
-  Stencils<LinearTetrahedron> stencils;
-  for (const auto& nodes : mesh.tetrahedra.colwise()) {
-    const LinearTetrahedron::Positions x = mesh.positions(Eigen::all, nodes);
-    stencils.add({nodes(0), nodes(1), nodes(2), nodes(3)}, tetrahedron_rest(x),
-                 tetrahedron_volume(x));
-  }
-  return stencils;
-}
-
-std::array<int, 8> eight(const Eigen::Ref<const Eigen::VectorXi>& nodes) {
-  return {nodes(0), nodes(1), nodes(2), nodes(3), nodes(4), nodes(5), nodes(6), nodes(7)};
-}
-
-Stencils<TrilinearHexahedron> hexahedron_points_of(const VolumeMesh& mesh) {
-  Stencils<TrilinearHexahedron> stencils;
-  for (const auto& nodes : mesh.hexahedra.colwise()) {
-    for (const HexahedronPoint& point : hexahedron_points(mesh.positions(Eigen::all, nodes))) {
-      stencils.add(eight(nodes), point.rest, point.size);
-    }
-  }
-  return stencils;
-}
-
-Stencils<HexahedronDilatation> dilatations_of(const VolumeMesh& mesh) {
-  Stencils<HexahedronDilatation> stencils;
-  const Eigen::VectorXd volumes = element_volumes(mesh);
-  for (int e = 0; e < mesh.hexahedron_count(); ++e) {
-    stencils.add(eight(mesh.hexahedra.col(e)), {volumes(e)}, volumes(e));
-  }
-  return stencils;
 }
 
 /// A system of one potential on 20 points and more: all free or, `held`, one of them held and three
@@ -175,8 +98,8 @@ ElementSystem element_system(const std::string& header, const Stencils<Measure>&
 }
 
 ElementSystem nodal_system(bool held) {
-  const VolumeMesh mesh = small_block(true);
-  const Stencils<LinearTetrahedron> stencils = tetrahedra_of(mesh);
+  const VolumeMesh mesh = test::shaken_block(true, 2 * kEdge);
+  const Stencils<LinearTetrahedron> stencils = test::tetrahedra_of(mesh);
   return system_of("nodal_dilatation", mesh.positions, 1, 1, held,
                    [&](const std::shared_ptr<Sum>& law, const std::vector<int>& places) {
                      return std::make_shared<NodalDilatation>(stencils.points, stencils.sizes, law,
@@ -187,18 +110,20 @@ ElementSystem nodal_system(bool held) {
 std::vector<ElementSystem> registry(bool held = false) {
   const TriangleMesh mesh = small_mesh();
   std::vector<ElementSystem> systems;
-  systems.push_back(element_system("stvk_membrane", triangles_of<StvkMembrane>(mesh), 1, held));
+  systems.push_back(
+      element_system("stvk_membrane", test::triangles_of<StvkMembrane>(mesh), 1, held));
   systems.push_back(element_system("soft_constraint_membrane",
-                                   triangles_of<SoftConstraintMembrane>(mesh), 1, held));
-  systems.push_back(element_system("spring", springs_of(mesh), 1, held));
-  systems.push_back(element_system("discrete_shells", hinges_of(mesh), 3 / kEdge, held));
-  const VolumeMesh tetrahedra = small_block(true), hexahedra = small_block(false);
-  systems.push_back(element_system("linear_tetrahedron", tetrahedra_of(tetrahedra), 1, held,
+                                   test::triangles_of<SoftConstraintMembrane>(mesh), 1, held));
+  systems.push_back(element_system("spring", test::springs_of(mesh), 1, held));
+  systems.push_back(element_system("discrete_shells", test::hinges_of(mesh), 3 / kEdge, held));
+  const VolumeMesh tetrahedra = test::shaken_block(true, 2 * kEdge),
+                   hexahedra = test::shaken_block(false, 2 * kEdge);
+  systems.push_back(element_system("linear_tetrahedron", test::tetrahedra_of(tetrahedra), 1, held,
                                    tetrahedra.positions));
-  systems.push_back(element_system("trilinear_hexahedron", hexahedron_points_of(hexahedra), 1, held,
-                                   hexahedra.positions));
-  systems.push_back(element_system("hexahedron_dilatation", dilatations_of(hexahedra), 1, held,
-                                   hexahedra.positions));
+  systems.push_back(element_system("trilinear_hexahedron", test::hexahedron_points_of(hexahedra), 1,
+                                   held, hexahedra.positions));
+  systems.push_back(element_system("hexahedron_dilatation", test::dilatations_of(hexahedra), 1,
+                                   held, hexahedra.positions));
   systems.push_back(nodal_system(held));
   return systems;
 }
@@ -220,8 +145,8 @@ Configuration moved_on(const System& system, const State& state, RandomStream& r
   return system.coordinates().moved(state.configuration, change);
 }
 
-// Steps of differences, a five hundredth of an edge and less: the chance that one takes an element past
-// its last strain, where the slope jumps, is small, and the seeds are fixed.
+// Steps of differences, a five hundredth of an edge and less: the chance that one takes an element
+// past its last strain, where the slope jumps, is small, and the seeds are fixed.
 Eigen::VectorXd step_scale(const System& system) {
   return Eigen::VectorXd::Constant(system.coordinates().unknowns(), 0.002 * kEdge);
 }
@@ -369,7 +294,7 @@ TEST(ElementPotential, AddsToWhatIsThere) {
 
 TEST(ElementPotential, RemembersTheLastTwoStrains) {
   const TriangleMesh mesh = small_mesh();
-  const Stencils<StvkMembrane> stencils = triangles_of<StvkMembrane>(mesh);
+  const Stencils<StvkMembrane> stencils = test::triangles_of<StvkMembrane>(mesh);
   const ElementSystem s = element_system("stvk_membrane", stencils, 1, false);
   RandomStream random(7);
   State state = s.system->initial_state();
@@ -414,7 +339,7 @@ TEST(ElementPotential, ChangesItsHistoryOnlyWhereAStepIsAccepted) {
 
 TEST(ElementPotential, ShowsItsStrainsAndItsFriction) {
   const TriangleMesh mesh = small_mesh();
-  const Stencils<DiscreteShells> stencils = hinges_of(mesh);
+  const Stencils<DiscreteShells> stencils = test::hinges_of(mesh);
   const DahlParameters dahl{2e-5, 1e-7, 20};
   auto law = std::make_shared<Sum>();
   law->add_addend(std::make_unique<StiffnessDensity>(0, ScalarCurve::constant(1e-5)));

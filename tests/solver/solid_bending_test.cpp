@@ -108,7 +108,7 @@ TEST(BendingLocks, WhereEveryPointHasAVolumeOfItsOwn) {
       return bent_bar(cells, 4, law, moduli.poisson).energy;
     };
     EXPECT_GT(energy(test::pointwise_rubber_law(moduli)), 1.4);
-    EXPECT_LT(energy(test::rubber_law(moduli)), 1.2);
+    EXPECT_LT(energy(test::rubber_law(moduli)), 1.25);
   }
 }
 

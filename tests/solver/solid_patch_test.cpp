@@ -53,7 +53,7 @@ TEST_P(Patch, DeformsUniformlyUnderAUniformDeformationOfItsSurface) {
       solid.system->finish();
       State state = solid.system->initial_state();
       // Forces are near 1 N: rounding; Newton's last step takes the rest to its square.
-      const NewtonSummary found = test::settle(*solid.system, state, 1e-12);
+      const NewtonSummary found = test::settle(*solid.system, state, 1e-13);
       EXPECT_TRUE(found.converged) << name;
       EXPECT_LT((state.configuration.positions - expected).cwiseAbs().maxCoeff(), 1e-12) << name;
     }

@@ -108,7 +108,7 @@ VolumeMesh fill_surface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3X
   constexpr double kSmallestAngle = 25;  // degrees, of triangles on the surface
   constexpr double kShape = 2;           // circumradius over the shortest edge
   constexpr double kSag = 0.05;          // of an edge, between the surface and the mesh
-  constexpr double kRadius = 0.87;       // of an edge, of a circumsphere; 0.61 where regular
+  constexpr double kRadius = 0.72;       // of an edge, of a circumsphere; 0.61 where regular
   require_closed(triangles, file);
   const ClosedSurface surface = closed_surface(positions, triangles);
   CGAL::get_default_random() = CGAL::Random(0);  // else each mesh depends on those before it

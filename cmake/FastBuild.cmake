@@ -8,18 +8,23 @@
 # So many at most: more save little, and one edit should not take long to compile.
 set(PLIANT_SOURCES_AT_ONCE 16)
 
-# pliant_headers(NAME PACKAGES package... HEADERS header...): a target whose precompiled headers others
-# take over, where the packages are there. Those have the same compiler options.
+# pliant_headers(NAME [PROGRAMS] PACKAGES package... HEADERS header...): a target whose precompiled headers
+# libraries, or programs, take over, where the packages are there. Those have the same compiler
+# options.
 function(pliant_headers name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PACKAGES;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PROGRAMS" "" "PACKAGES;HEADERS")
   foreach(package IN LISTS arg_PACKAGES)
     if(NOT PLIANT_FAST_BUILD OR NOT TARGET ${package})
       return()
     endif()
   endforeach()
   set(source "${PROJECT_BINARY_DIR}/generated/${name}.cpp") # a target needs one
-  file(CONFIGURE OUTPUT "${source}" CONTENT "")
-  add_library(${name} OBJECT "${source}")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "int main() { return 0; }\n")
+  if(arg_PROGRAMS) # whose code is positioned otherwise than that of libraries
+    add_executable(${name} EXCLUDE_FROM_ALL "${source}")
+  else()
+    add_library(${name} OBJECT "${source}")
+  endif()
   target_link_libraries(${name} PRIVATE pliant_options ${arg_PACKAGES})
   list(TRANSFORM arg_HEADERS REPLACE "(.+)" "<\\1>")
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})

@@ -61,6 +61,10 @@ std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
                        e.strain_range.second / kStrainPerCurvature);
   }
   if (e.sheet) return fmt::format("peak {:.3g} N, {}", e.peak_force, way_text(e));
+  if (e.quantity.kind == "stress") {
+    return fmt::format("peak {:.3g} MPa, stretch {:.3g} at most", e.peak_force / 1e6,
+                       1 + e.strain_range.second);
+  }
   return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N",
                      strain_in_words(e.component, e.strain_range.second, measure));
@@ -73,6 +77,7 @@ std::string error_text(const ExperimentResult& e) {
     text = fmt::format("{:.2g} mN, {:.2f} % of span", e.rms * 1e3, e.rms_percent);
     if (e.noise_floor) text += fmt::format(", rows scatter by {:.2g} mN", *e.noise_floor * 1e3);
   }
+  if (e.r_squared) text += fmt::format(", R^2 {:.4f}", *e.r_squared);
   if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
   if (e.elastic_percent && e.quantity.kind != "length") {
     text += fmt::format(" (best elastic curve: {:.2f} %)", *e.elastic_percent);

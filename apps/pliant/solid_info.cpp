@@ -66,8 +66,11 @@ Json component_info(const std::string& name, const MaterialComponent& component,
   std::string convex = component.range ? "over its range" : "at rest; no range is stated";
   if (concave) {
     json["concave"] = {concave->first, concave->second};
-    convex = fmt::format("not between strains of {} and {}", format_number(concave->first, kDigits),
-                         format_number(concave->second, kDigits));
+    convex = concave->first == concave->second
+                 ? "not at a strain of " + format_number(concave->first, kDigits)
+                 : fmt::format("not between strains of {} and {}",
+                               format_number(concave->first, kDigits),
+                               format_number(concave->second, kDigits));
     info.warnings.push_back(
         fmt::format("the energy of {} is not convex in its strain: {}", name, convex));
   }

@@ -8,6 +8,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/number_with_error.h"
+#include "pliant/base/quantity.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
@@ -62,8 +63,9 @@ std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
   }
   if (e.sheet) return fmt::format("peak {:.3g} N, {}", e.peak_force, way_text(e));
   if (e.quantity.kind == "stress") {
-    return fmt::format("peak {:.3g} MPa, stretch {:.3g} at most", e.peak_force / 1e6,
-                       1 + e.strain_range.second);
+    return fmt::format("peak {}, stretches {:.3g} to {:.3g}",
+                       format_quantity(e.peak_force, Dimension::stress, 3),
+                       1 + e.strain_range.first, 1 + e.strain_range.second);
   }
   return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N",

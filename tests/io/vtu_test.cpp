@@ -79,7 +79,7 @@ TEST(Vtu, RefusesAFieldOfAnotherSize) {
   grid.point_data[0].values.pop_back();
   EXPECT_THROW(write_vtu(grid), AssertionError);
   grid = sample_grid();
-  grid.cell = VtkCell::tetrahedron;
+  grid.cells[0].cell = VtkCell::tetrahedron;
   EXPECT_THROW(write_vtu(grid), AssertionError);
 }
 

@@ -26,7 +26,8 @@ inline const std::map<std::string, std::vector<TextEdit>> kReductions{
     {"drape-sphere", {{"nodes: 121x121", "nodes: 31x31"}, {"thickness: 1 mm", "thickness: 3 mm"}}},
     {"drop-20k", {{"nodes: 101x101", "nodes: 13x13"}}},
     {"cylinder-strip", {}},
-    {"hanging-weights", {{"nodes: 21x21", "nodes: 5x5"}}}};
+    {"hanging-weights", {{"nodes: 21x21", "nodes: 5x5"}}},
+    {"rubber-bar", {{"cells: [20, 4, 4]", "cells: [10, 2, 2]"}}}};
 
 /// The same of those that friction_scenes_test.cpp runs.
 inline const std::map<std::string, std::vector<TextEdit>> kFrictionReductions{

@@ -25,7 +25,9 @@ class SceneRefusal : public ::testing::TestWithParam<Refusal> {};
 TEST_P(SceneRefusal, NamesFileLineAndField) {
   const test::TemporaryFolder folder;
   folder.write("jersey.json", test::kJersey);
-  folder.write("rubber.json", R"({"pliant": "material/1", "name": "rubber", "kind": "solid"})");
+  folder.write(
+      "rubber.json",
+      R"({"pliant": "material/1", "name": "rubber", "kind": "solid", "density": 1000, "components": {"I1": {"addends": [{"law": "linear", "c": 1e5}]}}})");
   folder.write("shirt.obj", "");
   const auto path = folder.write("scene.yaml", GetParam().text);
   expect_refused(GetParam(), path, read_scene);

@@ -255,7 +255,7 @@ TEST(SceneStepping, AirLetsASheetFallAtItsTerminalVelocityAgainstTheWind) {
   Simulation sheet =
       simulation_of(free_sheet("gravity: [0, 0, -10]\n"
                                "air: {drag: 1.5, density: 1.3 kg/m^3, wind: [3, 0, 2]}\n"
-                               "time: {step: 50 ms, duration: 5 s, tolerance: 1e-10 N}\n"),
+                               "time: {step: 50 ms, duration: 5 s, tolerance: 1e-11 N}\n"),
                     ClampedStrip::material());
   take_steps(sheet, 100);
   const double against_air = std::sqrt(2 * ClampedStrip::kDensity * 10 / (1.5 * 1.3));

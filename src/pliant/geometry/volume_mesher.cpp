@@ -118,9 +118,9 @@ VolumeMesh fill_surface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3X
       p::edge_size = edge, p::facet_angle = kSmallestAngle, p::facet_size = edge,
       p::facet_distance = kSag * edge, p::cell_radius_edge_ratio = kShape,
       p::cell_size = kRadius * edge);
-  // Not exuded: that goes by addresses, and would give another mesh in each run.
+  // Neither perturbed nor exuded: those go by addresses, and would give another mesh in each run.
   const auto filled =
-      CGAL::make_mesh_3<FilledComplex>(domain, criteria, p::perturb(), p::no_exude());
+      CGAL::make_mesh_3<FilledComplex>(domain, criteria, p::no_perturb(), p::no_exude());
   VolumeMesh mesh = mesh_of(filled);
   if (mesh.tetrahedron_count() > 0) return mesh;
   throw InputError({file}, "the surface holds no volume that could be meshed",

@@ -103,7 +103,9 @@ std::unique_ptr<LinearSolver> SparseCholesky::another() const {
   return std::unique_ptr<LinearSolver>(new SparseCholesky(analysis_));
 }
 
-void SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front) {
+// @return what stands on the diagonal of the node's own rows before anything is eliminated
+Eigen::VectorXd SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node,
+                                       Eigen::MatrixXd& front) {
   const Eigen::Index size = 3 * analysis_->symbolic.supernodes[node].size();
   front.setZero(size, size);
   for (const Analysis::Entry& entry : analysis_->entries[node]) {
@@ -114,23 +116,28 @@ void SparseCholesky::gather(const BlockMatrix& matrix, std::size_t node, Eigen::
       place = matrix.block(entry.block);
     }
   }
+  const Eigen::VectorXd diagonal = front.diagonal().head(panels_[node].cols());
   for (const int child : analysis_->children[node]) {
     const auto c = static_cast<std::size_t>(child);
     extend_add(left_[c], analysis_->parent_rows[c], front);
     left_[c].resize(0, 0);
   }
+  return diagonal;
 }
 
 bool SparseCholesky::factorize(const BlockMatrix& matrix) {
+  constexpr double kOfDiagonal = 1e-13;  // a pivot below that is what rounding left of zero
   // A pivot that is not a number would pass for positive.
   if (!matrix.all_finite()) return false;
   Eigen::MatrixXd front;
   for (std::size_t s = 0; s < panels_.size(); ++s) {
-    gather(matrix, s, front);
+    const Eigen::VectorXd diagonal = gather(matrix, s, front);
     const Eigen::Index own = panels_[s].cols(), below = panels_[s].rows() - own;
     Eigen::Ref<Eigen::MatrixXd> pivots = front.topLeftCorner(own, own);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(pivots);
     if (llt.info() != Eigen::Success) return false;
+    const auto squares = pivots.diagonal().array().square();
+    if ((squares < kOfDiagonal * diagonal.array()).any()) return false;
     auto rest = front.bottomLeftCorner(below, own);
     pivots.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rest);
     panels_[s] = front.leftCols(own);

@@ -30,7 +30,7 @@ class SparseCholesky : public LinearSolver {
   struct Analysis;  // of the pattern: constant, and shared
 
   explicit SparseCholesky(std::shared_ptr<const Analysis> analysis);
-  void gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front);
+  Eigen::VectorXd gather(const BlockMatrix& matrix, std::size_t node, Eigen::MatrixXd& front);
   void substitute(Eigen::MatrixXd& x) const;
 
   std::shared_ptr<const Analysis> analysis_;

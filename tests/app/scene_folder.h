@@ -45,7 +45,9 @@ class SceneFolder : public TemporaryFolder {
     replace_all(text, "../materials/", PLIANT_SOURCE_DIR "/materials/");
     replace_all(text, "material: sheets/", "material: " PLIANT_SOURCE_DIR "/examples/sheets/");
     write("scene.yaml", text);
-    write("cylinder-cloth.json", content_of(example("cylinder-cloth.json")));
+    for (const char* material : {"cylinder-cloth.json", "rubber.json"}) {
+      write(material, content_of(example(material)));
+    }
   }
 
   std::string file(const std::string& name) const { return (path() / name).string(); }

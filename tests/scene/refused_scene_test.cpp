@@ -150,8 +150,8 @@ const Refusal kClothRefusals[] = {
      with_cloth("{name: a, mesh: {grid: 1 m x 1 m, nodes: 2x2}, material: wool.json}"), 4,
      "cloth[0].material", "does not exist"},
     {"AMaterialForAnotherKindOfBody",
-     with_cloth("{name: a, mesh: {grid: 1 m x 1 m, nodes: 2x2}, material: rubber.json}"), 1, "kind",
-     "expected \"cloth\"", "rubber.json"},
+     with_cloth("{name: a, mesh: {grid: 1 m x 1 m, nodes: 2x2}, material: rubber.json}"), 4,
+     "cloth[0].material", "expected one of the kind `cloth`"},
     {"ARadiusOfZero",
      with_cloth("{name: a, mesh: {grid: 1 m x 1 m, nodes: 2x2}, material: jersey.json,\n"
                 "   shape: {cylinder: {radius: 0 mm, axis: u}}}"),

@@ -8,7 +8,8 @@ namespace pliant {
 
 /// A law of one strain on a sum of the strains of a material point, each times its weight w: the
 /// stress is psi' w, the tangent psi'' w w^T. On the sum of both stretches of a sheet a quadratic
-/// energy k / 2 (E_weft + E_warp)^2 has the cross term k E_weft E_warp of [T] Eq. 4.3, and is convex.
+/// energy k / 2 (E_weft + E_warp)^2 has the cross term k E_weft E_warp of [T] Eq. 4.3, and is
+/// convex.
 class CombinedStrain : public ParametricDensity {
  public:
   /// @param weights  one a strain of the point

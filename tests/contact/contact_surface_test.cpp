@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/base/parallel.h"
 #include "pliant/contact/near_pairs.h"
 
 #include "contact/stacked_sheets.h"
@@ -82,6 +83,19 @@ TEST(ContactSurface, FindsAllThatComesNear) {
   const Sheets sheets = stacked_sheets(3, 6, 0.02);
   RandomStream random(2);
   expect_complete(sheets, random_ways(random, sheets.positions.cols(), 0.006), 0.002);
+}
+
+TEST(ContactSurface, FindsTheSameOnAnyNumberOfThreads) {
+  const Sheets sheets = stacked_sheets(3, 12, 0.004);
+  const ContactSurface surface(sheets.positions, {sheets.faces},
+                               std::vector<bool>(size_t(sheets.positions.cols()), true));
+  const Eigen::Matrix3Xd still = 0 * sheets.positions;
+  const auto alone = surface.near_pairs(sheets.positions, still, 0.005);
+  EXPECT_FALSE(alone.empty());
+  for (const int threads : {2, 5}) {
+    with_threads(threads,
+                 [&] { EXPECT_EQ(surface.near_pairs(sheets.positions, still, 0.005), alone); });
+  }
 }
 
 TEST(ContactSurface, SeesNothingInWhatAllMoveAlike) {

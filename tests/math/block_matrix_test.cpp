@@ -1,5 +1,6 @@
 #include "pliant/math/block_matrix.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,45 @@ TEST(BlockMatrix, OverwritesTheValuesOfALowerTriangle) {
   for (int k = 0; k < matrix.pattern().block_count(); ++k) matrix.block(k) = random_block(random);
   matrix.copy_to(lower);
   EXPECT_EQ(Eigen::MatrixXd(lower), Eigen::MatrixXd(matrix.lower_triangle()));
+}
+
+// What is kept in single precision changes a product by its rounding, 6e-8 of each entry.
+TEST(BlockMatrix, MultipliesInSinglePrecisionAsInFull) {
+  RandomStream random(6);
+  const BlockMatrix full = cloth_matrix(random, 5, 4, 10, 1);
+  const BlockPattern& pattern = full.pattern();
+  BlockMatrix single(std::make_shared<BlockPattern>(pattern), Precision::single);
+  for (int i = 0; i < pattern.size(); ++i) {
+    for (int k = pattern.row_begin(i); k < pattern.row_end(i); ++k) {
+      single.add(pattern.column(k), i, full.block(k).transpose());
+    }
+    EXPECT_TRUE(single.diagonal(i).isApprox(full.diagonal(i),
+                                            1e-15));  // springs are symmetric but for rounding
+  }
+  EXPECT_TRUE(single.all_finite());
+  const Eigen::VectorXd x = random_vector(random, 3 * pattern.size());
+  const Eigen::VectorXd expected = dense(full) * x;
+  EXPECT_LT((full * x - expected).norm(), 1e-14 * expected.norm());
+  EXPECT_LT((single * x - expected).norm(), 1e-7 * expected.norm());
+  single.set_zero();
+  EXPECT_EQ((single * x).norm(), 0);
+}
+
+// A translation of the first rows then meets what was on the diagonal before, and no more.
+TEST(BlockMatrix, CompletesItsDiagonalsFromDifferences) {
+  RandomStream random(7);
+  for (const Precision precision : {Precision::full, Precision::single}) {
+    constexpr int kRows = 12, kFirst = 9;
+    BlockMatrix matrix(std::make_shared<BlockPattern>(kRows, test::grid_couplings(4, 3)),
+                       precision);
+    for (const auto& [i, j] : test::grid_couplings(4, 3)) {
+      if (std::max(i, j) < kFirst) matrix.add(i, j, random_block(random));
+    }
+    for (int i = 0; i < kRows; ++i) matrix.add_to_diagonal(i, 2);
+    matrix.complete_diagonals(kFirst);
+    const Eigen::VectorXd moved = Eigen::Vector3d(1, -2, 3).replicate(kRows, 1);
+    EXPECT_LT((matrix * moved - 2 * moved).norm(), 1e-13 * moved.norm());
+  }
 }
 
 TEST(BlockMatrix, MayHaveNoRows) {

@@ -38,6 +38,11 @@ if(PLIANT_FAST_BUILD)
   endif()
 endif()
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC's own garbage collection: a tenth of the build's time, to save a fifth of its memory.
+  add_compile_options("SHELL:--param ggc-min-expand=1000" "SHELL:--param ggc-min-heapsize=2000000")
+endif()
+
 if(PLIANT_SANITIZE)
   # The checks left out take half of the build's time and find what the address sanitizer finds.
   add_compile_options(-fsanitize=${PLIANT_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr

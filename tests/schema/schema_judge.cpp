@@ -1,7 +1,6 @@
 #include "schema/schema_judge.h"
 
 #include <cstdlib>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -31,17 +30,17 @@ Json scalar_of(const Node& node) {
   return node.text;
 }
 
-void read_as(const std::string& type, const std::filesystem::path& file) {
+void read_as(const std::string& type, const Document& document) {
   if (type == "study") {
-    read_study(file);
+    study_of(document);
   } else if (type == "lab") {
-    read_lab(file);
+    lab_of(document);
   } else if (type == "scene") {
-    read_scene(file);
+    scene_of(document);
   } else if (type == "session") {
-    read_session_document(file);
+    session_document_of(document);
   } else {
-    read_material(file);
+    material_of(document);
   }
 }
 
@@ -75,11 +74,9 @@ std::vector<std::optional<std::string>> judge_by_schema(const std::vector<Schema
 
 std::optional<std::string> judge_by_reader(const SchemaCase& document,
                                            const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "judged.json";  // JSON is YAML too
-  std::filesystem::remove(file);  // some file systems flush a file that is overwritten: slow
-  std::ofstream(file, std::ios::binary) << document.document.dump();
+  const std::string file = (folder / "judged.json").string();  // which names others beside it
   try {
-    read_as(document.type, file);
+    read_as(document.type, parse_json(document.document.dump(), file));
   } catch (const InputError& error) {
     return error.what();
   }

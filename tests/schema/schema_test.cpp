@@ -243,19 +243,23 @@ TEST_F(SlowSchema, AgreesWithTheReadersOnMissingAndMisshapenValues) {
         // Whether a file tells the size of its specimen, no schema can tell.
         const bool size = key == "length" || key == "width" || key == "defaults";
         const bool may_be_told = full.document.type == "study" && size;
+        // Whether a scene has what its pins name, no schema can tell.
+        const bool may_be_named =
+            full.document.type == "scene" && object.empty() && (key == "cloth" || key == "solids");
         NamedDocument dropped = mutated(full.document, object, key, "dropped", nullptr);
         dropped.document.document[object].erase(key);
-        if (!may_be_told) {
+        if (!may_be_told && !may_be_named) {
           documents.push_back(std::move(dropped));
           documents.push_back(mutated(full.document, object, key, "null", nullptr));
         }
         documents.push_back(mutated(full.document, object, key, "a mapping", {{"made_up", "1 N"}}));
         documents.push_back(
             mutated(full.document, object, key, "a list of lists", Json::array({Json::array()})));
-        // Whether a scene has a cloth of some name, no schema can tell.
-        if (full.document.type == "scene" && (key == "cloth" || key == "name")) continue;
-        // The name of a file that is there: whether it is one, no schema can tell.
-        documents.push_back(mutated(full.document, object, key, "a text", "spandex.json"));
+        const bool names_part = key == "cloth" || key == "solid" || key == "name";
+        if (full.document.type == "scene" && names_part) continue;
+        // The name of a file that is there: whether it is one of its kind, no schema can tell.
+        const char* file = value == "rubber.json" ? "rubber.json" : "spandex.json";
+        documents.push_back(mutated(full.document, object, key, "a text", file));
       }
     }
   }

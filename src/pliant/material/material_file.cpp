@@ -298,7 +298,10 @@ Json component_json(const MaterialComponent& component) {
 }  // namespace
 
 Material read_material(const std::filesystem::path& path) {
-  const Document document = read_material_document(path);
+  return material_of(read_material_document(path));
+}
+
+Material material_of(const Document& document) {
   Fields fields = Value(document).fields();
   require_document(fields, "material", 1);
 

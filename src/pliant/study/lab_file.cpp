@@ -22,13 +22,15 @@ std::shared_ptr<VirtualTest> read_experiment(const Value& node, std::set<std::st
 
 }  // namespace
 
-VirtualLab read_lab(const std::filesystem::path& path) {
-  const Document document = read_yaml(path);
+VirtualLab read_lab(const std::filesystem::path& path) { return lab_of(read_yaml(path)); }
+
+VirtualLab lab_of(const Document& document) {
   Fields fields = Value(document).fields();
   require_document(fields, "lab", 1);
   VirtualLab lab;
   const Value material = fields.require("material");
-  lab.material = read_material(path.parent_path() / material.text("a material file"));
+  lab.material = read_material(std::filesystem::path(document.file).parent_path() /
+                               material.text("a material file"));
   lab.name = lab.material.name;
   if (auto v = fields.optional("name")) lab.name = v->text();
   if (auto v = fields.optional("specimens")) lab.specimens = v->integer(1, 1000);

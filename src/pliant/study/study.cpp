@@ -350,14 +350,15 @@ std::unique_ptr<ComponentExperiment> read_experiment(const ExperimentSpec& spec,
   return type.make(spec, DataRows(spec.data), {study.density, study.model.membrane});
 }
 
-Study read_study(const std::filesystem::path& path) {
-  const Document document = read_yaml(path);
+Study read_study(const std::filesystem::path& path) { return study_of(read_yaml(path)); }
+
+Study study_of(const Document& document) {
   refuse_blanks(document);
   Fields fields = Value(document).fields();
   require_document(fields, "study", 1);
 
   Study study;
-  study.file = path.string();
+  study.file = document.file;
   study.name = fields.require("name").text();
   const auto density = fields.optional("density");
   study.info = fields.texts("info");

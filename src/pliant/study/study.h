@@ -11,6 +11,7 @@
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/io/document.h"
 
 namespace pliant {
 
@@ -26,6 +27,9 @@ struct Study : FitSettings {
 /// Reads a study/1 file.
 /// @throws InputError that names file, line and field
 Study read_study(const std::filesystem::path& path);
+
+/// The study that a document describes.
+Study study_of(const Document& document);
 
 /// An experiment of a study, its data read.
 /// @throws InputError for files that cannot be read and for unusable data; AssertionError for a

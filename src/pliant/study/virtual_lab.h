@@ -7,6 +7,7 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/experiment/virtual_test.h"
+#include "pliant/io/document.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -25,6 +26,9 @@ struct VirtualLab {
 /// Reads a lab/1 file and the material it names.
 /// @throws InputError
 VirtualLab read_lab(const std::filesystem::path& path);
+
+/// The lab that a document describes.
+VirtualLab lab_of(const Document& document);
 
 /// Makes the measurements, side by side: study.yaml and the data of each experiment and specimen,
 /// in the formats that `fit` reads. Warnings go to the context's progress.

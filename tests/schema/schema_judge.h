@@ -16,7 +16,7 @@ struct SchemaCase {
   nlohmann::json document;
 };
 
-/// Whether this machine can judge at all: python3 with the package jsonschema.
+/// Whether this machine can judge at all: python3 with the package fastjsonschema.
 bool can_judge_schemas();
 
 /// What is wrong with each document by the schema of its type; nothing where it is valid.

@@ -1,5 +1,5 @@
 // The JSON schemas of docs/schema agree with the readers of the program: what one accepts, the
-// other accepts. jsonschema for Python judges by the schemas, which proves them independently of
+// other accepts. A package of Python judges by the schemas, which proves them independently of
 // our own code.
 
 #include <filesystem>
@@ -27,7 +27,8 @@ const std::filesystem::path kSource = PLIANT_SOURCE_DIR;
 class Schema : public testing::Test {
  protected:
   void SetUp() override {
-    if (!can_judge_schemas()) GTEST_SKIP() << "needs python3 with jsonschema (python3-jsonschema)";
+    if (!can_judge_schemas())
+      GTEST_SKIP() << "needs python3 with fastjsonschema (python3-fastjsonschema)";
   }
 
   /// Both judges, or a test failure that names the document on which they differ.
@@ -199,7 +200,8 @@ TEST(SchemaOfResults, AcceptsWhatTheProgramWritesAndKnowsItsKeysAlone) {
     EXPECT_EQ(keys, properties_of(written.document.type)) << written.name;
   }
 
-  if (!can_judge_schemas()) GTEST_SKIP() << "needs python3 with jsonschema (python3-jsonschema)";
+  if (!can_judge_schemas())
+    GTEST_SKIP() << "needs python3 with fastjsonschema (python3-fastjsonschema)";
   std::vector<SchemaCase> cases;
   for (const NamedDocument& one : documents) cases.push_back(one.document);
   const auto verdicts = judge_by_schema(cases);

@@ -151,6 +151,21 @@ TEST(ObstacleContact, StoresWhatIsElasticOfASlipAndLosesTheRest) {
               1e-3 * normal * kSlipLength);
 }
 
+// Else a step that holds still would seem to gain what is elastic of slips.
+TEST(ObstacleContact, StoresWhereAStepBeginsWhatTheLastOneLeft) {
+  const Ball ball({0.5e-3});
+  State state = ball.system->initial_state();
+  const Configuration at = moved(state, {kSlipLength / 2, 0, 0});
+  Eigen::VectorXd history;
+  const Energy left = ball.system->advance_history(at, {.from = state}, history);
+  state.history = history;
+  state.configuration = at;
+  Derivatives begins;
+  ball.system->evaluate(at, {.from = state}, Curvature::exact, begins);
+  EXPECT_NEAR(begins.energy.total(), left.stored, 1e-14 * left.stored);
+  EXPECT_NEAR(begins.energy.work, 0, 1e-18);
+}
+
 TEST(ObstacleContact, RemembersWhatIsElasticOfASlip) {
   const Ball ball({0.5e-3});
   State state = ball.system->initial_state();

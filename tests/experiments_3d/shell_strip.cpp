@@ -183,7 +183,7 @@ std::vector<Eigen::Vector2d> ShellStrip::follow(int steps, const std::function<L
   const std::vector<double>& given = system_.parameters().values;
   Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(given.data(), std::ssize(given));
   StaticPathOptions options;
-  options.newton.tolerance = 1e-10;      // N; a vertex weighs some 1e-6 N
+  options.newton.tolerance = 1e-9;       // N; a vertex weighs some 1e-6 N, rounding leaves 1e-10
   options.newton.max_iterations = 2000;  // a strip that swings down is far from where it was
   State state = system_.initial_state();
   for (int step = 1; step <= steps; ++step) {

@@ -128,7 +128,9 @@ void ObstacleContact::evaluate_point(size_t i, const Pose& body, const Evaluatio
   const double stiffness = stiffness_(static_cast<Eigen::Index>(i));
   const SlipEnergy rubbed = rubbing(memory, position);
   derivatives.energy.add_contact(stiffness * pushed.energy);
-  derivatives.energy.add_rubbing(rubbed.energy - rubbing(memory, memory.position).energy);
+  const double elastic = stored_slip(memory.slip, largest_friction(memory));
+  derivatives.energy.add_contact(elastic);
+  derivatives.energy.add_rubbing(rubbed.energy - elastic);
   if (derivatives.gradient) {
     derivatives.gradient->col(point) +=
         body.rotation * (stiffness * pushed.slope * surface.normal + rubbed.force);

@@ -123,7 +123,7 @@ struct TimeStepper::Trial {
   const std::optional<AirDrag>& drag;
   const Eigen::Matrix3Xd start;  // where there is no velocity
   double time = 0;               // new velocity = (x - start) / time
-  bool closed = false;           // nothing is led
+  bool gains_nothing = false;    // nothing is led, and one step is all that the scheme looks at
   Eigen::VectorXd guess;         // the change of the unknowns
 };
 
@@ -196,9 +196,9 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
   const double most_energy = may_gain ? trial.objective.energy(at).total() : INFINITY;
   const FreeChange guess = free_change(trial.objective, at, trial.guess, led.way_left());
   led.go(guess.led, at);
-  const double total = trial.closed ? most_energy - trial.inertia.energy(at.positions) +
-                                          kinetic_energy(system_, trial.from.velocities)
-                                    : INFINITY;
+  const double total = trial.gains_nothing ? most_energy - trial.inertia.energy(at.positions) +
+                                                 kinetic_energy(system_, trial.from.velocities)
+                                           : INFINITY;
   StepSummary summary = searched_from(trial, guess.each, most_energy, at);
   for (int times = 1; !led.has_arrived(); ++times) {
     if (times == kMostTimes) return {.converged = false, .has_room = false, .residual = INFINITY};
@@ -266,10 +266,12 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     return {.converged = false, .has_room = false, .residual = INFINITY, .seconds = seconds};
   }
   auto& [at, way] = *begin;
+  // A scheme of two steps may lend energy to one and take it back in the next.
+  const bool gains_nothing = closed && scheme.earlier == 0;
   const Trial trial{
-      from,        under,  objective,
-      inertia,     drag,   start,
-      scheme.time, closed, coasting(system_.coordinates(), at, from.velocities, step, way)};
+      from,        under,         objective,
+      inertia,     drag,          start,
+      scheme.time, gains_nothing, coasting(system_.coordinates(), at, from.velocities, step, way)};
   if (options_.solve == StepSolve::linearized) {
     led.go(1, at);
     summary = linearized(trial, std::move(at), to);

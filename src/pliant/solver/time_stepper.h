@@ -26,7 +26,7 @@ struct TimeStepOptions {
 struct StepSummary {
   bool converged = true;  ///< the linear solve, the search for less energy, or Newton's method
   bool has_room = true;   ///< false: bodies that are led meet where points are; no step was taken
-  bool gained = false;  ///< it meets something, nothing is led, and it has more energy than before
+  bool gained = false;  ///< backward Euler only: what meets something has more energy, nothing led
   int newton_iterations = 1;
   int linear_iterations = 0;
   double residual = 0;  ///< largest force left (N); unless converged, that of the linear system

@@ -46,7 +46,7 @@ NearPairs::Pairs NearPairs::between(const Eigen::Matrix3Xd& from,
 NearPairs::Pairs NearPairs::between_if_few(const Eigen::Matrix3Xd& from,
                                            const Eigen::Matrix3Xd& to) const {
   // Cloth that lies on itself in some layers has tens of neighbours a triangle.
-  constexpr std::int64_t kMost = 1'000'000, kMostOfTriangle = 200;
+  constexpr std::int64_t kMost = 200'000, kMostOfTriangle = 100;
   const auto known = last();
   if (known && serves(*known, from) && serves(*known, to)) return known->pairs;
   if (stay_together(from, to, 1.001 * skin_)) return between(from, to);

@@ -1,6 +1,7 @@
 #include "pliant/contact/contact_surface.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -112,6 +113,28 @@ TEST(ContactSurface, LeavesOutWhatDoesNotMove) {
   const ContactSurface surface(sheets.positions, {sheets.faces},
                                std::vector<bool>(size_t(sheets.positions.cols()), false));
   EXPECT_TRUE(surface.near_pairs(sheets.positions, 0 * sheets.positions, 0.002).empty());
+}
+
+// Where a step goes astray nearly everything may meet nearly everything: 12 million pairs here.
+TEST(NearPairs, AreTooManyWhereWaysLeadFarToAllSides) {
+  const Sheets sheets = stacked_sheets(2, 36, 0.003);
+  const Eigen::Index count = sheets.positions.cols();
+  const auto surface =
+      std::make_shared<const ContactSurface>(sheets.positions, ContactSurface::Faces{sheets.faces},
+                                             std::vector<bool>(size_t(count), true));
+  const NearPairs near(surface, 0.002, 0.004);
+  RandomStream random(6);
+  const Eigen::Matrix3Xd astray = random_ways(random, count, 1);
+  const auto between = [&](const Eigen::Matrix3Xd& ways) {
+    return near.between_if_few(sheets.positions, sheets.positions + ways);
+  };
+  EXPECT_FALSE(between(astray));
+  EXPECT_TRUE(between(1e-4 * astray));
+  Eigen::Matrix3Xd apart = 0 * astray;
+  apart.leftCols(count / 2).row(0).setConstant(10);
+  const auto met = between(apart);
+  ASSERT_TRUE(met);
+  EXPECT_GT(met->size(), between(0 * astray)->size()) << "on a way that is long and all alike";
 }
 
 // What was asked before changes nothing but pairs beyond the reach.

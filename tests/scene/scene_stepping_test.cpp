@@ -102,21 +102,27 @@ TEST(SceneStepping, TheLinearToleranceDecidesHowLongAStepIsSolved) {
   EXPECT_EQ(iterations(""), iterations(", linear_tolerance: 1e-4"));
 }
 
-TEST(SceneStepping, AnIteratedStepOfAFineMeshStopsNearerToRest) {
-  const auto tolerance = [](const std::string& size) {
+TEST(SceneStepping, AnIteratedStepStopsNearerToRestWhereItsMeshIsFineOrSomethingIsMet) {
+  const auto tolerance = [](const std::string& size, const std::string& more = "") {
     const Simulation sheet = simulation_of(
         "pliant: scene/1\n"
         "cloth: [{name: sheet, mesh: {grid: " +
             size +
             ", nodes: 11x11}, material: cloth.json}]\n"
-            "pins: [{cloth: sheet, corners: [top-left]}]\n"
-            "time: {step: 5 ms, duration: 50 ms}\n",
+            "pins: [{cloth: sheet, corners: [top-left]}]\n" +
+            more + "time: {step: 5 ms, duration: 50 ms}\n",
         ClampedStrip::material());
     return sheet.scene().time.motion_tolerance.value();
   };
   EXPECT_DOUBLE_EQ(tolerance("1 m x 1 m"), 3e-5);
   // Of the triangles' sides two thirds are as long as the squares', the others are diagonals.
   EXPECT_NEAR(tolerance("20 mm x 20 mm"), 2e-3 * (2 + std::sqrt(2)) / 3 / 300, 1e-7);
+  const double of_fall = 0.01 * 9.80665 * 5e-3 * 5e-3;
+  EXPECT_DOUBLE_EQ(tolerance("1 m x 1 m", "contact: {friction: 0.3}\n"), of_fall);
+  EXPECT_DOUBLE_EQ(
+      tolerance("1 m x 1 m",
+                "obstacles: [{name: floor, plane: {point: [0, 0, -1], normal: [0, 0, 1]}}]\n"),
+      of_fall);
 }
 
 TEST(SceneStepping, TheToleranceIsTheForceThatAStepMayLeave) {

@@ -41,6 +41,22 @@ void throw_about(int times) {
   EXPECT_GT(shortened, times / 2);
 }
 
+// A step that goes astray sends all points to all sides, by metres.
+TEST(Tangle, IsNotMadeByAStepThatGoesAstray) {
+  const TouchingSheets sheets(stacked_sheets(2, 36, 4e-3), 0);
+  const Objective objective(*sheets.system, {.from = sheets.state});
+  const Configuration& at = sheets.state.configuration;
+  RandomStream random(7);
+  const Eigen::Matrix3Xd ways = random_ways(random, at.positions.cols(), 1);
+  const FreeChange free = free_change(objective, at, ways.reshaped());
+  EXPECT_FALSE(free.whole);
+  EXPECT_GT(free.lost, 0.5);
+  EXPECT_GT(free.each.norm(), 0);
+  const Configuration end = sheets.system->coordinates().moved(at, free.each);
+  const auto crossings = crossing_triangles(end.positions, sheets.sheets.faces);
+  EXPECT_TRUE(!crossings || crossings->empty());
+}
+
 TEST(Tangle, HasNoWayThroughASurface) { throw_about(30); }
 
 TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(1000); }

@@ -20,8 +20,8 @@ class BoxTree {
   Eigen::Index size() const { return (std::ssize(nodes_) + 1) / 2; }
 
   /// Calls `visit` with the numbers of each two different things whose boxes may meet, the smaller
-  /// first. Parts of the search, whose numbers it is told first, are made by several threads at
-  /// once, each in a fixed order.
+  /// first, until it returns false. Parts of the search, whose numbers it is told first, are made
+  /// by several threads at once, each in a fixed order.
   /// @param boxes  of all things
   /// @param reach  of `SweptBox::may_meet` (m)
   template <class Visit>
@@ -50,7 +50,7 @@ class BoxTree {
   int build(std::vector<int>& things, size_t begin, size_t end, const Eigen::Matrix3Xd& middles);
   Fitted fitted(const std::vector<SweptBox>& boxes) const;
   template <class Visit>
-  static void meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
+  static bool meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
                    float reach, const Visit& visit);
 
   std::vector<Node> nodes_;
@@ -63,8 +63,10 @@ void BoxTree::pairs(const std::vector<SweptBox>& boxes, float reach, const Visit
     for (auto n = static_cast<size_t>(part); n < nodes_.size(); n += kParts) {
       const Node& node = nodes_[n];
       if (node.is_leaf()) continue;
-      meet(all, node.first, all, node.second, reach,
-           [&](int one, int other) { visit(part, std::min(one, other), std::max(one, other)); });
+      const bool goes_on = meet(all, node.first, all, node.second, reach, [&](int one, int other) {
+        return visit(part, std::min(one, other), std::max(one, other));
+      });
+      if (!goes_on) return;
     }
   });
 }
@@ -77,8 +79,9 @@ void BoxTree::pairs_with(const BoxTree& other, const std::vector<SweptBox>& boxe
 }
 
 // The larger of two branches that may meet is opened.
+// @return whether `visit` goes on
 template <class Visit>
-void BoxTree::meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
+bool BoxTree::meet(const Fitted& ours, int branch, const Fitted& theirs, int other_branch,
                    float reach, const Visit& visit) {
   std::vector<std::pair<int, int>> left{{branch, other_branch}};
   while (!left.empty()) {
@@ -90,7 +93,7 @@ void BoxTree::meet(const Fitted& ours, int branch, const Fitted& theirs, int oth
                    &there = theirs.spans[static_cast<size_t>(b)];
     if (!SweptBox::may_meet(here, there, reach)) continue;
     if (one.is_leaf() && other.is_leaf()) {
-      visit(one.second, other.second);
+      if (!visit(one.second, other.second)) return false;
     } else if (other.is_leaf() || (!one.is_leaf() && here.volume() >= there.volume())) {
       left.emplace_back(one.first, b);
       left.emplace_back(one.second, b);
@@ -99,6 +102,7 @@ void BoxTree::meet(const Fitted& ours, int branch, const Fitted& theirs, int oth
       left.emplace_back(a, other.second);
     }
   }
+  return true;
 }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #include "pliant/contact/contact_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "pliant/base/parallel.h"
@@ -20,6 +21,31 @@ struct ContactSurface::Boxes {
 };
 
 namespace {
+
+// How much a search may look at. Whether that is enough does not depend on how its parts take
+// turns.
+class SearchBudget {
+ public:
+  explicit SearchBudget(std::int64_t most) : left_(most) {}
+
+  // Takes one for a part of the search: whether that may go on.
+  bool lasts(int part) {
+    constexpr std::int64_t kTogether = 256;  // before other parts know
+    std::int64_t& taken = taken_[static_cast<size_t>(part)].count;
+    if (++taken % kTogether == 0) left_ -= kTogether;
+    return !is_spent();
+  }
+  bool is_spent() const { return left_ < 0; }
+
+ private:
+  // Apart in memory, as threads write them at once.
+  struct alignas(64) Taken {
+    std::int64_t count = 0;
+  };
+
+  std::atomic<std::int64_t> left_;
+  std::array<Taken, BoxTree::kParts> taken_;
+};
 
 Eigen::Matrix3Xd middles_of(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& faces) {
   Eigen::Matrix3Xd middles(3, faces.cols());
@@ -134,22 +160,26 @@ void ContactSurface::add_pairs(int one, int other, const Boxes& boxes,
   add_edges(one, other, boxes, pairs);
 }
 
-std::vector<SurfacePair> ContactSurface::near_pairs(const Eigen::Matrix3Xd& positions,
-                                                    const Eigen::Matrix3Xd& ways,
-                                                    double reach) const {
+std::optional<std::vector<SurfacePair>> ContactSurface::near_pairs_among(
+    std::int64_t most, const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xd& ways,
+    double reach) const {
   const Boxes boxes = boxes_of(positions, ways, reach);
   std::vector<std::vector<SurfacePair>> parts(BoxTree::kParts);
+  SearchBudget budget(most);
   if (cloth_meets_cloth_) {
     cloth_.pairs(boxes.cloth, boxes.reach, [&](int part, int one, int other) {
       add_pairs(one, other, boxes, parts[static_cast<size_t>(part)]);
+      return budget.lasts(part);
     });
   }
   if (bodies_) {
     const int first_of_bodies = static_cast<int>(boxes.cloth.size());
     cloth_.pairs_with(*bodies_, boxes.cloth, boxes.bodies, boxes.reach, [&](int one, int other) {
       add_pairs(one, first_of_bodies + other, boxes, parts.front());
+      return budget.lasts(0);
     });
   }
+  if (budget.is_spent()) return std::nullopt;
   return sorted(std::move(parts));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -35,7 +37,17 @@ class ContactSurface {
   /// All pairs that come nearer than `reach` while all points go straight ways at once, and some
   /// others, sorted.
   std::vector<SurfacePair> near_pairs(const Eigen::Matrix3Xd& positions,
-                                      const Eigen::Matrix3Xd& ways, double reach) const;
+                                      const Eigen::Matrix3Xd& ways, double reach) const {
+    constexpr auto kAny = std::numeric_limits<std::int64_t>::max();
+    return *near_pairs_among(kAny, positions, ways, reach);
+  }
+  /// The same where boxes of not many more pairs of triangles than `most` may meet, else nothing.
+  std::optional<std::vector<SurfacePair>> near_pairs_among(std::int64_t most,
+                                                           const Eigen::Matrix3Xd& positions,
+                                                           const Eigen::Matrix3Xd& ways,
+                                                           double reach) const;
+
+  Eigen::Index triangles() const { return faces_.cols(); }
 
  private:
   using Edge = std::array<int, 2>;

@@ -1,17 +1,27 @@
 #include "pliant/contact/near_pairs.h"
 
+#include <cstdint>
 #include <utility>
 
 namespace pliant {
 
-// What all points move alike brings none nearer to another.
-bool NearPairs::serves(const List& list, const Eigen::Matrix3Xd& positions) const {
-  const Eigen::Vector3d common = (positions - list.positions).rowwise().mean();
-  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
-    const Eigen::Vector3d own = positions.col(i) - list.positions.col(i) - common;
-    if (own.squaredNorm() > skin_ * skin_ / 4) return false;
+namespace {
+
+// Whether no point goes further than `most` beyond the mean of all: what all move alike brings none
+// nearer to another.
+bool stay_together(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, double most) {
+  const Eigen::Vector3d common = (to - from).rowwise().mean();
+  for (Eigen::Index i = 0; i < from.cols(); ++i) {
+    const Eigen::Vector3d own = to.col(i) - from.col(i) - common;
+    if (own.squaredNorm() > most * most) return false;
   }
   return true;
+}
+
+}  // namespace
+
+bool NearPairs::serves(const List& list, const Eigen::Matrix3Xd& positions) const {
+  return stay_together(list.positions, positions, skin_ / 2);
 }
 
 std::shared_ptr<const NearPairs::List> NearPairs::last() const {
@@ -31,6 +41,18 @@ NearPairs::Pairs NearPairs::between(const Eigen::Matrix3Xd& from,
   const auto known = last();
   if (known && serves(*known, from) && serves(*known, to)) return known->pairs;
   return keep(to, surface_->near_pairs(from, to - from, reach_ + skin_))->pairs;
+}
+
+NearPairs::Pairs NearPairs::between_if_few(const Eigen::Matrix3Xd& from,
+                                           const Eigen::Matrix3Xd& to) const {
+  // Cloth that lies on itself in some layers has tens of neighbours a triangle.
+  constexpr std::int64_t kMost = 200'000, kMostOfTriangle = 100;
+  const auto known = last();
+  if (known && serves(*known, from) && serves(*known, to)) return known->pairs;
+  if (stay_together(from, to, 1.001 * skin_)) return between(from, to);
+  auto found = surface_->near_pairs_among(kMost + kMostOfTriangle * surface_->triangles(), from,
+                                          to - from, reach_ + skin_);
+  return found ? keep(to, std::move(*found))->pairs : nullptr;
 }
 
 std::shared_ptr<const NearPairs::List> NearPairs::keep(const Eigen::Matrix3Xd& positions,

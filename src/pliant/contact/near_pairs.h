@@ -28,6 +28,10 @@ class NearPairs {
   /// All pairs that come nearer than the reach on straight ways, sorted, and some others.
   Pairs between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const;
 
+  /// The same; null where ways are so long, and so unlike each other, that nearly everything may
+  /// meet nearly everything. Never where none goes further than the skin beyond the mean of all.
+  Pairs between_if_few(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) const;
+
  private:
   struct List {
     Eigen::Matrix3Xd positions;

@@ -200,8 +200,18 @@ double SurfaceContact::free_share_of(const SurfacePair& pair, const Eigen::Matri
 void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
                            WayLimits& limits) const {
   const Eigen::Matrix3Xd& start = from.configuration.positions;
-  const Eigen::Matrix3Xd ways = to - start;
-  const NearPairs::Pairs near = near_.between(start, to);
+  // Where a step goes astray, points are sent far to all sides.
+  double of_all = 1;
+  NearPairs::Pairs near = near_.between_if_few(start, to);
+  while (!near) {
+    of_all /= 2;
+    near = near_.between_if_few(start, start + of_all * (to - start));
+  }
+  if (of_all < 1) {
+    limits.obstructed = true;
+    limits.shares = limits.shares.cwiseMin(of_all);
+  }
+  const Eigen::Matrix3Xd ways = of_all * (to - start);
   using Share = std::pair<SurfacePair, double>;
   const auto shares = found_of<Share>(*near, [&](const SurfacePair& pair) {
     const double share = free_share_of(pair, start, ways, limits.kept);
@@ -210,7 +220,7 @@ void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
   for (const auto& [pair, share] : shares) {
     limits.obstructed = true;
     for (const int point : pair.points) {
-      limits.shares(point) = std::min(limits.shares(point), share);
+      limits.shares(point) = std::min(limits.shares(point), of_all * share);
     }
   }
 }

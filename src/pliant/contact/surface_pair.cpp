@@ -74,6 +74,24 @@ double largest_approach(SurfacePair::Kind kind, const PairPoints& ways) {
   return speeds.head<2>().maxCoeff() + speeds.tail<2>().maxCoeff();
 }
 
+// How much of their ways points may go before the parts are nearer than `keep` along a line: planes
+// at a right angle to the shortest line between them part them until then. What slides past comes
+// no nearer along it.
+double share_to_plane(SurfacePair::Kind kind, const PairPoints& points, const PairPoints& ways,
+                      const Vector3d& line, double keep) {
+  const Vector3d normal = line.normalized();
+  const Eigen::Vector4d heights = points.transpose() * normal, rises = ways.transpose() * normal;
+  const int first = kind == SurfacePair::Kind::vertex_face ? 1 : 2;
+  double share = INFINITY;
+  for (int i = 0; i < first; ++i) {
+    for (int j = first; j < 4; ++j) {
+      const double approach = rises(j) - rises(i);
+      if (approach > 0) share = std::min(share, (heights(i) - heights(j) - keep) / approach);
+    }
+  }
+  return share;
+}
+
 }  // namespace
 
 Gap gap_between(SurfacePair::Kind kind, const PairPoints& points) {
@@ -84,15 +102,21 @@ Gap gap_between(SurfacePair::Kind kind, const PairPoints& points) {
 double free_share(SurfacePair::Kind kind, const PairPoints& points, const PairPoints& ways,
                   double keep) {
   constexpr double kNear = 0.05;  // of what is kept: near enough to it
-  constexpr int kMost = 200;
+  constexpr int kMost = 40;       // few ever need half; what slides along something stops short
   // What all have in common brings none nearer.
   const PairPoints relative = ways.colwise() - ways.rowwise().mean();
   const double approach = largest_approach(kind, relative);
-  double distance = gap_between(kind, points).distance(), share = 0;
+  PairPoints there = points;
+  Gap gap = gap_between(kind, there);
+  double distance = gap.distance(), share = 0;
   for (int i = 0; i < kMost; ++i) {
-    if (approach * (1 - share) <= distance - keep) return 1;
-    share += (distance - keep) / approach;
-    distance = gap_between(kind, points + share * relative).distance();
+    const double further = std::max((distance - keep) / approach,
+                                    share_to_plane(kind, there, relative, gap.line, keep));
+    if (!(further < 1 - share)) return 1;
+    share += further;
+    there = points + share * relative;
+    gap = gap_between(kind, there);
+    distance = gap.distance();
     if (distance - keep < kNear * keep) break;
   }
   return share;

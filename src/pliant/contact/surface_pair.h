@@ -32,8 +32,9 @@ struct Gap {
 Gap gap_between(SurfacePair::Kind kind, const PairPoints& points);
 
 /// How much of their straight ways four points may go, all alike, before they are nearer to each
-/// other than `keep`; 1: all of them. Never too much. By additive advancement: Li et al.,
-/// Codimensional Incremental Potential Contact, ACM TOG 40 (2021) 170, section 5.
+/// other than `keep`; 1: all of them. Never too much. By additive advancement (Li et al.,
+/// Codimensional Incremental Potential Contact, ACM TOG 40 (2021) 170, section 5), as far each time
+/// as planes part them that are at a right angle to the shortest line.
 /// @param points  further apart than `keep`
 /// @param keep    m, > 0
 double free_share(SurfacePair::Kind kind, const PairPoints& points, const PairPoints& ways,

@@ -46,10 +46,16 @@ double default_tolerance(const System& system) {
 
 // 30 um, but never more than a 300th of the mean edge of a cloth or a solid's surface: with more,
 // strains of a fine mesh would tremble from step to step, and what friction holds would be lost to
-// it.
-double default_motion_tolerance(const SceneSystem& built) {
-  constexpr double kMost = 3e-5, kOfEdge = 1.0 / 300;
+// it. Where something may be met never more than a hundredth of what a step adds to a free fall:
+// contacts give way under a weight by a quarter of that, and what slides is braked by what is left
+// too deep.
+double default_motion_tolerance(const Scene& scene, const SceneSystem& built) {
+  constexpr double kMost = 3e-5, kOfEdge = 1.0 / 300, kOfFall = 0.01;
   double tolerance = kMost;
+  if (built.surface_contact || !built.obstacle_contacts.empty()) {
+    const double fall = kStandardGravity * scene.time.step * scene.time.step;
+    tolerance = std::min(kMost, kOfFall * fall);
+  }
   for (const ClothPiece& cloth : built.cloths) {
     tolerance = std::min(tolerance, kOfEdge * mesh_quality(cloth.mesh).mean_edge);
   }
@@ -187,7 +193,7 @@ Simulation::Simulation(const Scene& scene, const std::optional<Material>& filler
     : scene_(scene), threads_(threads), built_(build_scene(scene, filler)) {
   if (!scene_.time.tolerance) scene_.time.tolerance = default_tolerance(*built_.system);
   if (!scene_.time.motion_tolerance) {
-    scene_.time.motion_tolerance = default_motion_tolerance(built_);
+    scene_.time.motion_tolerance = default_motion_tolerance(scene, built_);
   }
   if (scene_.time.kind == SimulationKind::dynamic) {
     stepper_ = std::make_unique<TimeSteps>(scene_, built_);

@@ -81,7 +81,7 @@ Json component_info(const std::string& name, const MaterialComponent& component,
 /// Smallest second derivative of the energy by the Green strain at rest; a change of shape alone
 /// where nothing resists one of the volume.
 double least_curvature_at_rest(const Material& material) {
-  const SolidDensity density = solid_density(material, {.friction = false});
+  const NamedLaw density = solid_density(material, {.friction = false});
   Eigen::Array<double, kLanes, Eigen::Dynamic> rest =
       Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, 6);
   const Eigen::Array<double, kLanes, Eigen::Dynamic> history =

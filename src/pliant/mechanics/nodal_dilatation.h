@@ -29,6 +29,10 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
 
   std::vector<std::pair<int, int>> couplings() const override;
   void bind(const Coordinates& coordinates, const BlockPattern& pattern) override;
+  bool obstructs() const override { return is_limited(); }
+  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
+  bool is_limited() const override { return density_->is_limited(); }
+  double share_left(const Evaluation& at) const override;
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 
   Eigen::Index history_size() const override;
@@ -69,6 +73,8 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
   /// Of all nodes, and zeros that fill up whole batches.
   Eigen::VectorXd strains(const Eigen::Matrix3Xd& positions) const;
   Samples samples(int batch, const LaneStrains& strain, const double* history) const;
+  /// What is left to each node of the limit of its energy.
+  Eigen::ArrayXd shares_left(const Evaluation& at, const Eigen::Matrix3Xd& positions) const;
   /// Adds the forces of pressures at the nodes.
   void add_forces(const std::vector<Gradient>& gradients, const Eigen::VectorXd& pressures,
                   double* gradient) const;

@@ -136,7 +136,7 @@ VirtualData VirtualHomogeneous::measure(const VirtualSpecimen& specimen,
                                         const VirtualWork& work) const {
   work.stop.throw_if_requested();
   RandomStream random = specimen.random.split(fmt::format("{}/{}", name, specimen.number));
-  const SolidDensity density = solid_density(specimen.material);
+  const NamedLaw density = solid_density(specimen.material);
   Eigen::VectorXd numbers = density.law->parameters();
   for (double& number : numbers) number *= 1 + specimen.variation * random.normal();
   const auto law = density.law->with_parameters(numbers);

@@ -27,8 +27,10 @@ void ClosedFormDensity::differentiate(const Samples& samples, int lane, int, int
                                       SampleDerivatives& derivatives) const {
   const EnergyAt at = energy_(samples.strain(lane, component_), values_);
   for (Eigen::Index i = 0; i < values_.size(); ++i) {
+    const auto number = static_cast<std::size_t>(i);
+    derivatives.stored_by_parameter(first_parameter + i) += at.energy_by_parameter[number];
     derivatives.stress_by_parameter(component_, first_parameter + i) +=
-        at.stress_by_parameter[static_cast<std::size_t>(i)];
+        at.stress_by_parameter[number];
   }
 }
 

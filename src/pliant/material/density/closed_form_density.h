@@ -15,6 +15,7 @@ struct EnergyAt {
   double stress = 0;
   double tangent = 0;
   std::array<double, kMaxEnergyParameters> stress_by_parameter{};
+  std::array<double, kMaxEnergyParameters> energy_by_parameter{};
 };
 
 /// @param values  of its parameters

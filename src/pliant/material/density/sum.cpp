@@ -1,5 +1,7 @@
 #include "pliant/material/density/sum.h"
 
+#include <algorithm>
+
 namespace pliant {
 
 void Sum::add_addend(std::shared_ptr<const Density> addend) {
@@ -20,6 +22,17 @@ void Sum::add_addend(std::shared_ptr<const Density> addend) {
 void Sum::add(const Samples& samples, const StepTime& time, Response& response) const {
   for (const Addend& addend : addends_) {
     addend.density->add(own(addend, samples), time, response);
+  }
+}
+
+bool Sum::is_limited() const {
+  return std::ranges::any_of(addends_,
+                             [](const Addend& addend) { return addend.density->is_limited(); });
+}
+
+void Sum::lower_to_share_left(const Samples& samples, Lane& left) const {
+  for (const Addend& addend : addends_) {
+    addend.density->lower_to_share_left(own(addend, samples), left);
   }
 }
 

@@ -14,9 +14,12 @@ namespace pliant {
 class Sum : public ParametricDensity {
  public:
   void add_addend(std::shared_ptr<const Density> addend);
+  bool is_empty() const { return addends_.empty(); }
 
   int history_size() const override { return history_size_; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  bool is_limited() const override;
+  void lower_to_share_left(const Samples& samples, Lane& left) const override;
   void add_stored(const Samples& samples, Lane& stored) const override;
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;

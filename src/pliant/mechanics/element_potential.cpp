@@ -14,6 +14,7 @@
 #include "pliant/mechanics/lane_derivatives.h"
 #include "pliant/mechanics/lane_kernel.h"
 #include "pliant/mechanics/limited_ways.h"
+#include "pliant/mechanics/sample_weights.h"
 #include "pliant/mechanics/shells_lanes.h"
 #include "pliant/mechanics/solid_lanes.h"
 #include "pliant/mechanics/stvk_lanes.h"
@@ -68,6 +69,7 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
     rests_.push_back(rests_.back());
     sizes_.push_back(0);
   }
+  weights_ = lane_weights(stencils.weights, batches());
   for (auto first = points_.begin(); first != points_.end(); first += kLanes) {
     share_points_.push_back(std::equal(first + 1, first + kLanes, first));
   }
@@ -119,7 +121,8 @@ Samples ElementPotential<Measure>::samples(int batch, const LaneStrains& strain,
   const double* own = history + Eigen::Index(kLanes) * columns() * batch;
   return {LaneView(strain.data(), kLanes, m), LaneView(own, kLanes, m),
           LaneView(own + kLanes * m, kLanes, m),
-          LaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m)};
+          LaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m),
+          of_batch(weights_, batch, batches())};
 }
 
 template <class Measure>

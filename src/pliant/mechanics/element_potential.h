@@ -92,6 +92,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::vector<char> share_points_;                        // whether those of a batch do
   std::vector<typename Measure::Rest> rests_;
   std::vector<double> sizes_;  // zero for those that fill up
+  Eigen::MatrixXd weights_;    // kLanes rows; of the samples of each batch, one after the other
   int count_ = 0;              // without those that fill up
   std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "pliant/base/assert.h"
+#include "pliant/mechanics/limited_ways.h"
+#include "pliant/mechanics/sample_weights.h"
 
 namespace pliant {
 namespace {
@@ -36,7 +38,7 @@ int place_in(const std::vector<int>& rising, int value) {
 NodalDilatation::NodalDilatation(Tetrahedra tetrahedra, const std::vector<double>& rest_volumes,
                                  std::shared_ptr<const ParametricDensity> density,
                                  std::vector<int> parameter_places,
-                                 std::vector<std::string> field_names)
+                                 std::vector<std::string> field_names, const Weights& weights)
     : tetrahedra_(std::move(tetrahedra)),
       density_(std::move(density)),
       parameter_places_(std::move(parameter_places)),
@@ -64,6 +66,13 @@ NodalDilatation::NodalDilatation(Tetrahedra tetrahedra, const std::vector<double
     patch.points.erase(repeated.begin(), repeated.end());
     patches_.push_back(std::move(patch));
   }
+  Eigen::MatrixXd of_patches;
+  for (std::size_t p = 0; weights && p < patches_.size(); ++p) {
+    const Eigen::VectorXd own = weights(patches_[p].point);
+    of_patches.conservativeResize(own.size(), std::ssize(patches_));
+    of_patches.col(static_cast<Eigen::Index>(p)) = own;
+  }
+  weights_ = lane_weights(of_patches, batches());
 }
 
 std::vector<std::pair<int, int>> NodalDilatation::couplings() const {
@@ -123,7 +132,8 @@ Samples NodalDilatation::samples(int batch, const LaneStrains& strain,
                                  const double* history) const {
   const double* own = history + Eigen::Index(kLanes) * columns() * batch;
   return {LaneView(strain.data(), kLanes, 1), LaneView(own, kLanes, 1),
-          LaneView(own + kLanes, kLanes, 1), LaneView(own + 2 * kLanes, kLanes, columns() - 2)};
+          LaneView(own + kLanes, kLanes, 1), LaneView(own + 2 * kLanes, kLanes, columns() - 2),
+          of_batch(weights_, batch, batches())};
 }
 
 Eigen::ArrayXd NodalDilatation::shares_left(const Evaluation& at,

@@ -5,8 +5,9 @@
 
 namespace pliant {
 
-ClosedFormDensity::ClosedFormDensity(int component, EnergyFunction energy, Eigen::VectorXd values)
-    : component_(component), energy_(energy), values_(std::move(values)) {}
+ClosedFormDensity::ClosedFormDensity(int component, EnergyFunction energy, Eigen::VectorXd values,
+                                     bool linear)
+    : component_(component), energy_(energy), values_(std::move(values)), linear_(linear) {}
 
 void ClosedFormDensity::add(const Samples& samples, const StepTime&, Response& response) const {
   const auto diagonal = component_ * samples.strain.cols() + component_;
@@ -20,7 +21,7 @@ void ClosedFormDensity::add(const Samples& samples, const StepTime&, Response& r
 
 std::unique_ptr<ParametricDensity> ClosedFormDensity::with_parameters(
     const Eigen::VectorXd& values) const {
-  return std::make_unique<ClosedFormDensity>(component_, energy_, values);
+  return std::make_unique<ClosedFormDensity>(component_, energy_, values, linear_);
 }
 
 void ClosedFormDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,

@@ -48,10 +48,13 @@ struct Samples {
   LaneView last;     ///< strain at the last accepted step
   LaneView before;   ///< strain one accepted step before that
   LaneView history;  ///< what the density itself keeps, set at accepted steps only
+  /// What each sample of a heterogeneous material counts at the points ([T] Eq. 4.4); no column
+  /// where the material is one.
+  LaneView weights = LaneView(nullptr, kLanes, 0);
 
   /// The same points, with a part of the history as the whole.
   Samples with_history(int first, int size) const {
-    return {strain, last, before, LaneView(history.data() + kLanes * first, kLanes, size)};
+    return {strain, last, before, LaneView(history.data() + kLanes * first, kLanes, size), weights};
   }
 };
 
@@ -123,6 +126,9 @@ class ParametricDensity : public Density {
  public:
   /// The numbers that describe the law, e.g. the control values of its stiffness.
   virtual Eigen::VectorXd parameters() const = 0;
+  /// Whether energy, stress and tangent are linear in them, so that the law of a sum of numbers is
+  /// the sum of the laws.
+  virtual bool is_linear() const { return false; }
   /// The law of the same kind with other numbers.
   virtual std::unique_ptr<ParametricDensity> with_parameters(
       const Eigen::VectorXd& values) const = 0;

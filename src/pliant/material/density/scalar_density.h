@@ -55,6 +55,7 @@ class ScalarDensity : public ParametricDensity {
   }
 
   Eigen::VectorXd parameters() const override { return law_->parameters(); }
+  bool is_linear() const override { return law_->is_linear(); }
 
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override {
     return std::make_unique<ScalarDensity>(scalar_, law_->with_parameters(values));

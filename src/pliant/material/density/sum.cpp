@@ -49,6 +49,12 @@ void Sum::advance(const Samples& samples, const StepTime& time, MutableLaneView 
   }
 }
 
+bool Sum::is_linear() const {
+  return std::ranges::all_of(addends_, [](const Addend& addend) {
+    return addend.parametric && addend.parametric->is_linear();
+  });
+}
+
 Eigen::VectorXd Sum::parameters() const {
   Eigen::VectorXd values(parameter_count_);
   for (const Addend& addend : addends_) {

@@ -25,7 +25,9 @@ struct LaneState {
   static LaneView view(const Numbers& numbers) {
     return LaneView(numbers.data(), kLanes, numbers.cols());
   }
-  Samples samples() const { return {view(strain), view(last), view(before), view(history), view(weights)}; }
+  Samples samples() const {
+    return {view(strain), view(last), view(before), view(history), view(weights)};
+  }
 };
 
 inline Response response_of(const Density& density, const LaneState& state,

@@ -7,6 +7,7 @@
 #include "pliant/io/result_directory.h"
 #include "pliant/report/report.h"
 #include "pliant/study/sheet_models.h"
+#include "pliant/study/solid_study.h"
 #include "pliant/study/study_fit.h"
 
 #include "apps/pliant/command.h"
@@ -83,6 +84,11 @@ std::string fit_into(ResultDirectory& results, const CommandContext& context,
   Study study = read_study(file.path);
   if (arguments.estimator == "anchor") study.fit.estimator = EstimatorKind::anchor;
   if (arguments.estimator == "path") study.fit.estimator = EstimatorKind::path;
+
+  if (arguments.resume && measures_solids(study)) {
+    throw InputError({"--resume", 0, ""}, "fits of solids keep no progress to go on from",
+                     "the same command without it");
+  }
 
   if (compares_models(arguments)) {
     std::string summary =

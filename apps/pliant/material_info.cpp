@@ -12,6 +12,7 @@
 
 #include "apps/pliant/component_facts.h"
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/limits_info.h"
 #include "apps/pliant/solid_info.h"
 #include "apps/pliant/textile_info.h"
 
@@ -274,6 +275,7 @@ FileInfo material_info(const std::filesystem::path& path) {
     components[name] = component_info(material, name, info);
   }
   info.json["components"] = std::move(components);
+  add_limits(material, info);
   add_texts(material, info);
   return info;
 }

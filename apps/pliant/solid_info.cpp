@@ -11,7 +11,10 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/solid/solid_laws.h"
+#include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/solid/solid_density.h"
+
+#include "apps/pliant/limits_info.h"
 
 namespace pliant {
 namespace {
@@ -81,7 +84,7 @@ Json component_info(const std::string& name, const MaterialComponent& component,
 /// Smallest second derivative of the energy by the Green strain at rest; a change of shape alone
 /// where nothing resists one of the volume.
 double least_curvature_at_rest(const Material& material) {
-  const SolidDensity density = solid_density(material, {.friction = false});
+  const NamedLaw density = solid_density(material, {.friction = false});
   Eigen::Array<double, kLanes, Eigen::Dynamic> rest =
       Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, 6);
   const Eigen::Array<double, kLanes, Eigen::Dynamic> history =
@@ -99,6 +102,43 @@ double least_curvature_at_rest(const Material& material) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tangent).eigenvalues()(0);
 }
 
+std::string size_text(const EllipticRange& range, double size) {
+  return range.way == "shear" ? "a shear of " + format_number(size, kDigits)
+                              : "a stretch of " + format_number(size, kDigits);
+}
+
+/// Where strong ellipticity is lost, way by way; what was looked at otherwise.
+void add_ellipticity(const Material& material, FileInfo& info) {
+  Json json = Json::array();
+  std::vector<std::string> lost;
+  for (const EllipticRange& range : elliptic_ranges(material)) {
+    Json& own = json.emplace_back(Json{{"way", range.way},
+                                       {"compressed", range.compressed},
+                                       {"looked_at_to", range.reach},
+                                       {"lost_at", nullptr},
+                                       {"limit_reached", range.limited}});
+    if (range.limited) {
+      info.lines.push_back(labelled(range.way,
+                                    "no further than " + size_text(range, range.reach) +
+                                        ": a limit, or no " + "equilibrium across",
+                                    1));
+    }
+    if (!range.lost) continue;
+    own["lost_at"] = range.at;
+    lost.push_back(range.way + " from " + size_text(range, range.at) + " on");
+  }
+  info.json["strong_ellipticity"] = std::move(json);
+  info.lines.push_back(
+      labelled("elliptic",
+               lost.empty() ? "wherever it was looked at (stretches of 0.25 to 4, shears to 3)"
+                            : fmt::format("not {}", fmt::join(lost, "; ")),
+               1));
+  if (lost.empty()) return;
+  info.warnings.push_back(fmt::format(
+      "strong ellipticity is lost, {}: deformation may concentrate in bands as thin as the mesh",
+      fmt::join(lost, "; ")));
+}
+
 }  // namespace
 
 void add_solid(const Material& material, FileInfo& info) {
@@ -114,12 +154,16 @@ void add_solid(const Material& material, FileInfo& info) {
     }
   }
   info.json["components"] = std::move(components);
+  add_limits(material, info);
   const double least = least_curvature_at_rest(material);
   info.json["least_curvature_at_rest_Pa"] = least;
   info.lines.push_back(
       labelled("at rest", fmt::format("the energy curves by {} or more in every strain",
                                       format_quantity(least, Dimension::stress, kDigits))));
-  if (least >= 0) return;
+  if (least >= 0) {
+    add_ellipticity(material, info);
+    return;
+  }
   info.warnings.push_back(fmt::format(
       "the material is not stable at rest: its energy falls in some strain (curvature {}), so that "
       "a body flies apart instead of coming back",

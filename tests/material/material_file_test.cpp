@@ -198,6 +198,28 @@ TEST(MaterialFile, LeavesOutEverythingOptional) {
   EXPECT_TRUE(material.components.empty());
 }
 
+/// A solid with limits, which stand on line 5.
+std::string with_limits(const std::string& limits) {
+  return R"({"pliant": "material/1", "name": "rubber", "kind": "solid",
+ "components": {"I1-bar": {"addends": [{"law": "linear", "c": 2e5}]},
+   "J": {"stiffness": {"curve": "constant", "value": 2e6}},
+   "fibre.x": {"status": "unmeasured"}},
+ "limits": )" +
+         limits + "}";
+}
+
+TEST(MaterialFile, KeepsLimitsOfEnergy) {
+  Material material = read_text(with_limits(R"([{"of": ["J", "I1-bar"], "energy": 4e3,
+      "errors": {"energy": {"determined": "within 10 %", "std_error": 120}}}])"));
+  ASSERT_EQ(material.limits.size(), 1u);
+  const EnergyLimit& limit = material.limits.front();
+  EXPECT_THAT(limit.of, ElementsAre("I1-bar", "J"));  // in the order of components
+  EXPECT_EQ(limit_name(limit.of), "I1-bar+J.limit");
+  EXPECT_EQ(limit.energy, 4e3);
+  EXPECT_EQ(limit.errors.at("energy").std_error, 120);
+  EXPECT_EQ(material_text(read_text(material_text(material))), material_text(material));
+}
+
 TEST(MaterialFile, AddendsMayStandBesideAStiffnessOrAlone) {
   const std::string branch = R"({"law": "dahl", "a": 0.4, "b": 2, "tau": 0.1})";
   const MaterialComponent beside =
@@ -337,6 +359,20 @@ const Refusal kRefusals[] = {
      "{\"pliant\": \"material/1\", \"name\": \"x\", \"kind\": \"cloth\",\n\"membrane\": \"stvkk\"}",
      2, "membrane", "did you mean \"stvk\"?"},
 };
+
+const Refusal kRefusedLimits[] = {
+    {"LimitAtRest", with_limits(R"([{"of": ["J"], "energy": 0}])"), 5, "limits[0].energy",
+     "the energy of the material at rest"},
+    {"LimitOfNothing", with_limits(R"([{"of": ["fibre.x"], "energy": 1}])"), 5, "limits[0].of",
+     "no law"},
+    {"LimitTwice", with_limits(R"([{"of": ["J"], "energy": 1}, {"of": ["J"], "energy": 2}])"), 5,
+     "limits[1].of[0]", "in two limits"},
+    {"LimitOfCloth", with_limits(R"([{"of": ["shear"], "energy": 1}])"), 5, "limits[0].of[0]",
+     "shear"},
+};
+
+INSTANTIATE_TEST_SUITE_P(OfLimits, MaterialFileRefusal, ::testing::ValuesIn(kRefusedLimits),
+                         test::name_of_refusal);
 
 INSTANTIATE_TEST_SUITE_P(Of, MaterialFileRefusal, ::testing::ValuesIn(kRefusals),
                          test::name_of_refusal);

@@ -7,7 +7,7 @@
 namespace pliant::test {
 
 /// Of one material point: (stress, next history) as a function of (strain, last strain, history,
-/// parameters), in statics.
+/// parameters), in statics; of a law that remembers nothing also its energy, in front.
 class QuasiStaticStep {
  public:
   /// @param strain_scale  a change over which the law changes noticeably
@@ -35,8 +35,10 @@ class QuasiStaticStep {
     state.strain.row(lane_) = x.head(strains()).transpose().array();
     state.last.row(lane_) = x.segment(strains(), strains()).transpose().array();
     state.history.row(lane_) = x.segment(2 * strains(), history()).transpose().array();
-    Eigen::VectorXd result(strains() + history());
-    result.head(strains()) = response_of(*law, state).stress.row(lane_).transpose().matrix();
+    const Response response = response_of(*law, state);
+    Eigen::VectorXd result(energies() + strains() + history());
+    if (energies() > 0) result(0) = response.stored(lane_);
+    result.segment(energies(), strains()) = response.stress.row(lane_).transpose().matrix();
     advance(*law, state);
     result.tail(history()) = state.history.row(lane_).transpose().matrix();
     return result;
@@ -51,13 +53,21 @@ class QuasiStaticStep {
     for (int k = 0; k < tangent.size(); ++k) {
       tangent(k / strains(), k % strains()) = response.tangent(lane_, k);
     }
-    Eigen::MatrixXd jacobian(strains() + history(), 2 * strains() + history() + parameters());
-    jacobian << tangent, d.stress_by_last, d.stress_by_history, d.stress_by_parameter,
-        d.next_by_strain, d.next_by_last, d.next_by_history, d.next_by_parameter;
+    Eigen::MatrixXd jacobian(energies() + strains() + history(),
+                             2 * strains() + history() + parameters());
+    if (energies() > 0) {
+      jacobian.row(0).setZero();
+      jacobian.row(0).head(strains()) = response.stress.row(lane_).matrix();
+      jacobian.row(0).tail(parameters()) = d.stored_by_parameter.transpose();
+    }
+    jacobian.bottomRows(strains() + history()) << tangent, d.stress_by_last, d.stress_by_history,
+        d.stress_by_parameter, d.next_by_strain, d.next_by_last, d.next_by_history,
+        d.next_by_parameter;
     return jacobian;
   }
 
  private:
+  Eigen::Index energies() const { return history() == 0 ? 1 : 0; }
   Eigen::Index strains() const { return state_.strain.cols(); }
   Eigen::Index history() const { return law_.history_size(); }
   Eigen::Index parameters() const { return law_.parameters().size(); }

@@ -160,6 +160,46 @@ TEST(SolidScene, TakesRegionsOfItsFile) {
   }
 }
 
+TEST(SolidScene, BlendsSamplesOfItsMaterial) {
+  const auto scene = [](const std::string& material) {
+    return "pliant: scene/1\nsolids:\n"
+           "  - {name: bar, mesh: {block: [0.2, 0.04, 0.04], cells: [10, 2, 2]}, material: " +
+           material +
+           "}\npins: [{solid: bar, within: {box: {low: [-1, -1, -1], high: [1, 1, 0]}}}]\n"
+           "time: {kind: quasi-static, steps: 1, duration: 1 s}\n";
+  };
+  test::FileContents all = files();
+  // The same weight, nine times as stiff at the other end.
+  Simulation simulation = test::simulation_of(
+      scene("{samples: [{at: [0, 0, 0], material: rubber.json}, {at: [0.2, 0.04, 0], material: "
+            "stiff.json}], width: 20 mm}"),
+      all);
+  EXPECT_NEAR(simulation.built().solids[0].masses().sum(), 1000 * 0.2 * 0.04 * 0.04, 1e-12);
+  simulation.advance();
+  const Eigen::Matrix3Xd change = test::way(simulation);
+  const auto sag = [&](double x) {
+    double sum = 0;
+    for (const int node : nodes_at(simulation.built().solids[0].mesh, 0, x)) {
+      sum -= change(2, node);
+    }
+    return sum;
+  };
+  EXPECT_GT(sag(0), 5 * sag(0.2));
+  const auto refused = [&](const std::string& material) {
+    try {
+      test::simulation_of(scene(material), all);
+    } catch (const InputError& error) {
+      return error.where().field + ": " + error.problem();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("{samples: [{at: [0, 0, 0.1], material: rubber.json}]}"),
+            "solids[0].material.samples[0]: lies outside the body");
+  EXPECT_EQ(refused("{samples: [{at: [0, 0, 0], material: rubber.json}, {at: [0, 0, 0], material: "
+                    "stiff.json}]}"),
+            "solids[0].material.samples[1]: is a second sample at one place");
+}
+
 struct Refused {
   const char* solid;
   const char* field;

@@ -44,6 +44,45 @@ TEST(SolidProgram, FitsWhatItsTemplateHolds) {
   EXPECT_TRUE(fs::exists(folder.path() / "evaluation/report.html"));
 }
 
+TEST(SolidProgram, StartsAStudyFromATableOfStretchesAndStresses) {
+  const TemporaryFolder folder;
+  const std::string rows = "1,0,planar\n1.2,0.1,planar\n1.6,0.25,planar\n2,0.4,planar\n";
+  folder.write("rubber.csv", "stretch,nominal_stress_MPa,mode\n" + rows);
+  done({"init", "--from", in(folder, "rubber.csv"), "-o", in(folder, "study")});
+  const std::string study = content_of(folder.path() / "study/study.yaml");
+  EXPECT_THAT(study, HasSubstr("type: homogeneous"));
+  EXPECT_THAT(study, ::testing::Not(HasSubstr("mode:")));  // the table tells the mode
+  done({"fit", in(folder, "study/study.yaml"), "-o", in(folder, "fit")});
+  folder.write("pull.csv", "stretch,nominal_stress_MPa\n1,0\n1.2,0.1\n1.6,0.25\n2,0.4\n");
+  done({"init", "--from", in(folder, "pull.csv"), "-o", in(folder, "other")});
+  EXPECT_THAT(content_of(folder.path() / "other/study.yaml"), HasSubstr("mode: ???"));
+}
+
+TEST(SolidProgram, FitsOfSolidsKeepNoProgressToResume) {
+  const TemporaryFolder folder;
+  done({"init", "homogeneous", "-o", in(folder, "study")});
+  folder.write("fit/progress.bin", "");
+  const ProgramRun run =
+      run_program({"fit", in(folder, "study/study.yaml"), "-o", in(folder, "fit"), "--resume"});
+  EXPECT_EQ(run.status, 2);
+}
+
+TEST(SolidProgram, TellsLimitsAndWhereEllipticityIsLost) {
+  const TemporaryFolder folder;
+  folder.write("foam.json",
+               R"({"pliant": "material/1", "name": "foam", "kind": "solid", "density": 100,
+                   "components": {"trace": {"stiffness": {"curve": "constant", "value": 2e4}},
+                                  "trace-of-square": {"addends": [{"law": "linear", "c": 1e4}]}},
+                   "limits": [{"of": ["trace"], "energy": 400}]})");
+  const ProgramRun run = done({"info", in(folder, "foam.json"), "--json"});
+  const auto info = nlohmann::json::parse(run.out);
+  EXPECT_NEAR(info["limits"][0]["strains"][1].get<double>(), 0.2, 1e-9);
+  int lost = 0;
+  for (const auto& way : info["strong_ellipticity"]) lost += way["lost_at"].is_number();
+  EXPECT_GT(lost, 0);
+  EXPECT_THAT(done({"info", in(folder, "foam.json")}).out, HasSubstr("stays below 400 J/m^3"));
+}
+
 TEST(SolidProgram, MeasuresASolidVirtually) {
   const TemporaryFolder folder;
   folder.write("rubber.json",

@@ -136,6 +136,51 @@ TEST(SolidStudy, FindsFrictionOnAMetric) {
   EXPECT_NEAR(value_of(result, "green.xx.friction.tau"), 0.2, 1e-5 * 0.2);
 }
 
+/// A rubber that swells by 8 % and no further, pulled and squeezed between free sides.
+LabFolder limited_rubber(double noise, std::uint64_t seed) {
+  Material material = neo_hookean_solid(0.3e6, 1.5e6);
+  material.limits.push_back({{"J"}, 5e3});
+  std::vector<test::AnyTest> tests = test::three_modes(noise);
+  for (test::AnyTest& any : tests) {
+    auto& own = dynamic_cast<VirtualHomogeneous&>(*any.test);
+    own.incompressible = false;
+    for (double& peak : own.peaks) peak = 1 + 0.25 * (peak - 1);
+  }
+  return LabFolder(test::measurements_of(test::lab_of(material, tests), seed));
+}
+
+TEST(SolidStudy, FindsALimitOfEnergyWithTheNumbersBelowIt) {
+  const StudyResult result = fit(limited_rubber(0, 1), "law: neo-hookean, limits: [{of: [J]}]");
+  EXPECT_NEAR(value_of(result, "J.limit"), 5e3, 1e-5 * 5e3);
+  EXPECT_NEAR(value_of(result, "J.k"), 1.5e6, 1e-5 * 1.5e6);
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-6 * 0.3e6);
+  ASSERT_EQ(result.material.limits.size(), 1u);
+  EXPECT_EQ(result.material.limits.front().energy, value_of(result, "J.limit"));
+  for (const ExperimentResult& e : result.experiments) EXPECT_GT(e.r_squared.value(), 1 - 1e-9);
+}
+
+TEST(SlowSolidStudy, KnowsTheErrorOfALimitOfEnergy) {
+  constexpr int kSeeds = 5;
+  int covered = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const LabFolder folder = limited_rubber(2000, static_cast<std::uint64_t>(seed));
+    const StudyResult result = fit(folder, "law: neo-hookean, limits: [{of: [J]}]");
+    const NumberError& error = result.material.limits.front().errors.at("energy");
+    ASSERT_TRUE(error.std_error.has_value());
+    EXPECT_LT(*error.std_error, 0.05 * 5e3);
+    covered += std::abs(value_of(result, "J.limit") - 5e3) < 2 * *error.std_error;
+  }
+  // 95 % of 5; fewer than 4 would come by chance in one of 40.
+  EXPECT_GE(covered, 4);
+}
+
+TEST(SolidStudy, ALimitThatNothingReachesIsNotDetermined) {
+  const LabFolder folder = measured(stvk_solid(2e6, 0.6e6));
+  const StudyResult result = fit(folder, "law: stvk, limits: [{of: [trace]}]");
+  EXPECT_EQ(result.material.limits.front().errors.at("energy").determined, Determination::none);
+  EXPECT_NEAR(value_of(result, "trace.k"), 2e6, 1e-4 * 2e6);
+}
+
 TEST(SolidStudy, StandardErrorsCoverTheTruth) {
   constexpr int kSeeds = 40;
   int covered = 0;
@@ -221,6 +266,15 @@ TEST(SolidStudy, RefusesBadInputWhereItStands) {
                                   "constant}}}")
                               .what()),
               HasSubstr("changes in no experiment"));
+  // What a fit of a solid would not heed.
+  for (const auto& [option, line] :
+       {std::pair<std::string, std::string>{"monotone_stress", "monotone_stress: true"},
+        {"plan", "plan: [{components: [shear], experiments: [pull]}]"}}) {
+    const InputError error = refused(good, "{kind: solid}\nfit: {" + line + "}");
+    EXPECT_THAT(error.where().field, HasSubstr("fit." + option));
+  }
+  EXPECT_EQ(refused(good, "{kind: solid, law: yeoh, limits: [{of: [J]}]}").where().field,
+            "model.limits");
   EXPECT_THAT(std::string(refused(good,
                                   "{kind: solid, components: {stretch: {stiffness: spline, "
                                   "friction: dahl}}}")

@@ -250,5 +250,54 @@ TEST(SlowSolidEquilibrium, OfFiveThousandTetrahedraTakesTwentyIterationsAtMost) 
   }
 }
 
+/// A bar held at one end and pulled at the other.
+test::SolidSystem pulled_bar(test::Cells cells, const SolidLaw& law) {
+  test::SolidSystem solid =
+      test::solid_system(test::block_of(cells, {0.3, 0.1, 0.1}, {6, 2, 2}), law);
+  solid.hold(nodes_at(solid.mesh, 0, 0));
+  Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, solid.mesh.node_count());
+  for (const int node : nodes_at(solid.mesh, 0, 0.3)) load.col(node) = Eigen::Vector3d(6, 2, 1);
+  solid.load(load);
+  solid.system->finish();
+  return solid;
+}
+
+TEST(HeterogeneousBar, OfLikeSamplesIsTheHomogeneousBody) {
+  for (const test::Cells cells : {test::Cells::tetrahedra, test::Cells::hexahedra}) {
+    const test::SolidSystem one = pulled_bar(cells, solid_law(neo_hookean_solid(2e4, 1e5)));
+    const test::SolidSystem many = pulled_bar(cells, solid_law(test::field_of({2, 2, 2})));
+    State a = one.system->initial_state(), b = many.system->initial_state();
+    EXPECT_TRUE(test::settle(*one.system, a, 1e-10).converged);
+    EXPECT_TRUE(test::settle(*many.system, b, 1e-10).converged);
+    EXPECT_LT((a.configuration.positions - b.configuration.positions).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(HeterogeneousBar, PositionsChangeWithTheNumbersOfEachSampleAsFiniteDifferencesSay) {
+  for (const test::Cells cells : {test::Cells::tetrahedra, test::Cells::hexahedra}) {
+    const std::vector<double> factors{1, 0.5, 2};
+    const test::SolidSystem solid = pulled_bar(cells, solid_law(test::field_of(factors)));
+    const System& system = *solid.system;
+    ASSERT_EQ(system.parameters().names.size(), 6u);
+    EXPECT_EQ(system.parameters().names[1], "samples[1].I1-bar.linear.c");
+    EXPECT_EQ(system.parameters().names[5], "samples[2].J.k");
+    StaticPath path(system, {.newton = {.tolerance = 1e-9}, .by = system.all_parameters()});
+    const Eigen::MatrixXd by = path.step(1).by_parameter.positions;
+    const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(
+        system.parameters().values.data(), std::ssize(system.parameters().values));
+    for (Eigen::Index p = 0; p < values.size(); ++p) {
+      const double step = 1e-4 * values(p);
+      Eigen::VectorXd change = Eigen::VectorXd::Zero(by.rows());
+      for (const double sign : {-1.0, 1.0}) {
+        const Parameters other = system.with(values + sign * step * Eigen::VectorXd::Unit(6, p));
+        StaticPath moved(system, {.newton = {.tolerance = 1e-10}, .parameters = other});
+        moved.step(1);
+        change += sign * moved.state().configuration.positions.reshaped() / (2 * step);
+      }
+      EXPECT_LT((change - by.col(p)).norm(), 1e-5 * by.col(p).norm()) << p;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pliant

@@ -12,6 +12,7 @@ namespace pliant::test {
 struct LaneState {
   using Numbers = Eigen::Array<double, kLanes, Eigen::Dynamic>;
   Numbers strain, last, before, history;
+  Numbers weights = Numbers(kLanes, 0);  ///< of material samples
 
   LaneState(int strains, int history_size)
       : strain(kLanes, strains), last(kLanes, strains), before(kLanes, strains) {
@@ -24,7 +25,9 @@ struct LaneState {
   static LaneView view(const Numbers& numbers) {
     return LaneView(numbers.data(), kLanes, numbers.cols());
   }
-  Samples samples() const { return {view(strain), view(last), view(before), view(history)}; }
+  Samples samples() const {
+    return {view(strain), view(last), view(before), view(history), view(weights)};
+  }
 };
 
 inline Response response_of(const Density& density, const LaneState& state,

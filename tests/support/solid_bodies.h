@@ -5,7 +5,7 @@
 
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/mechanics/point_forces.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_field.h"
 #include "pliant/solver/static_solver.h"
 
 #include "support/solid_laws.h"
@@ -44,6 +44,18 @@ inline SolidSystem solid_system(const VolumeMesh& mesh, const SolidLaw& law, dou
                                            density * node_volumes(mesh));
   result.solid = add_solid(*result.system, mesh, law);
   return result;
+}
+
+/// A heterogeneous rubber along x: samples 0.1 m apart, as stiff and as dense as their factors.
+inline SolidField field_of(const std::vector<double>& factors) {
+  SolidField field;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    Material material = neo_hookean_solid(1e4 * factors[k], 5e4 * factors[k]);
+    material.density = 1000 * factors[k];
+    field.samples.push_back({{0.05 + 0.1 * static_cast<double>(k), 0.05, 0.05}, material});
+  }
+  field.width = spacing_of_neighbours(field.samples);
+  return field;
 }
 
 /// The equilibrium of a finished system, from where it starts.

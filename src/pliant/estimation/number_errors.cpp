@@ -12,13 +12,16 @@ std::string shared_component(std::string component) {
   return component.replace(component.size() - own.size(), own.size(), ".weft");
 }
 
+NumberError error_of(const ParameterEstimate& p) {
+  return {p.std_error, p.limit, p.determination, p.told_by};
+}
+
 std::map<std::string, NumberError> errors_of(const std::vector<ParameterEstimate>& parameters,
                                              const std::string& component) {
   std::map<std::string, NumberError> errors;
   for (const ParameterEstimate& p : parameters) {
     if (p.owner != component || p.fixed) continue;
-    errors[p.name.substr(component.size() + 1)] = {p.std_error, p.limit, p.determination,
-                                                   p.told_by};
+    errors[p.name.substr(component.size() + 1)] = error_of(p);
   }
   return errors;
 }
@@ -30,6 +33,12 @@ void state_errors(const std::vector<ParameterEstimate>& parameters, bool isotrop
   for (auto& [name, component] : material.components) {
     if (component.status != ComponentStatus::measured) continue;
     component.errors = errors_of(parameters, isotropic ? shared_component(name) : name);
+  }
+  for (EnergyLimit& limit : material.limits) {
+    const std::string name = limit_name(limit.of);
+    for (const ParameterEstimate& p : parameters) {
+      if (p.name == name && !p.fixed) limit.errors["energy"] = error_of(p);
+    }
   }
 }
 

@@ -33,31 +33,6 @@ class ByUnknowns : public FrameSink {
   FrameSink& frames_;
 };
 
-/// Puts the rows of all frames of an experiment in one place.
-class StoredRows : public FrameSink {
- public:
-  /// @param unknowns  0: no derivatives are wanted
-  StoredRows(const Experiment& experiment, Eigen::Index unknowns) : frames_(experiment.frames()) {
-    rows_.value.resize(experiment.rows());
-    if (unknowns > 0) rows_.by.resize(experiment.rows(), unknowns);
-  }
-
-  void take(int frame, const PredictedFrame& rows) override {
-    const Frame& at = frames_[static_cast<std::size_t>(frame)];
-    rows_.value.segment(at.first, at.count) = rows.value;
-    if (rows_.by.size() > 0) rows_.by.middleRows(at.first, at.count) = rows.by;
-    if (rows.length_gain.size() == 0) return;
-    rows_.length_gain.conservativeResize(rows_.value.size());
-    rows_.length_gain.segment(at.first, at.count) = rows.length_gain;
-  }
-
-  PredictedRows rows() && { return std::move(rows_); }
-
- private:
-  std::vector<Frame> frames_;
-  PredictedRows rows_;
-};
-
 }  // namespace
 
 void set_bounds(const std::vector<Unknown>& unknowns, LeastSquaresProblem& problem) {

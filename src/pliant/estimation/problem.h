@@ -11,6 +11,7 @@
 #include "pliant/estimation/statistics/robust_loss.h"
 #include "pliant/estimation/unknown.h"
 #include "pliant/experiment/experiment.h"
+#include "pliant/experiment/stored_rows.h"
 
 namespace pliant {
 
@@ -23,13 +24,6 @@ struct ProblemPart {
   Eigen::VectorXd weight = {};
   /// Whether what the study states of the noise holds for the differences.
   bool takes_stated_noise = true;
-};
-
-/// All rows of an experiment as some values of the unknowns predict them.
-struct PredictedRows {
-  Eigen::VectorXd value;        ///< SI
-  Eigen::MatrixXd by;           ///< rows x unknowns; empty unless asked for
-  Eigen::VectorXd length_gain;  ///< empty, or |d value / d length|
 };
 
 /// Gives a problem the bounds and scales of its unknowns.

@@ -178,6 +178,7 @@ TesterFile read_tester_file(const std::filesystem::path& path, CsvOptions csv,
   file.sheets = std::move(sheets);
   file.columns = csv.columns;
   file.csv = std::move(csv);
+  file.headers = table.headers();
   file.rows = static_cast<int>(table.rows());
   file.facts = tester_facts(table.preamble());
   const TesterFact* direction = find_fact(file.facts, "direction");

@@ -19,6 +19,7 @@ struct TesterFile {
   const TestType* type = nullptr;  ///< the test whose data it holds
   bool is_type_known = true;       ///< by its columns, or as asked
   std::map<std::string, std::string> columns;  ///< what a study must say of them, blanks included
+  std::vector<std::string> headers;            ///< of the columns
   std::vector<std::string> sheets;             ///< of a workbook, all of them; else none
   std::vector<TesterFact> facts;               ///< what stands above the table
   std::string direction;  ///< by the preamble or the file's name; empty: not told

@@ -167,6 +167,13 @@ std::string required_line(const TesterFile& file, std::string_view field) {
   return written(std::string(kBlank), blank_hint(field));
 }
 
+bool is_told_by_column(const TesterFile& file, std::string_view field) {
+  const auto has = [&](const auto& names) {
+    return std::ranges::find(names, field) != std::end(names);
+  };
+  return has(file.type->told_by_columns) && has(file.headers);
+}
+
 std::string passes_text(const TesterFile& file) {
   std::string text = fmt::format("{} rows", file.rows);
   if (file.specimens > 1) text += fmt::format(" of {} specimens", file.specimens);
@@ -182,7 +189,9 @@ std::string lines_of_group(const Group& group, std::set<std::string>& names) {
   std::string text = line(2, "- name: " + experiment_name(group, names));
   text += line(4, fmt::format("type: {}", file.type->name),
                file.is_type_known ? passes_text(file) : "not told by the columns: another?");
-  for (const std::string_view field : file.type->required) text += required_line(file, field);
+  for (const std::string_view field : file.type->required) {
+    if (!is_told_by_column(file, field)) text += required_line(file, field);
+  }
   text += data_lines(group);
   const TesterFact* pretension = find_fact(file.facts, "pretension");
   if (pretension && file.type == &tensile_cycles_type()) {
@@ -207,7 +216,15 @@ std::string info_lines(std::span<const TesterFile> files) {
   return text.empty() ? text : "info:\n" + text;
 }
 
+bool are_of_solids(std::span<const TesterFile> files) {
+  return std::ranges::all_of(
+      files, [](const TesterFile& file) { return file.type->facts.measures_solids; });
+}
+
 std::string density_line(std::span<const TesterFile> files) {
+  if (are_of_solids(files)) {
+    return line(0, "# density: 950 kg/m^3", "mass of a piece divided by its volume");
+  }
   const bool needed = std::ranges::any_of(
       files, [](const TesterFile& file) { return file.type->facts.needs_density; });
   return needed ? line(0, fmt::format("density: {}", kBlank), blank_hint("density"))
@@ -271,7 +288,8 @@ ImportedStudy tester_study(std::span<const TesterFile> files) {
                          "# A study of {}.\n# `pliant fit` names what is left blank ({}).\n"
                          "pliant: study/1\n",
                          fmt::join(names, ", "), kBlank) +
-                     line(0, "name: " + yaml_text(material), "of the fabric") +
+                     line(0, "name: " + yaml_text(material),
+                          are_of_solids(files) ? "of the material" : "of the fabric") +
                      density_line(files) + info_lines(files) + "experiments:\n" +
                      experiment_lines(files);
   std::ranges::move(blank_notes(study.study_yaml), std::back_inserter(study.notes));

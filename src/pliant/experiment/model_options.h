@@ -32,6 +32,8 @@ struct ModelOptions {
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
   FrictionChoice friction = FrictionChoice::automatic;
   std::map<std::string, ComponentModel> components;
+  /// Of solids: components whose energies together have a limit.
+  std::vector<std::vector<std::string>> limits;
 };
 
 /// Whether a model has springs, which lie along weft and warp.

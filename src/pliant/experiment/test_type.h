@@ -67,6 +67,8 @@ struct TestType {
   TestFiles template_files = {};       ///< what a laboratory starts the test with; or none
   /// What a study must tell of the test beside its data, in the order in which it is written.
   std::vector<std::string_view> required = {};
+  /// Those of them that a column of the same name may tell instead.
+  std::vector<std::string_view> told_by_columns = {};
 
   /// Reads the type's fields of an experiment of a study, its direction included.
   /// @throws InputError

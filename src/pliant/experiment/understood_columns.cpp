@@ -60,7 +60,8 @@ UnderstoodColumns understood_columns(const CsvTable& table) {
     const std::optional<std::string> header = table.quantity_column(name, dimension);
     if (!header || columns.contains(*header)) return;
     const std::string unit = *table.quantity_unit(name, dimension);
-    if (unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
+    const bool is_number = dimension == Dimension::number && unit.empty();
+    if (is_number || unit_conversion(unit, dimension)) columns[*header] = {name, unit, dimension};
   };
   for (const auto& [name, dimensions] : known_quantities()) {
     for (const Dimension dimension : dimensions) understand(name, dimension);

@@ -18,7 +18,7 @@ struct UnderstoodColumn {
 };
 
 /// What the columns of a table hold, by their headers. A column without a unit holds nothing that
-/// an experiment could use.
+/// an experiment could use, but for what is a number.
 using UnderstoodColumns = std::map<std::string, UnderstoodColumn>;
 UnderstoodColumns understood_columns(const CsvTable& table);
 

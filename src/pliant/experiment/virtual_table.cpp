@@ -47,6 +47,17 @@ void read_numbers(Fields& fields, std::string_view key, double Instrument::*Chan
   inner.finish();
 }
 
+void refuse_limits(const Material& material, const std::string& component, const Location& where) {
+  for (const EnergyLimit& limit : material.limits) {
+    if (std::ranges::find(limit.of, component) == limit.of.end()) continue;
+    throw InputError(where,
+                     fmt::format("a strip in one dimension knows no limits of energy, and the "
+                                 "material {} has {}",
+                                 quoted_value(material.name), limit_name(limit.of)),
+                     "a material without it");
+  }
+}
+
 }  // namespace
 
 void VirtualTable::require(const Material& material) const {
@@ -58,6 +69,7 @@ void VirtualTable::require(const Material& material) const {
         "needs a component that the material " + quoted_value(material.name) + " does not have",
         "a direction that was measured or assumed");
   }
+  refuse_limits(material, component_of_test(facts, direction), where);
   if (facts.needs_density && law->addends_remember()) {
     throw InputError(where,
                      "bent strips are followed with friction of one branch, and the material " +

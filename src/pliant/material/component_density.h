@@ -21,6 +21,13 @@ struct DensityOptions {
   double damping_fraction = 0;  ///< of the stiffness at unit strain, times 1 s
 };
 
+/// Which laws of a component: energies have limits, and what remembers has none.
+enum class LawPart {
+  all,
+  elastic,  ///< what remembers nothing
+  rest,     ///< friction, other addends that remember, damping
+};
+
 /// Names of what a component's law adds to a sum, in their order.
 struct AddedNames {
   std::vector<std::string> parameters;  ///< "stretch.weft.k1", ...
@@ -32,6 +39,6 @@ struct AddedNames {
 /// @param strain     which strain of the sum it acts on
 /// @return the names of what it adds
 AddedNames add_component(const Material& material, const std::string& component, int strain,
-                         const DensityOptions& options, Sum& sum);
+                         const DensityOptions& options, Sum& sum, LawPart part = LawPart::all);
 
 }  // namespace pliant

@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "pliant/base/assert.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/principal_metric.h"
@@ -72,6 +75,15 @@ const std::vector<std::string>& solid_component_names() {
     return all;
   }();
   return names;
+}
+
+std::string limit_name(const std::vector<std::string>& components) {
+  return fmt::format("{}.limit", fmt::join(components, "+"));
+}
+
+std::vector<std::string> limitable_components(MaterialKind kind) {
+  if (kind == MaterialKind::solid) return solid_component_names();
+  return {"stretch.weft", "stretch.warp", "shear", kCoupling};
 }
 
 const std::vector<std::string>& component_names(MaterialKind kind) {

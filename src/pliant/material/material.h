@@ -56,6 +56,16 @@ struct MaterialComponent {
   std::map<std::string, NumberError> errors = {};  ///< of a fit, by number: "k[0]", "friction.a"
 };
 
+/// The most that the elastic energy of some components together may come to ([T] Eq. 4.5).
+struct EnergyLimit {
+  std::vector<std::string> of;  ///< components, in the order of `component_names`
+  double energy = 0;            ///< psi_max > 0: J/m^3 of solids, J/m^2 of cloth
+  std::map<std::string, NumberError> errors = {};  ///< of a fit: "energy"
+};
+
+/// A limit among the parameters of a material: "J.limit", "trace+J.limit".
+std::string limit_name(const std::vector<std::string>& components);
+
 /// A material: the content of a material/1 file (docs/formats/material.md).
 struct Material {
   std::string name;
@@ -65,6 +75,7 @@ struct Material {
   std::string bending_of = "sheet";  ///< sheet, or hinges of the mesh `bending_mesh`
   std::string bending_mesh;
   std::map<std::string, MaterialComponent> components;
+  std::vector<EnergyLimit> limits = {};  ///< of which no two share a component
   std::optional<double> damping_fraction;
   std::map<std::string, std::string> info;
   std::map<std::string, std::string> provenance;
@@ -93,6 +104,10 @@ const std::vector<std::string>& solid_component_names();
 
 /// Those of a kind of material.
 const std::vector<std::string>& component_names(MaterialKind kind);
+
+/// Those of the components of a kind of material whose energies a limit may be about: of cloth all
+/// that act on triangles.
+std::vector<std::string> limitable_components(MaterialKind kind);
 
 /// The one-dimensional law of a component whose stiffness is given; friction is that of positive
 /// strain.

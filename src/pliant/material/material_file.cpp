@@ -10,6 +10,7 @@
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/limit_fields.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
@@ -122,19 +123,6 @@ std::pair<double, double> read_range(const Value& value) {
   return {ends[0], ends[1]};
 }
 
-NumberError read_error(const Value& node) {
-  Fields fields = node.fields();
-  NumberError error;
-  if (auto sd = fields.optional("std_error")) error.std_error = not_negative(*sd);
-  if (auto limit = fields.optional("limit")) error.limit = limit->number();
-  error.determined =
-      *determination_named(fields.require("determined")
-                               .choice({"within 10 %", "within 30 %", "weak", "not determined"}));
-  if (auto told_by = fields.optional("told_by")) error.told_by = told_by->text();
-  fields.finish();
-  return error;
-}
-
 /// @param law  of the component, whose numbers they are of
 std::map<std::string, NumberError> read_errors(const Value& node, const ComponentLaw& law) {
   std::vector<std::string> names = parameter_names(law, "");
@@ -145,7 +133,7 @@ std::map<std::string, NumberError> read_errors(const Value& node, const Componen
       value.fail("is no number of this component",
                  fmt::format("one of {}", fmt::join(names, ", ")));
     }
-    errors[name] = read_error(value);
+    errors[name] = read_number_error(value);
   }
   return errors;
 }
@@ -271,17 +259,6 @@ Json addend_json(const Addend& addend) {
   return json;
 }
 
-Json errors_json(const std::map<std::string, NumberError>& errors) {
-  Json json = Json::object();
-  for (const auto& [name, error] : errors) {
-    Json& own = json[name] = {{"determined", name_of(error.determined)}};
-    if (error.std_error) own["std_error"] = *error.std_error;
-    if (error.limit) own["limit"] = *error.limit;
-    if (!error.told_by.empty()) own["told_by"] = error.told_by;
-  }
-  return json;
-}
-
 Json component_json(const MaterialComponent& component) {
   Json json = Json::object();
   if (component.stiffness && component.stiffness->kind() != CurveKind::none) {
@@ -291,7 +268,9 @@ Json component_json(const MaterialComponent& component) {
   for (const Addend& addend : component.addends) json["addends"].push_back(addend_json(addend));
   json["status"] = name_of(component.status);
   if (component.range) json["range"] = {component.range->first, component.range->second};
-  if (!component.errors.empty()) json["errors"] = errors_json(component.errors);
+  for (const auto& [name, error] : component.errors) {
+    json["errors"][name] = number_error_json(error);
+  }
   return json;
 }
 
@@ -312,6 +291,7 @@ Material material_of(const Document& document) {
   if (auto density = fields.optional("density")) material.density = positive(*density);
   if (material.kind == MaterialKind::cloth) read_sheet(fields, material);
   read_components(fields, material);
+  if (auto limits = fields.optional("limits")) material.limits = read_limits(*limits, material);
   if (auto damping = fields.optional("damping")) {
     Fields inner = damping->fields();
     material.damping_fraction = not_negative(inner.require("fraction"));
@@ -339,6 +319,7 @@ std::string material_text(const Material& material) {
     const auto found = material.components.find(name);
     if (found != material.components.end()) components[name] = component_json(found->second);
   }
+  if (!material.limits.empty()) json["limits"] = limits_json(material.limits);
   if (material.damping_fraction) json["damping"] = {{"fraction", *material.damping_fraction}};
   if (!material.info.empty()) json["info"] = material.info;
   if (!material.provenance.empty()) json["provenance"] = material.provenance;

@@ -8,6 +8,7 @@
 #include "pliant/geometry/grid_springs.h"
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
+#include "pliant/material/component_sum.h"
 #include "pliant/material/density/combined_strain.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/strain/discrete_shells.h"
@@ -21,7 +22,7 @@ namespace {
 
 // A law of some components with its places in the system's parameter vector.
 struct Law {
-  std::shared_ptr<Sum> sum = std::make_shared<Sum>();
+  std::shared_ptr<Sum> sum;
   std::vector<int> places;
   std::vector<std::string> field_names;
 };
@@ -33,23 +34,21 @@ const std::vector<std::string>& membrane_components() {
 
 Law make_law(const Material& material, const std::vector<std::string>& components,
              const DensityOptions& options, System& system) {
+  ComponentSum sum(material);
   Law law;
-  std::vector<std::string> parameters, history;
-  const auto take = [&](const AddedNames& added) {
-    parameters.insert(parameters.end(), added.parameters.begin(), added.parameters.end());
-    history.insert(history.end(), added.history.begin(), added.history.end());
-  };
   for (size_t i = 0; i < components.size(); ++i) {
-    take(add_component(material, components[i], static_cast<int>(i), options, *law.sum));
+    sum.add(components[i], static_cast<int>(i), options);
     law.field_names.push_back("strain." + components[i]);
   }
   if (components == membrane_components() && is_known(material, kCoupling)) {
-    const auto coupling = std::make_shared<Sum>();
-    take(add_component(material, kCoupling, /*strain=*/0, options, *coupling));
-    law.sum->add_addend(std::make_shared<CombinedStrain>(Eigen::Vector3d(1, 1, 0), coupling));
+    sum.add(kCoupling, /*strain=*/0, options, [](std::shared_ptr<Sum> coupling) {
+      return std::make_shared<CombinedStrain>(Eigen::Vector3d(1, 1, 0), std::move(coupling));
+    });
   }
-  law.field_names.insert(law.field_names.end(), history.begin(), history.end());
-  law.places = system.add_parameters(parameters, law.sum->parameters());
+  NamedLaw named = std::move(sum).finish();
+  law.sum = std::move(named.law);
+  std::ranges::move(named.names.history, std::back_inserter(law.field_names));
+  law.places = system.add_parameters(named.names.parameters, law.sum->parameters());
   return law;
 }
 

@@ -11,7 +11,10 @@
 #include "pliant/material/strain/spring.h"
 #include "pliant/material/strain/stvk_membrane.h"
 #include "pliant/material/strain/trilinear_hexahedron.h"
+#include "pliant/mechanics/lane_derivatives.h"
 #include "pliant/mechanics/lane_kernel.h"
+#include "pliant/mechanics/limited_ways.h"
+#include "pliant/mechanics/sample_weights.h"
 #include "pliant/mechanics/shells_lanes.h"
 #include "pliant/mechanics/solid_lanes.h"
 #include "pliant/mechanics/stvk_lanes.h"
@@ -66,6 +69,7 @@ ElementPotential<Measure>::ElementPotential(const Stencils<Measure>& stencils,
     rests_.push_back(rests_.back());
     sizes_.push_back(0);
   }
+  weights_ = lane_weights(stencils.weights, batches());
   for (auto first = points_.begin(); first != points_.end(); first += kLanes) {
     share_points_.push_back(std::equal(first + 1, first + kLanes, first));
   }
@@ -117,7 +121,8 @@ Samples ElementPotential<Measure>::samples(int batch, const LaneStrains& strain,
   const double* own = history + Eigen::Index(kLanes) * columns() * batch;
   return {LaneView(strain.data(), kLanes, m), LaneView(own, kLanes, m),
           LaneView(own + kLanes * m, kLanes, m),
-          LaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m)};
+          LaneView(own + 2 * kLanes * m, kLanes, columns() - 2 * m),
+          of_batch(weights_, batch, batches())};
 }
 
 template <class Measure>
@@ -137,6 +142,7 @@ typename ElementPotential<Measure>::Rests ElementPotential<Measure>::rests_near(
 template <class Measure>
 void ElementPotential<Measure>::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
                                       WayLimits& limits) const {
+  if (obeys_limit(from)) shorten_to_limit(from, to, limits);
   if constexpr (kMayInvert) {
     for (size_t e = 0; e < static_cast<size_t>(count_); ++e) {
       const double share = Measure::share_before_inversion(
@@ -149,6 +155,47 @@ void ElementPotential<Measure>::limit(const Evaluation& from, const Eigen::Matri
       }
     }
   }
+}
+
+template <class Measure>
+void ElementPotential<Measure>::shorten_to_limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                                                 WayLimits& limits) const {
+  Configuration at = from.configuration;
+  for (int batch = 0; batch < batches(); ++batch) {
+    const auto left_at = [&](const Configuration& configuration) {
+      const Batch elements(*this, batch, configuration, from.history, false);
+      Lane left = Lane::Constant(INFINITY);
+      law_at(from).lower_to_share_left(elements.samples, left);
+      return left;
+    };
+    const Eigen::ArrayXd shares =
+        shares_within_limits(left_at(from.configuration), limits.kept, [&](double share) {
+          for (int l = 0; l < kLanes; ++l) {
+            for (const int node : points_[static_cast<size_t>(kLanes * batch + l)]) {
+              const auto start = from.configuration.positions.col(node);
+              at.positions.col(node) = start + share * (to.col(node) - start);
+            }
+          }
+          return left_at(at);
+        });
+    if ((shares == 1).all()) continue;
+    limits.obstructed = true;
+    for (int l = 0; l < kLanes; ++l) {
+      for (const int node : points_[static_cast<size_t>(kLanes * batch + l)]) {
+        limits.shares(node) = std::min(limits.shares(node), shares(l));
+      }
+    }
+  }
+}
+
+template <class Measure>
+double ElementPotential<Measure>::share_left(const Evaluation& at) const {
+  Lane left = Lane::Constant(INFINITY);
+  for (int batch = 0; batch < batches() && law_at(at).is_limited(); ++batch) {
+    const Batch elements(*this, batch, at.configuration, at.history, false);
+    law_at(at).lower_to_share_left(elements.samples, left);
+  }
+  return left.minCoeff();
 }
 
 template <class Measure>
@@ -166,6 +213,7 @@ Energy ElementPotential<Measure>::evaluate_batch(int batch, const Evaluation& at
     if (!(elements.kernel.volume_ratio().minCoeff() > 0)) return {.stored = INFINITY};
   }
   law_at(at).add(elements.samples, at.time, elements.response);
+  if (!elements.response.stored.isFinite().all()) return {.stored = INFINITY};
   if (derivatives.gradient) {
     LanePositions<Measure> forces;
     elements.kernel.gradient(elements.response, elements.size, forces);
@@ -278,61 +326,6 @@ std::vector<int> ElementPotential<Measure>::columns_of_parameters(
   }
   return columns;
 }
-
-namespace {
-
-// Derivatives of eight stencils: column i + j rows holds entry (i, j) of the matrix of that name in
-// SampleDerivatives.
-struct LaneDerivatives {
-  using Entries = Eigen::Array<double, kLanes, Eigen::Dynamic>;
-  Entries stress_by_last, stress_by_history, stress_by_parameter;
-  Entries next_by_strain, next_by_last, next_by_history, next_by_parameter;
-
-  LaneDerivatives(const ParametricDensity& density, const Samples& samples, int parameters) {
-    for (int l = 0; l < kLanes; ++l) {
-      SampleDerivatives d(static_cast<int>(samples.strain.cols()), density.history_size(),
-                          parameters);
-      density.differentiate(samples, l, 0, 0, d);
-      set(l, d.stress_by_last, stress_by_last);
-      set(l, d.stress_by_history, stress_by_history);
-      set(l, d.stress_by_parameter, stress_by_parameter);
-      set(l, d.next_by_strain, next_by_strain);
-      set(l, d.next_by_last, next_by_last);
-      set(l, d.next_by_history, next_by_history);
-      set(l, d.next_by_parameter, next_by_parameter);
-    }
-  }
-
- private:
-  static void set(int lane, const Eigen::MatrixXd& matrix, Entries& entries) {
-    if (lane == 0) entries.resize(kLanes, matrix.size());
-    entries.row(lane) = matrix.reshaped().transpose();
-  }
-};
-
-// Adds a matrix, eight times, to the product with a vector, eight times.
-template <class Vector, class Result>
-void add_product(const LaneDerivatives::Entries& matrix, const Vector& vector, Result& result) {
-  const Eigen::Index rows = result.cols();
-  for (Eigen::Index j = 0; j < vector.cols(); ++j) {
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      result.col(i) += matrix.col(i + j * rows) * vector.col(j);
-    }
-  }
-}
-
-// Adds the columns of the parameters that stand in column `column` of the derivatives.
-template <class Result>
-void add_own_parameters(const LaneDerivatives::Entries& by_parameter,
-                        const std::vector<int>& columns, Eigen::Index column, Result& result) {
-  const Eigen::Index rows = result.cols();
-  for (std::size_t p = 0; p < columns.size(); ++p) {
-    if (columns[p] != column) continue;
-    result += by_parameter.middleCols(static_cast<Eigen::Index>(p) * rows, rows);
-  }
-}
-
-}  // namespace
 
 // The stencils' own numbers in the potential's history are a matrix of eight rows, a batch after
 // the other: strains, the strains before, what the density keeps.

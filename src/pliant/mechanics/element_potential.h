@@ -19,8 +19,9 @@ namespace pliant {
 /// the density keeps; eight stencils together, lane by lane.
 ///
 /// Where the measure tells of inversion, the energy is infinite at it and searches are kept from
-/// it. Eight stencils that begin at a multiple of eight and share their points, as those of the
-/// points of a hexahedron do, are added to forces and stiffness as one.
+/// it; likewise beyond a limit of the density's energy. Eight stencils that begin at a multiple of
+/// eight and share their points, as those of the points of a hexahedron do, are added to forces and
+/// stiffness as one.
 template <class Measure>
 class ElementPotential : public ParametricPotential, public ElementFields {
  public:
@@ -34,7 +35,9 @@ class ElementPotential : public ParametricPotential, public ElementFields {
 
   std::vector<std::pair<int, int>> couplings() const override;
   void bind(const Coordinates& coordinates, const BlockPattern& pattern) override;
-  bool obstructs() const override { return kMayInvert; }
+  bool obstructs() const override { return kMayInvert || is_limited(); }
+  bool is_limited() const override { return density_->is_limited(); }
+  double share_left(const Evaluation& at) const override;
   void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 
@@ -65,6 +68,12 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   const ParametricDensity& law_at(const Evaluation& at) const {
     return at.law ? *at.law : *density_;
   }
+  /// Whether ways end at the limit of the law.
+  bool obeys_limit(const Evaluation& at) const {
+    return law_at(at).is_limited() && at.time.limits.mended == 0;
+  }
+  void shorten_to_limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                        WayLimits& limits) const;
   /// For each parameter of the law its column among `by`; -1: none.
   std::vector<int> columns_of_parameters(const std::vector<int>& by) const;
   int batches() const { return static_cast<int>(points_.size()) / kLanes; }
@@ -83,6 +92,7 @@ class ElementPotential : public ParametricPotential, public ElementFields {
   std::vector<char> share_points_;                        // whether those of a batch do
   std::vector<typename Measure::Rest> rests_;
   std::vector<double> sizes_;  // zero for those that fill up
+  Eigen::MatrixXd weights_;    // kLanes rows; of the samples of each batch, one after the other
   int count_ = 0;              // without those that fill up
   std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "pliant/base/assert.h"
+#include "pliant/mechanics/limited_ways.h"
+#include "pliant/mechanics/sample_weights.h"
 
 namespace pliant {
 namespace {
@@ -36,7 +38,7 @@ int place_in(const std::vector<int>& rising, int value) {
 NodalDilatation::NodalDilatation(Tetrahedra tetrahedra, const std::vector<double>& rest_volumes,
                                  std::shared_ptr<const ParametricDensity> density,
                                  std::vector<int> parameter_places,
-                                 std::vector<std::string> field_names)
+                                 std::vector<std::string> field_names, const Weights& weights)
     : tetrahedra_(std::move(tetrahedra)),
       density_(std::move(density)),
       parameter_places_(std::move(parameter_places)),
@@ -64,6 +66,13 @@ NodalDilatation::NodalDilatation(Tetrahedra tetrahedra, const std::vector<double
     patch.points.erase(repeated.begin(), repeated.end());
     patches_.push_back(std::move(patch));
   }
+  Eigen::MatrixXd of_patches;
+  for (std::size_t p = 0; weights && p < patches_.size(); ++p) {
+    const Eigen::VectorXd own = weights(patches_[p].point);
+    of_patches.conservativeResize(own.size(), std::ssize(patches_));
+    of_patches.col(static_cast<Eigen::Index>(p)) = own;
+  }
+  weights_ = lane_weights(of_patches, batches());
 }
 
 std::vector<std::pair<int, int>> NodalDilatation::couplings() const {
@@ -123,7 +132,42 @@ Samples NodalDilatation::samples(int batch, const LaneStrains& strain,
                                  const double* history) const {
   const double* own = history + Eigen::Index(kLanes) * columns() * batch;
   return {LaneView(strain.data(), kLanes, 1), LaneView(own, kLanes, 1),
-          LaneView(own + kLanes, kLanes, 1), LaneView(own + 2 * kLanes, kLanes, columns() - 2)};
+          LaneView(own + kLanes, kLanes, 1), LaneView(own + 2 * kLanes, kLanes, columns() - 2),
+          of_batch(weights_, batch, batches())};
+}
+
+Eigen::ArrayXd NodalDilatation::shares_left(const Evaluation& at,
+                                            const Eigen::Matrix3Xd& positions) const {
+  const Eigen::VectorXd strains = this->strains(positions);
+  Eigen::ArrayXd left(strains.size());
+  for (int batch = 0; batch < batches(); ++batch) {
+    const LaneStrains strain = strains.segment<kLanes>(kLanes * batch).array();
+    Lane own = Lane::Constant(INFINITY);
+    law_at(at).lower_to_share_left(samples(batch, strain, at.history), own);
+    left.segment<kLanes>(kLanes * batch) = own;
+  }
+  return left;
+}
+
+double NodalDilatation::share_left(const Evaluation& at) const {
+  return is_limited() ? shares_left(at, at.configuration.positions).minCoeff() : 1;
+}
+
+void NodalDilatation::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
+                            WayLimits& limits) const {
+  if (!is_limited() || from.time.limits.mended > 0) return;
+  const Eigen::Matrix3Xd& start = from.configuration.positions;
+  const Eigen::ArrayXd shares = shares_within_limits(
+      shares_left(from, start), limits.kept,
+      [&](double share) { return shares_left(from, start + share * (to - start)); });
+  for (size_t p = 0; p < patches_.size(); ++p) {
+    const double share = shares(static_cast<Eigen::Index>(p));
+    if (share == 1) continue;
+    limits.obstructed = true;
+    for (const int point : patches_[p].points) {
+      limits.shares(point) = std::min(limits.shares(point), share);
+    }
+  }
 }
 
 void NodalDilatation::evaluate(const Evaluation& at, Derivatives& derivatives) const {
@@ -135,6 +179,10 @@ void NodalDilatation::evaluate(const Evaluation& at, Derivatives& derivatives) c
     const LaneStrains strain = strains.segment<kLanes>(first).array();
     Response response(1);
     law_at(at).add(samples(batch, strain, at.history), at.time, response);
+    if (!response.stored.isFinite().all()) {
+      derivatives.energy.stored = INFINITY;
+      return;
+    }
     pressures.segment<kLanes>(first) = response.stress.col(0).matrix();
     if (at.curvature == Curvature::convex) make_tangent_convex(response, 1);
     slopes.segment<kLanes>(first) = response.tangent.col(0).matrix();

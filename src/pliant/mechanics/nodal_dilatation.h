@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,17 +19,24 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
  public:
   using Tetrahedra = std::vector<std::array<int, 4>>;  ///< points of each
 
+  /// Weights of the samples of a heterogeneous material at a point.
+  using Weights = std::function<Eigen::VectorXd(int point)>;
+
   /// @param rest_volumes      of the tetrahedra (m^3)
   /// @param density           a law of one strain
   /// @param parameter_places  where each parameter of the density stands among the system's
   /// @param field_names       of the strain, then of the density's history; empty for no output
   NodalDilatation(Tetrahedra tetrahedra, const std::vector<double>& rest_volumes,
                   std::shared_ptr<const ParametricDensity> density,
-                  std::vector<int> parameter_places = {},
-                  std::vector<std::string> field_names = {});
+                  std::vector<int> parameter_places = {}, std::vector<std::string> field_names = {},
+                  const Weights& weights = {});
 
   std::vector<std::pair<int, int>> couplings() const override;
   void bind(const Coordinates& coordinates, const BlockPattern& pattern) override;
+  bool obstructs() const override { return is_limited(); }
+  void limit(const Evaluation& from, const Eigen::Matrix3Xd& to, WayLimits& limits) const override;
+  bool is_limited() const override { return density_->is_limited(); }
+  double share_left(const Evaluation& at) const override;
   void evaluate(const Evaluation& at, Derivatives& derivatives) const override;
 
   Eigen::Index history_size() const override;
@@ -69,6 +77,8 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
   /// Of all nodes, and zeros that fill up whole batches.
   Eigen::VectorXd strains(const Eigen::Matrix3Xd& positions) const;
   Samples samples(int batch, const LaneStrains& strain, const double* history) const;
+  /// What is left to each node of the limit of its energy.
+  Eigen::ArrayXd shares_left(const Evaluation& at, const Eigen::Matrix3Xd& positions) const;
   /// Adds the forces of pressures at the nodes.
   void add_forces(const std::vector<Gradient>& gradients, const Eigen::VectorXd& pressures,
                   double* gradient) const;
@@ -83,6 +93,7 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
   std::vector<Patch> patches_;
   std::vector<std::array<int, 4>> patches_of_;  // of the nodes of each tetrahedron
   Eigen::VectorXd rest_volumes_;                // of the nodes
+  Eigen::MatrixXd weights_;  // kLanes rows; of the samples of each batch, one after the other
   std::shared_ptr<const ParametricDensity> density_;
   std::vector<int> parameter_places_;
   std::vector<std::string> field_names_;

@@ -106,6 +106,15 @@ class Potential {
     static_cast<void>(from), static_cast<void>(to), static_cast<void>(limits);
   }
 
+  /// Whether energies of it have a limit ([T] Eq. 4.5).
+  virtual bool is_limited() const { return false; }
+
+  /// The least share of their limits that limited energies are below them; below 0 beyond.
+  virtual double share_left(const Evaluation& at) const {
+    static_cast<void>(at);
+    return 1;
+  }
+
   /// Adds to the energy and to the derivatives that are asked for. The energy is infinite where
   /// points must not be.
   virtual void evaluate(const Evaluation& at, Derivatives& derivatives) const = 0;

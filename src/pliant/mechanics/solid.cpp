@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "pliant/geometry/hexahedron_shape.h"
 #include "pliant/material/strain/hexahedron_dilatation.h"
 #include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/trilinear_hexahedron.h"
@@ -61,6 +62,14 @@ LawPlaces add_parameters(System& system, const SolidLaw& law) {
   return places;
 }
 
+template <class Measure>
+void add_weights(const SolidLaw& law, const Eigen::Vector3d& place, Stencils<Measure>& stencils) {
+  if (!law.weights) return;
+  const Eigen::VectorXd weights = law.weights(place);
+  stencils.weights.conservativeResize(weights.size(), stencils.weights.cols() + 1);
+  stencils.weights.col(stencils.weights.cols() - 1) = weights;
+}
+
 template <class Part>
 void add_shown(System& system, const std::shared_ptr<Part>& potential, Solid& solid) {
   system.add(potential);
@@ -75,15 +84,22 @@ void add_tetrahedra(System& system, const SolidPart& part, const SolidLaw& law,
     const LinearTetrahedron::Positions x =
         part.mesh.positions(Eigen::all, part.mesh.tetrahedra.col(t));
     stencils.add(part.points(part.mesh.tetrahedra, t), tetrahedron_rest(x), tetrahedron_volume(x));
+    add_weights(law, x.rowwise().mean(), stencils);
   }
   add_shown(system,
             std::make_shared<ElementPotential<LinearTetrahedron>>(
                 stencils, law.of_points, places.of_points, law.point_fields),
             solid);
   if (!law.of_volume) return;
+  NodalDilatation::Weights weights;
+  if (law.weights) {
+    weights = [&](int point) {
+      return law.weights(part.mesh.positions.col(point - part.first_point));
+    };
+  }
   add_shown(system,
             std::make_shared<NodalDilatation>(stencils.points, stencils.sizes, law.of_volume,
-                                              places.of_volume, law.volume_fields),
+                                              places.of_volume, law.volume_fields, weights),
             solid);
 }
 
@@ -97,11 +113,14 @@ void add_hexahedra(System& system, const SolidPart& part, const SolidLaw& law,
         part.mesh.positions(Eigen::all, part.mesh.hexahedra.col(h));
     const auto points = part.points(part.mesh.hexahedra, h);
     double volume = 0;
-    for (const HexahedronPoint& point : hexahedron_points(x)) {
-      stencils.add(points, point.rest, point.size);
-      volume += point.size;
+    const auto of_element = hexahedron_points(x);
+    for (size_t p = 0; p < of_element.size(); ++p) {
+      stencils.add(points, of_element[p].rest, of_element[p].size);
+      add_weights(law, x * hexahedron_shares()[p], stencils);
+      volume += of_element[p].size;
     }
     dilatations.add(points, {volume}, volume);
+    add_weights(law, x.rowwise().mean(), dilatations);
   }
   add_shown(system,
             std::make_shared<ElementPotential<TrilinearHexahedron>>(

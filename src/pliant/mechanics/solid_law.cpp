@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 
 #include "pliant/material/solid/solid_density.h"
@@ -19,13 +20,21 @@ Response response_at_rest(const ParametricDensity& law, int strains) {
   return response;
 }
 
+// A limit of the volume and of other components together is one of the points.
+bool has_limit_with_others(const Material& material) {
+  return std::ranges::any_of(material.limits, [](const EnergyLimit& limit) {
+    return limit.of.size() > 1 && std::ranges::find(limit.of, kVolume) != limit.of.end();
+  });
+}
+
 }  // namespace
 
 SolidLaw solid_law(const Material& material, const DensityOptions& options) {
   Material of_points = material;
-  const bool has_volume = of_points.components.erase(kVolume) > 0 &&
+  const bool has_volume = !has_limit_with_others(material) &&
+                          of_points.components.erase(kVolume) > 0 &&
                           material.components.at(kVolume).stiffness.has_value();
-  SolidDensity density = solid_density(of_points, options);
+  NamedLaw density = solid_density(of_points, options);
   SolidLaw law;
   law.of_points = density.law;
   law.parameters = std::move(density.names.parameters);
@@ -33,12 +42,13 @@ SolidLaw solid_law(const Material& material, const DensityOptions& options) {
                       "strain.green.yz", "strain.green.xz", "strain.green.xy"};
   std::ranges::move(density.names.history, std::back_inserter(law.point_fields));
   if (!has_volume) return law;
-  const auto of_volume = std::make_shared<Sum>();
-  AddedNames names = add_component(material, kVolume, /*strain=*/0, options, *of_volume);
-  law.of_volume = of_volume;
-  std::ranges::move(names.parameters, std::back_inserter(law.parameters));
+  ComponentSum sum(material);
+  sum.add(kVolume, /*strain=*/0, options);
+  NamedLaw of_volume = std::move(sum).finish();
+  law.of_volume = std::move(of_volume.law);
   law.volume_fields = {"strain.J"};
-  std::ranges::move(names.history, std::back_inserter(law.volume_fields));
+  std::ranges::move(of_volume.names.parameters, std::back_inserter(law.parameters));
+  std::ranges::move(of_volume.names.history, std::back_inserter(law.volume_fields));
   return law;
 }
 

@@ -102,6 +102,18 @@ bool System::obstructs() const {
   return std::ranges::any_of(parts_, [](const Part& part) { return part.potential->obstructs(); });
 }
 
+bool System::is_limited() const {
+  return std::ranges::any_of(parts_, [](const Part& part) { return part.potential->is_limited(); });
+}
+
+double System::share_left(const Configuration& at, const Conditions& under) const {
+  double left = 1;
+  for (const Part& part : parts_) {
+    left = std::min(left, part.potential->share_left(evaluation(part, at, under)));
+  }
+  return left;
+}
+
 WayLimits System::way_limits(const Configuration& from, const Configuration& to,
                              const Conditions& under, double kept) const {
   WayLimits limits{.shares = Eigen::VectorXd::Ones(points()), .kept = kept};

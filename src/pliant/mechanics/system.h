@@ -70,6 +70,10 @@ class System {
                                            const Conditions& under) const;
   /// Whether anything may be in a point's way.
   bool obstructs() const;
+  /// Whether energies of it have a limit.
+  bool is_limited() const;
+  /// The least share of their limits that limited energies are below them; below 0 beyond.
+  double share_left(const Configuration& at, const Conditions& under) const;
   /// How much of its straight way each point may go at once.
   /// @param kept  share of its distance that what comes near something keeps
   WayLimits way_limits(const Configuration& from, const Configuration& to, const Conditions& under,

@@ -142,6 +142,7 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
   for (const SceneSolid& solid : scene.solids) {
     if (!solid.mesh.file().empty()) files.push_back(solid.mesh.file());
     files.push_back(solid.material.file);
+    for (const SceneSample& sample : solid.samples) files.push_back(sample.material.file);
     for (const SolidRegion& region : solid.regions) files.push_back(region.material.file);
   }
   for (const SceneObstacle& obstacle : scene.obstacles) {

@@ -1,5 +1,7 @@
 #include "pliant/scene/cloth_regions.h"
 
+#include <fmt/format.h>
+
 #include "pliant/base/add_once.h"
 #include "pliant/geometry/grid_pattern.h"
 #include "pliant/material/fill.h"
@@ -38,6 +40,17 @@ void require_mass(const ClothRegion& region, const Scene& scene) {
                    "a material with \"density\" above zero (kg/m^2), for cloth that has mass");
 }
 
+void require_own_limits(const ClothRegion& region) {
+  if (region.material.membrane != MembraneMeasure::spring) return;
+  for (const EnergyLimit& limit : region.material.limits) {
+    if (limit.of.size() == 1 && limit.of.front() != kCoupling) continue;
+    throw InputError(region.where,
+                     fmt::format("{} of {} limits the energies of several springs together",
+                                 limit_name(limit.of), quoted_value(region.material.name)),
+                     "a limit for each, or the membrane `stvk`");
+  }
+}
+
 void require_grid(const ClothRegion& region, const TriangleMesh& mesh) {
   if (!needs_grid(region.material) || is_cut_from_rectangles(mesh)) return;
   throw InputError(region.where,
@@ -63,6 +76,7 @@ std::vector<ClothRegion> cloth_regions(const SceneCloth& cloth, const ClothMesh&
   std::erase_if(regions, [](const ClothRegion& region) { return region.triangles.empty(); });
   for (const ClothRegion& region : regions) {
     require_mass(region, scene);
+    require_own_limits(region);
     require_grid(region, mesh.mesh);
   }
   return regions;

@@ -70,6 +70,23 @@ void read_obstacles(Fields& fields, Scene& scene) {
   if (auto v = fields.optional("contact")) scene.contact = read_scene_contact(*v);
 }
 
+bool has_limits(const Scene& scene) {
+  const auto limited = [](const auto& body) { return !body.material.material.limits.empty(); };
+  const auto any_limited = [&](const auto& body) {
+    return limited(body) || std::ranges::any_of(body.regions, limited);
+  };
+  return std::ranges::any_of(scene.cloth, any_limited) ||
+         std::ranges::any_of(scene.solids, any_limited);
+}
+
+/// No step may end beyond a limit of energy.
+void require_search_for_limits(const Scene& scene) {
+  if (scene.time.solution != StepSolve::linearized || !has_limits(scene)) return;
+  throw InputError({scene.file, scene.time.where.line, "time.solve"},
+                   "one linear system a step would carry materials beyond their limits of energy",
+                   "`iterated` or `converged`");
+}
+
 /// What touches is kept apart by a search for less energy, step by step.
 void require_search(const Scene& scene) {
   if (scene.obstacles.empty() && !scene.contact.friction) return;
@@ -123,6 +140,7 @@ Scene scene_of(const Document& document) {
   scene.time = read_stepping(fields.require("time"));
   if (scene.time.kind == SimulationKind::quasi_static) refuse_movement(fields, scene);
   require_search(scene);
+  require_search_for_limits(scene);
   scene.output = read_frame_output(fields.optional("output"), scene.time);
   fields.finish();
   return scene;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "pliant/geometry/mesh_quality.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
@@ -45,6 +47,7 @@ class SceneBuilder {
     result_.system->finish();
     set_schedule();
     result_.start = result_.system->initial_state();
+    require_limits();
     set_velocities();
     return std::move(result_);
   }
@@ -348,6 +351,28 @@ class SceneBuilder {
       resistance.segment(solid.first_point, solid.node_count()) = solid.resistance_to_stretch();
     }
     return resistance;
+  }
+
+  void require_limits() {
+    for (size_t c = 0; c < result_.cloths.size(); ++c) {
+      require_limits(scene_.cloth[c].where, result_.cloths[c].shown);
+    }
+    for (size_t s = 0; s < result_.solids.size(); ++s) {
+      require_limits(scene_.solids[s].where, result_.solids[s].shown);
+    }
+  }
+
+  void require_limits(const Location& where, const std::vector<ShownPotential>& potentials) {
+    for (const ShownPotential& shown : potentials) {
+      const double left = shown.potential->share_left(
+          {result_.start.configuration, system().history_of(*shown.potential, result_.start)});
+      if (left > 0) continue;
+      throw InputError(where,
+                       fmt::format("begins with {:.3g} times the energy that a limit of its "
+                                   "material allows",
+                                   1 - left),
+                       "a shape nearer to that at rest, or a larger limit");
+    }
   }
 
   // Free clips start with their cloth; what is held, or moved from outside, starts at rest.

@@ -17,6 +17,31 @@ SceneMaterial read_solid_material(const Value& value) {
   return material;
 }
 
+SceneSample read_sample(const Value& value) {
+  Fields fields = value.fields();
+  SceneSample sample;
+  sample.where = value.location();
+  sample.at = read_vector(fields.require("at"));
+  sample.material = read_solid_material(fields.require("material"));
+  fields.finish();
+  return sample;
+}
+
+/// A material, or samples of it.
+void read_material_or_samples(const Value& value, SceneSolid& solid) {
+  if (!value.is_mapping()) {
+    solid.material = read_solid_material(value);
+    return;
+  }
+  Fields fields = value.fields();
+  const Value samples = fields.require("samples");
+  for (const Value& item : samples.items()) solid.samples.push_back(read_sample(item));
+  if (solid.samples.empty()) samples.fail("is empty", "at least one sample");
+  if (auto v = fields.optional("width")) solid.width = v->positive_quantity(Dimension::length);
+  fields.finish();
+  solid.material = solid.samples.front().material;
+}
+
 SolidRegion read_solid_region(const Value& value) {
   Fields fields = value.fields();
   SolidRegion region{read_solid_material(fields.require("material")),
@@ -44,7 +69,7 @@ SceneSolid read_scene_solid(const Value& value, std::set<std::string>& taken) {
   solid.where = value.location();
   solid.name = read_result_name(fields.require("name"), "a solid", taken);
   solid.mesh = read_volume_source(fields.require("mesh"));
-  solid.material = read_solid_material(fields.require("material"));
+  read_material_or_samples(fields.require("material"), solid);
   if (auto v = fields.optional("regions")) {
     for (const Value& region : v->items()) solid.regions.push_back(read_solid_region(region));
   }

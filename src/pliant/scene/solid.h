@@ -17,12 +17,21 @@ struct SolidRegion {
   Location where;
 };
 
+/// A place of a solid where its material is known, in the coordinates of its mesh.
+struct SceneSample {
+  Eigen::Vector3d at;  ///< m
+  SceneMaterial material;
+  Location where;
+};
+
 /// A solid body of a scene/1 file. Its own coordinates are those of its mesh, in metres; from there
 /// it is placed in the world, undeformed.
 struct SceneSolid {
   std::string name;
   VolumeSource mesh;
-  SceneMaterial material;
+  SceneMaterial material;            ///< of a heterogeneous solid that of its first sample
+  std::vector<SceneSample> samples;  ///< of a heterogeneous solid
+  std::optional<double> width;       ///< of the samples' weights (m); absent: their spacing
   std::vector<SolidRegion> regions;
   Pose place;
   std::optional<Eigen::Vector3d> velocity;  ///< at the start, m/s; at rest when absent

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "pliant/material/positive_stiffness.h"
+#include "pliant/scene/solid_samples.h"
 
 namespace pliant {
 namespace {
@@ -29,6 +30,10 @@ std::vector<SolidPiece::Region> regions_of(const SceneSolid& solid, const Volume
                                            const Scene& scene) {
   std::vector<SolidPiece::Region> regions{{held_beyond_range(solid.material.material), {}}};
   require_usable(solid.material, scene);
+  if (!solid.samples.empty()) {
+    for (const SceneSample& sample : solid.samples) require_usable(sample.material, scene);
+    regions.front().field = solid_field(solid, mesh);
+  }
   for (const SolidRegion& region : solid.regions) {
     require_usable(region.material, scene);
     regions.push_back({held_beyond_range(region.material.material), {}});
@@ -59,6 +64,30 @@ VolumeMesh part_of(const VolumeMesh& mesh, const std::vector<int>& elements) {
           {}};
 }
 
+// The mass of an element is shared alike by its nodes.
+void add_field_masses(const VolumeMesh& mesh, const SolidPiece::Region& region,
+                      Eigen::VectorXd& masses) {
+  const Eigen::VectorXd volumes = element_volumes(mesh);
+  for (const int e : region.elements) {
+    const std::vector<int> nodes = mesh.nodes_of(e);
+    const Eigen::Vector3d centre = mesh.positions(Eigen::all, nodes).rowwise().mean();
+    const double mass = volumes(e) * region.field->density_at(centre);
+    for (const int node : nodes) masses(node) += mass / static_cast<double>(nodes.size());
+  }
+}
+
+double largest_stiffness(const SolidPiece::Region& region) {
+  const auto of = [](const Material& material) {
+    return stiffness_at_rest(solid_law(material)).diagonal().maxCoeff();
+  };
+  if (!region.field) return of(region.material);
+  double largest = 0;
+  for (const MaterialSample& sample : region.field->samples) {
+    largest = std::max(largest, of(sample.material));
+  }
+  return largest;
+}
+
 }  // namespace
 
 SolidPiece::EdgeLengths SolidPiece::edge_lengths() const {
@@ -78,6 +107,10 @@ SolidPiece::EdgeLengths SolidPiece::edge_lengths() const {
 Eigen::VectorXd SolidPiece::masses() const {
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(node_count());
   for (const Region& region : regions) {
+    if (region.field) {
+      add_field_masses(mesh, region, masses);
+      continue;
+    }
     masses += region.material.density * node_volumes(part_of(mesh, region.elements));
   }
   return masses;
@@ -87,7 +120,7 @@ Eigen::VectorXd SolidPiece::resistance_to_stretch() const {
   Eigen::VectorXd resistance = Eigen::VectorXd::Zero(node_count());
   const double edge = edge_lengths().mean;
   for (const Region& region : regions) {
-    const double own = edge * stiffness_at_rest(solid_law(region.material)).diagonal().maxCoeff();
+    const double own = edge * largest_stiffness(region);
     for (const int e : region.elements) {
       for (const int node : mesh.nodes_of(e)) resistance(node) = std::max(resistance(node), own);
     }
@@ -113,8 +146,8 @@ void add_solid_materials(System& system, const Scene& scene, SolidPiece& piece) 
     options.friction_form = scene.time.friction.value_or(FrictionForm::variational);
     options.damping_fraction =
         scene.damping_fraction.value_or(region.material.damping_fraction.value_or(0));
-    const Solid solid = add_solid(system, piece.mesh, piece.first_point,
-                                  solid_law(region.material, options), region.elements);
+    const Solid solid =
+        add_solid(system, piece.mesh, piece.first_point, region.law(options), region.elements);
     piece.shown.insert(piece.shown.end(), solid.shown.begin(), solid.shown.end());
   }
 }

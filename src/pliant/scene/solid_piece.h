@@ -1,9 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_field.h"
 #include "pliant/scene/scene.h"
 
 namespace pliant {
@@ -14,6 +15,11 @@ struct SolidPiece {
   struct Region {
     Material material;
     std::vector<int> elements;
+    std::optional<SolidField> field = {};  ///< in its place, of a heterogeneous solid
+
+    SolidLaw law(const DensityOptions& options = {}) const {
+      return field ? solid_law(*field, options) : solid_law(material, options);
+    }
   };
 
   std::string name;

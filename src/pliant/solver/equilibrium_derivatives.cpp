@@ -11,18 +11,20 @@ Eigen::Map<const Eigen::Matrix3Xd> by_points(const Eigen::MatrixXd& all, Eigen::
 
 // Central differences along each motion: the Hessian has no rows for points that are moved from
 // outside. The motion is scaled to a small part of the distance between neighbours, so that strains
-// change by about 1e-6, far less than friction takes to turn around.
+// change by about 1e-6, far less than friction takes to turn around; at a limit of energy, of which
+// as much is left, by far less.
 Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at,
                              const Eigen::MatrixXd& motions) {
   const Eigen::Vector3d extent =
       at.positions.rowwise().maxCoeff() - at.positions.rowwise().minCoeff();
   const double distance =
       extent.norm() / std::sqrt(static_cast<double>(objective.system().points()));
+  const double small = objective.system().is_limited() ? 1e-9 : 1e-6;
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(motions.rows(), motions.cols());
   for (Eigen::Index k = 0; k < motions.cols(); ++k) {
     const double largest = motions.col(k).cwiseAbs().maxCoeff();
     if (largest == 0) continue;
-    const double length = 1e-6 * distance / largest;
+    const double length = small * distance / largest;
     Configuration forward = at, backward = at;
     forward.positions += length * by_points(motions, k);
     backward.positions -= length * by_points(motions, k);

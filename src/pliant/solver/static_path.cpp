@@ -4,6 +4,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/solver/outside_work.h"
+#include "pliant/solver/within_limits.h"
 
 namespace pliant {
 namespace {
@@ -99,8 +100,9 @@ void StaticPath::reach(double time, int halvings, PathEquilibrium& point) {
 bool StaticPath::find_equilibrium(const Controls& controls, PathEquilibrium& point,
                                   Configuration& at) {
   system_.coordinates().apply(controls, at);
-  const Objective objective(system_, {state_, options_.parameters, controls}, &point.seconds);
-  const NewtonSummary found = minimize(objective, options_.newton, of_search_, at);
+  const NewtonSummary found =
+      minimize_within_limits(system_, {state_, options_.parameters, controls}, options_.newton,
+                             of_search_, at, &point.seconds);
   const NewtonSummary before = point.newton;
   point.newton = found;
   point.newton.iterations += before.iterations;

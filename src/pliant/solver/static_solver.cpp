@@ -1,5 +1,7 @@
 #include "pliant/solver/static_solver.h"
 
+#include "pliant/solver/within_limits.h"
+
 namespace pliant {
 
 StaticSolver::StaticSolver(const System& system, const NewtonOptions& options)
@@ -7,8 +9,8 @@ StaticSolver::StaticSolver(const System& system, const NewtonOptions& options)
 
 NewtonSummary StaticSolver::find_equilibrium(State& state, const Controls& controls) {
   system_.coordinates().apply(controls, state.configuration);
-  const Objective objective(system_, {.from = state, .controls = controls});
-  return minimize(objective, options_, workspace_, state.configuration);
+  return minimize_within_limits(system_, {.from = state, .controls = controls}, options_,
+                                workspace_, state.configuration);
 }
 
 double StaticSolver::accept(State& state) const {

@@ -14,8 +14,13 @@ namespace pliant {
 
 namespace {
 
-// Newton's method gains nothing from exact steps: it corrects them in the next.
-Workspace iterative(const System& system, const TimeStepOptions& options) {
+// Of limits of energy: a lower one costs iterations, and the error of a step is larger.
+constexpr double kLimitBarrier = 1e-3;
+
+// Newton's method gains nothing from exact steps: it corrects them in the next. What limits hold is
+// some 10^5 times as stiff as all else, which single precision does not carry.
+Workspace workspace_of(const System& system, const TimeStepOptions& options) {
+  if (system.is_limited()) return Workspace(system);
   constexpr double kOfNewtonStep = 1e-2;
   const bool linearized = options.solve == StepSolve::linearized;
   const SsorCg::Options how{.tolerance = linearized ? options.linear_tolerance : kOfNewtonStep};
@@ -104,7 +109,7 @@ TimeStepper::TimeStepper(const System& system, const TimeStepOptions& options,
     : system_(system),
       options_(options),
       faces_(std::move(faces)),
-      workspace_(iterative(system, options)) {
+      workspace_(workspace_of(system, options)) {
   PLIANT_ASSERT(options.step > 0, "a time step takes time");
   for (int i = 0; i < system.points(); ++i) {
     PLIANT_ASSERT(system.masses()(i) > 0 || !system.coordinates().is_free(i),
@@ -242,7 +247,9 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
                              start + scheme.time * velocities);
   const Conditions under{
-      .from = from, .controls = controls, .time = {1 / scheme.time, scheme.now, scheme.earlier}};
+      .from = from,
+      .controls = controls,
+      .time = {1 / scheme.time, scheme.now, scheme.earlier, {.share = kLimitBarrier}}};
   StepSummary summary;
   PhaseSeconds seconds;
   Objective objective(system_, under, &seconds);

@@ -43,6 +43,7 @@ std::string blank_hint(std::string_view field) {
       {"length", "the length of the strip between the clamps, e.g. 100 mm"},
       {"width", "the width of the strip, e.g. 50 mm"},
       {"density", "the mass of a piece of the fabric divided by its area, e.g. 150 g/m^2"},
+      {"mode", "uniaxial, equibiaxial, planar or biaxial"},
       {"side", "up or down: the way in which the strip buckles"},
       {"columns", "the header or number of its column, and its unit: Load (N), 2 (N)"}};
   const auto found = hints.find(field);

@@ -10,22 +10,10 @@
 #include "pliant/base/number_text.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
+#include "pliant/experiment/stored_rows.h"
 
 namespace pliant {
 namespace {
-
-class Rows : public FrameSink {
- public:
-  explicit Rows(const Experiment& experiment)
-      : value(experiment.rows()), frames_(experiment.frames()) {}
-  void take(int frame, const PredictedFrame& rows) override {
-    value.segment(frames_[static_cast<std::size_t>(frame)].first, rows.value.size()) = rows.value;
-  }
-  Eigen::VectorXd value;
-
- private:
-  std::vector<Frame> frames_;
-};
 
 /// Direction and specimen of each row.
 void describe_rows(const Experiment& experiment, ExperimentResult& result) {
@@ -80,7 +68,7 @@ void warn_of_undetermined(const SolidFit& fit, StudyResult& result) {
 ExperimentResult compare_solid(const Experiment& experiment, const Material& material) {
   const ExperimentInfo& info = experiment.info();
   const auto predictor = experiment.predictor(material);
-  Rows rows(experiment);
+  StoredRows rows(experiment);
   if (!predictor->predict(predictor->values(), {}, {}, rows)) {
     throw SolverError("experiment " + info.name + ": its free sides; their equilibrium", 0, 0);
   }
@@ -90,7 +78,7 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   result.role = info.role;
   result.quantity = info.quantity;
   result.measured = experiment.measured();
-  result.predicted = rows.value;
+  result.predicted = rows.rows().value;
   result.peak_force = experiment.reference();
   result.points = static_cast<int>(std::ranges::count(info.used, 1));
   result.excluded = experiment.rows() - result.points;

@@ -6,6 +6,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/nearest_name.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/solid/solid_laws.h"
@@ -79,6 +80,33 @@ void refuse_estimator(const Study& study) {
                    "the published estimator knows strips of cloth alone", "path");
 }
 
+/// What a fit of a solid would not heed.
+void refuse_options_of_cloth(const Study& study) {
+  if (study.fit.monotone_stress) {
+    throw InputError({study.file, 0, "fit.monotone_stress"},
+                     "is of cloth: the control values of a solid's spline energies are not "
+                     "negative, which makes each convex",
+                     "a study of a solid without it (`fit.bounds` for other numbers)");
+  }
+  if (!study.fit.plan.empty()) {
+    throw InputError(study.fit.plan.front().where,
+                     "is of sheets: all components of a solid are fitted together",
+                     "a study of a solid without `fit.plan`");
+  }
+}
+
+void require_limited(const Study& study, const std::map<std::string, ComponentModel>& components) {
+  for (const std::vector<std::string>& limit : study.model.limits) {
+    for (const std::string& name : limit) {
+      if (components.contains(name)) continue;
+      std::vector<std::string> names;
+      for (const auto& [component, model] : components) names.push_back(component);
+      throw InputError({study.file, 0, "model.limits"},
+                       quoted_value(name) + " is no component of the model", list_of_names(names));
+    }
+  }
+}
+
 std::vector<std::string> assumptions_of(const Study& study, const SolidExperiments& experiments) {
   std::vector<std::string> assumptions;
   for (const auto& experiment : experiments) {
@@ -103,9 +131,11 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
   const Stopwatch watch;
   refuse_sheets(study);
   refuse_estimator(study);
+  refuse_options_of_cloth(study);
   StudyResult result = describe(study);
   const SolidExperiments experiments = read_solids(study, result);
   const auto components = solid_components(study.model, is_compressible(study));
+  require_limited(study, components);
   require_volume(study, std::ranges::any_of(components, [](const auto& component) {
                    return !is_isochoric(component.first);
                  }));

@@ -15,6 +15,7 @@
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/limit_fields.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/blank_fields.h"
 #include "pliant/study/solid_study.h"
@@ -164,6 +165,17 @@ void read_sheet_mesh(const Value& node, ModelOptions& model) {
   fields.finish();
 }
 
+std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
+  std::vector<std::vector<std::string>> limits;
+  std::vector<std::string> taken;
+  for (const Value& item : list.items()) {
+    Fields fields = item.fields();
+    limits.push_back(read_limited_components(fields.require("of"), MaterialKind::solid, taken));
+    fields.finish();
+  }
+  return limits;
+}
+
 /// The model of a solid: a law by its name, or components with theirs.
 ModelOptions read_solid_model(Fields& fields) {
   ModelOptions model;
@@ -182,6 +194,7 @@ ModelOptions read_solid_model(Fields& fields) {
       v->fail("stands beside `law`, which names components itself", "one of both");
     }
   }
+  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v);
   fields.finish();
   return model;
 }

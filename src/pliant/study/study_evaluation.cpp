@@ -157,6 +157,18 @@ void skip_unknown(const Material& material, Experiments& experiments, StudyResul
   });
 }
 
+/// In one dimension limits of energy are not known.
+void warn_of_limits(const Material& material, const Experiments& experiments, StudyResult& result) {
+  for (const EnergyLimit& limit : material.limits) {
+    const bool concerned = std::ranges::any_of(experiments, [&](const auto& experiment) {
+      return std::ranges::find(limit.of, experiment->info().component) != limit.of.end();
+    });
+    if (!concerned) continue;
+    result.warnings.push_back(fmt::format(
+        "{} is left out of strips, which are predicted in one dimension", limit_name(limit.of)));
+  }
+}
+
 /// @throws InputError where every experiment was skipped
 void refuse_if_nothing_is_left(const Study& study, const Material& material,
                                const StudyResult& result) {
@@ -190,6 +202,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
   ask_about_fabric(study, material, result);
   Experiments experiments = read_experiments(with_measure, result);
   skip_unknown(material, experiments, result);
+  warn_of_limits(material, experiments, result);
   ask_about_hinges(material, experiments, result);
   for (const auto& experiment : experiments) {
     context.stop.throw_if_requested();

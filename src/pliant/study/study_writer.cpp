@@ -96,6 +96,11 @@ YAML::Node model_node(const ModelOptions& model) {
   if (model.kind == MaterialKind::solid) {
     if (model.components.empty()) node["law"] = model.solid_law;
     write_components(model, node);
+    for (const std::vector<std::string>& limit : model.limits) {
+      YAML::Node inner;
+      inner["of"] = limit;
+      node["limits"].push_back(inner);
+    }
     return node;
   }
   node["membrane"] = std::string(name_of(model.membrane));

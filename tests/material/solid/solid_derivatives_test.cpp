@@ -14,6 +14,7 @@
 
 #include "pliant/material/density/dahl_friction.h"
 #include "pliant/material/density/damping.h"
+#include "pliant/material/density/limited_density.h"
 #include "pliant/material/density/rubber_energies.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
@@ -81,6 +82,14 @@ std::vector<SolidLaw> laws() {
                   },
                   {find_strain_metric("I1-bar"), find_strain_metric("green.xy"),
                    find_strain_metric("log-J")}});
+  laws.push_back({"limited", [](RandomStream& random) {
+                    const auto sum = std::make_shared<Sum>();
+                    sum->add_addend(std::make_shared<MetricDensity>(*find_strain_metric("I1-bar"),
+                                                                    elastic_law(random)));
+                    sum->add_addend(std::make_shared<PrincipalDensity>(
+                        *find_principal_metric("stretch"), elastic_law(random)));
+                    return std::make_unique<LimitedDensity>(sum, 1e3);
+                  }});
   return laws;
 }
 

@@ -283,7 +283,7 @@ double work_of_a_turn(const Stress& stress, int steps) {
 
 TEST(StandardSolids, TakeNoWorkOverTheCircleOfFigure41WhereAStrainDependentModulusGains) {
   const auto work = [](const Material& material) {
-    const SolidDensity density = solid_density(material);
+    const NamedLaw density = solid_density(material);
     return work_of_a_turn(
         [&](const SolidVector& strain) { return test::answer(*density.law, strain).stress; }, 400);
   };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/solid/limit_starts.h"
 #include "pliant/estimation/solid/solid_growth.h"
 #include "pliant/estimation/solid/solid_starts.h"
 #include "pliant/estimation/solid/true_stress.h"
@@ -69,7 +70,9 @@ SolidFit fit_solid(const FitSettings& settings,
   SolidProblem problem(settings, experiments, context);
   std::vector<Material> starts = solid_starts(settings, components, problem);
   refuse_unseen(settings, problem.problem(starts.front()));
+  const Material first = starts.front();
   Start best = search(problem, std::move(starts), fit);
+  best.solution = add_limits(problem, settings.model.limits, first, best.material, best.solution);
   GrownSolid grown = grow_solid(problem, best.material, best.solution);
   for (const SolidGrowthStage& stage : grown.stages) {
     fit.stages.push_back({"solid",

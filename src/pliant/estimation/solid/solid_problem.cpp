@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pliant/material/addend/rubber_addends.h"
+#include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/standard_solids.h"
 
 namespace pliant {
@@ -13,6 +15,29 @@ constexpr double kShare = 0.01;  // of the largest stress: the unit of differenc
 
 /// A solid whose stretches across are near those of any solid.
 Material probe() { return neo_hookean_solid(1, 100); }
+
+/// An energy that is a line alone, on a metric that is never negative, must not fall: it would have
+/// no lower bound.
+void keep_positive(const std::string& component, const ComponentLaw& law,
+                   std::vector<Unknown>& unknowns) {
+  const StrainMetric* metric = find_strain_metric(component);
+  if (!metric || !metric->never_negative) return;
+  const bool is_line = law.parameter_count() == 1 && law.addends.size() == 1 &&
+                       &law.addends.front().kind() == &linear_addend();
+  if (is_line) unknowns.front().lower = 0;
+}
+
+Unknown unknown_of(const EnergyLimit& limit) {
+  constexpr double kLeast = 1e-6, kStep = 0.1;  // of where it begins
+  Unknown unknown;
+  unknown.name = unknown.owner = limit_name(limit.of);
+  unknown.unit = "Pa";
+  unknown.parameters = {unknown.name};
+  unknown.start = limit.energy;
+  unknown.lower = kLeast * limit.energy;
+  unknown.scale = kStep * limit.energy;
+  return unknown;
+}
 
 double weight_of(const Experiment& experiment) {
   return 1 / experiment.info().stated_noise().value_or(kShare * experiment.reference());
@@ -74,8 +99,11 @@ Problem SolidProblem::problem(const Material& material) {
   for (const std::string& name : solid_component_names()) {
     const auto law = law_of(material, name);
     if (!law) continue;
-    std::ranges::move(unknowns_of(*law, {name}, data_of(name).scale), std::back_inserter(unknowns));
+    std::vector<Unknown> own = unknowns_of(*law, {name}, data_of(name).scale);
+    keep_positive(name, *law, own);
+    std::ranges::move(own, std::back_inserter(unknowns));
   }
+  for (const EnergyLimit& limit : material.limits) unknowns.push_back(unknown_of(limit));
   apply_options(settings_.fit, unknowns);
   Problem problem(std::move(parts), std::move(unknowns), {context_.threads, context_.stop});
   problem.set_loss(settings_.fit.loss);
@@ -99,6 +127,7 @@ void set_numbers(const Eigen::VectorXd& numbers, Material& material) {
     set_law(material.components.at(name), law->with_parameters(numbers.segment(next, count)));
     next += count;
   }
+  for (EnergyLimit& limit : material.limits) limit.energy = numbers(next++);
 }
 
 double rms_of(const LeastSquaresSummary& solution, int rows) {

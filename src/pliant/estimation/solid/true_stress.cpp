@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/estimation/solid/solid_problem.h"
+#include "pliant/experiment/stored_rows.h"
 
 namespace pliant {
 namespace {
@@ -36,19 +37,6 @@ class AsTrueStress : public Experiment {
   const Experiment& given_;
 };
 
-class Taken : public FrameSink {
- public:
-  explicit Taken(const Experiment& experiment)
-      : value(experiment.rows()), frames_(experiment.frames()) {}
-  void take(int frame, const PredictedFrame& rows) override {
-    value.segment(frames_[static_cast<std::size_t>(frame)].first, rows.value.size()) = rows.value;
-  }
-  Eigen::VectorXd value;
-
- private:
-  std::vector<Frame> frames_;
-};
-
 }  // namespace
 
 double explained_share(const std::vector<const Experiment*>& experiments,
@@ -56,12 +44,12 @@ double explained_share(const std::vector<const Experiment*>& experiments,
   double missed = 0, all = 0;
   for (const Experiment* experiment : experiments) {
     const auto predictor = experiment->predictor(material);
-    Taken rows(*experiment);
+    StoredRows rows(*experiment);
     if (!predictor->predict(predictor->values(), {}, {}, rows)) return 0;
     const Eigen::ArrayXd weights = experiment->weights(), measured = experiment->measured();
     const double mean = (weights * measured).sum() / weights.sum();
     const double unit = std::pow(experiment->reference(), 2);
-    missed += (weights * (rows.value.array() - measured).square()).sum() / unit;
+    missed += (weights * (rows.rows().value.array() - measured).square()).sum() / unit;
     all += (weights * (measured - mean).square()).sum() / unit;
   }
   return 1 - missed / all;

@@ -84,7 +84,7 @@ HomogeneousPoint::HomogeneousPoint(const ParametricDensity& law, bool incompress
 HomogeneousPoint::Response3 HomogeneousPoint::respond(const Eigen::Vector3d& logs) const {
   const OnePoint point(strain_of(logs), last_, history_);
   Response response(6);
-  law_.add(point.samples(), {}, response);
+  law_.add(point.samples(), {.limits = limits_}, response);
   const Eigen::Vector3d squares = (2 * logs.array()).exp();
   Response3 result;
   result.energy = response.stored(0) + response.work(0);
@@ -99,7 +99,7 @@ HomogeneousPoint::Response3 HomogeneousPoint::respond(const Eigen::Vector3d& log
 }
 
 // Newton's method on the energy of the free sides; where it is not convex, down its slope.
-std::optional<Eigen::Vector3d> HomogeneousPoint::search(const Free& free,
+std::optional<Eigen::VectorXd> HomogeneousPoint::search(const Free& free,
                                                         Eigen::VectorXd at) const {
   constexpr int kMost = 100;
   constexpr double kStep = 0.5;       // of a logarithm at once
@@ -115,7 +115,7 @@ std::optional<Eigen::Vector3d> HomogeneousPoint::search(const Free& free,
                                ? Eigen::VectorXd(-factor.solve(slope))
                                : Eigen::VectorXd(-slope / std::max(scale, 1e-300));
     const double longest = step.cwiseAbs().maxCoeff();
-    if (!(longest > kSettled)) return free.logs(at);
+    if (!(longest > kSettled)) return at;
     if (longest > kStep) step *= kStep / longest;
     // Rounding of the energy must not stop the last steps.
     const double slack = 1e-13 * std::abs(here.energy);
@@ -126,17 +126,46 @@ std::optional<Eigen::Vector3d> HomogeneousPoint::search(const Free& free,
         here = next;
         break;
       }
-      if (halved == 40) return longest < 1e-9 ? std::optional(free.logs(at)) : std::nullopt;
+      if (halved == 40) return longest < 1e-9 ? std::optional(at) : std::nullopt;
       step /= 2;
     }
-    if (longest < 1e-12 && factor.info() == Eigen::Success) return free.logs(at);
+    if (longest < 1e-12 && factor.info() == Eigen::Success) return at;
   }
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> HomogeneousPoint::equilibrium(const Free& free) const {
-  if (free.along.cols() == 0) return free.fixed;
-  return search(free, free.guess);
+double HomogeneousPoint::share_left(const Eigen::Vector3d& logs) const {
+  const OnePoint point(strain_of(logs), last_, history_);
+  Lane left = Lane::Ones();
+  law_.lower_to_share_left(point.samples(), left);
+  return left(0);
+}
+
+// From beyond a limit first by barriers that lead back; then by ever lower ones.
+std::optional<Eigen::Vector3d> HomogeneousPoint::within_limits(const Free& free) {
+  Eigen::VectorXd at = free.guess;
+  const auto follow = [&](const LimitBarrier& limits) {
+    limits_ = limits;
+    const auto found = search(free, at);
+    if (found) at = *found;
+    return found.has_value();
+  };
+  for (double mended = 0.1; share_left(free.logs(at)) <= 0; mended /= 10) {
+    if (mended < 1e-5 || !follow({.share = 1e-2, .mended = mended})) return std::nullopt;
+  }
+  bool found = true;
+  for (const double share : {1e-2, 1e-4, LimitBarrier{}.share}) found = follow({.share = share});
+  return found ? std::optional(free.logs(at)) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> HomogeneousPoint::equilibrium(const Free& free) {
+  limits_ = {};
+  if (free.along.cols() == 0) {
+    return share_left(free.fixed) > 0 ? std::optional(free.fixed) : std::nullopt;
+  }
+  if (law_.is_limited()) return within_limits(free);
+  const auto found = search(free, free.guess);
+  return found ? std::optional(free.logs(*found)) : std::nullopt;
 }
 
 HomogeneousStress HomogeneousPoint::stress_of(const Free& free, const Eigen::Vector3d& logs) {

@@ -49,7 +49,7 @@ std::optional<std::vector<HomogeneousStress>> homogeneous_stresses(
 HomogeneousPredictor::HomogeneousPredictor(const HomogeneousTest& experiment,
                                            const Material& material)
     : experiment_(experiment) {
-  SolidDensity density = solid_density(material);
+  NamedLaw density = solid_density(material);
   parameters_ = std::move(density.names.parameters);
   values_ = density.law->parameters();
   law_ = std::move(density.law);

@@ -70,12 +70,19 @@ const TestType& homogeneous_type() {
                 .unfitted = "a specimen at rest at its first row"},
       .channels = {force_channel("stress", Dimension::stress)},
       .template_files = template_files("homogeneous"),
+      .required = {"mode"},
+      .told_by_columns = {"mode"},
       .read = read,
       .make_solid = make,
       .read_virtual = read_virtual,
       .own_quantities = {{"stretch", Dimension::number},
                          {"stretch_2", Dimension::number},
-                         {"nominal_stress", Dimension::stress}}};
+                         {"nominal_stress", Dimension::stress}},
+      .is_table = [](const TableColumns& columns) {
+        return columns.has("nominal_stress", Dimension::stress) &&
+               (columns.has("stretch", Dimension::number) ||
+                columns.has("strain", Dimension::fraction));
+      }};
   return type;
 }
 
@@ -136,7 +143,7 @@ VirtualData VirtualHomogeneous::measure(const VirtualSpecimen& specimen,
                                         const VirtualWork& work) const {
   work.stop.throw_if_requested();
   RandomStream random = specimen.random.split(fmt::format("{}/{}", name, specimen.number));
-  const SolidDensity density = solid_density(specimen.material);
+  const NamedLaw density = solid_density(specimen.material);
   Eigen::VectorXd numbers = density.law->parameters();
   for (double& number : numbers) number *= 1 + specimen.variation * random.normal();
   const auto law = density.law->with_parameters(numbers);

@@ -10,7 +10,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/experiment/session/sheet_system.h"
 #include "pliant/solver/equilibrium_derivatives.h"
-#include "pliant/solver/newton.h"
+#include "pliant/solver/within_limits.h"
 
 namespace pliant {
 namespace {
@@ -51,9 +51,9 @@ class SheetEquilibria::Search {
   const Eigen::VectorXd& values() const { return values_; }
 
   NewtonSummary relax(Configuration& at) {
-    return minimize(objective(parameters_),
-                    {.tolerance = sheet().tolerance(), .reuse_factor = true, .stop = stop_},
-                    workspace_, at);
+    return minimize_within_limits(
+        system(), {held_.rest, parameters_},
+        {.tolerance = sheet().tolerance(), .reuse_factor = true, .stop = stop_}, workspace_, at);
   }
 
   /// Springs that are stiff against bending lead a search along narrow valleys, which take hundreds

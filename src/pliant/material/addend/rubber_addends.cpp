@@ -7,9 +7,9 @@ namespace {
 
 constexpr double kAnySign = -1e6;  // of the data's units: as good as no bound
 
-template <EnergyFunction kEnergy>
+template <EnergyFunction kEnergy, bool kLinear = false>
 std::unique_ptr<ParametricDensity> density(int strain, const Eigen::VectorXd& values) {
-  return std::make_unique<ClosedFormDensity>(strain, kEnergy, values);
+  return std::make_unique<ClosedFormDensity>(strain, kEnergy, values, kLinear);
 }
 
 AddendParameter coefficient(std::string_view name, std::string_view meaning, int power) {
@@ -32,7 +32,7 @@ const AddendKind& linear_addend() {
                                .description = "an energy proportional to the strain",
                                .parameters = {coefficient("c", "energy per strain", 1)},
                                .starts = {{1}},
-                               .density = density<linear_energy>};
+                               .density = density<linear_energy, true>};
   return kind;
 }
 
@@ -44,7 +44,7 @@ const AddendKind& polynomial_addend() {
                      coefficient("c2", "energy per square of the strain", 2),
                      coefficient("c3", "energy per cube of the strain", 3)},
       .starts = {{1, 0, 0}},
-      .density = density<polynomial_energy>};
+      .density = density<polynomial_energy, true>};
   return kind;
 }
 

@@ -15,6 +15,7 @@ struct EnergyAt {
   double stress = 0;
   double tangent = 0;
   std::array<double, kMaxEnergyParameters> stress_by_parameter{};
+  std::array<double, kMaxEnergyParameters> energy_by_parameter{};
 };
 
 /// @param values  of its parameters
@@ -24,12 +25,15 @@ using EnergyFunction = EnergyAt (*)(double strain, const Eigen::VectorXd& values
 class ClosedFormDensity : public ParametricDensity {
  public:
   /// @param component  the strain that it acts on
-  ClosedFormDensity(int component, EnergyFunction energy, Eigen::VectorXd values);
+  /// @param linear     whether the energy is in its values
+  ClosedFormDensity(int component, EnergyFunction energy, Eigen::VectorXd values,
+                    bool linear = false);
 
   int history_size() const override { return 0; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
   void advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const override {}
   Eigen::VectorXd parameters() const override { return values_; }
+  bool is_linear() const override { return linear_; }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;
@@ -38,6 +42,7 @@ class ClosedFormDensity : public ParametricDensity {
   int component_;
   EnergyFunction energy_;
   Eigen::VectorXd values_;
+  bool linear_;
 };
 
 }  // namespace pliant

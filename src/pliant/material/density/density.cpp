@@ -31,7 +31,8 @@ void make_tangent_convex(Response& response, int strains) {
 }
 
 SampleDerivatives::SampleDerivatives(int strains, int history, int parameters)
-    : stress_by_last(Eigen::MatrixXd::Zero(strains, strains)),
+    : stored_by_parameter(Eigen::VectorXd::Zero(parameters)),
+      stress_by_last(Eigen::MatrixXd::Zero(strains, strains)),
       stress_by_history(Eigen::MatrixXd::Zero(strains, history)),
       stress_by_parameter(Eigen::MatrixXd::Zero(strains, parameters)),
       next_by_strain(Eigen::MatrixXd::Zero(history, strains)),

@@ -24,12 +24,22 @@ using LaneTangents = Eigen::Array<double, kLanes, Eigen::Dynamic, Eigen::ColMajo
 using LaneView = Eigen::Map<const Eigen::Array<double, kLanes, Eigen::Dynamic>>;
 using MutableLaneView = Eigen::Map<Eigen::Array<double, kLanes, Eigen::Dynamic>>;
 
+/// How limits of energy are kept (limited_density.h): by a barrier m psi_max b(g) of the share
+/// g = 1 - psi / psi_max of a limit that is left, b = -ln g.
+struct LimitBarrier {
+  double share = 1e-6;  ///< m; the smaller, the nearer a limit is reached before anything is felt
+  /// Below this g the barrier goes on as a parabola, so that it is finite beyond the limit too and
+  /// leads back; 0: it is infinite there.
+  double mended = 0;
+};
+
 /// What laws that depend on the rate of strain know of the present step: the rate is
 /// (strain - (now last + earlier before)) per_second.
 struct StepTime {
   double per_second = 0;  ///< 1/s; 0 in statics, where there are no rates
   double now = 1;         ///< weight of the strain at the last accepted step
   double earlier = 0;     ///< weight of the strain one accepted step before that
+  LimitBarrier limits = {};
 };
 
 /// Eight material points: their strain, and what they remember. A view: the numbers outlive it.
@@ -38,10 +48,13 @@ struct Samples {
   LaneView last;     ///< strain at the last accepted step
   LaneView before;   ///< strain one accepted step before that
   LaneView history;  ///< what the density itself keeps, set at accepted steps only
+  /// What each sample of a heterogeneous material counts at the points ([T] Eq. 4.4); no column
+  /// where the material is one.
+  LaneView weights = LaneView(nullptr, kLanes, 0);
 
   /// The same points, with a part of the history as the whole.
   Samples with_history(int first, int size) const {
-    return {strain, last, before, LaneView(history.data() + kLanes * first, kLanes, size)};
+    return {strain, last, before, LaneView(history.data() + kLanes * first, kLanes, size), weights};
   }
 };
 
@@ -63,6 +76,7 @@ void make_tangent_convex(Response& response, int strains);
 struct SampleDerivatives {
   SampleDerivatives(int strains, int history, int parameters);
 
+  Eigen::VectorXd stored_by_parameter;  ///< of laws that remember nothing
   Eigen::MatrixXd stress_by_last;       ///< strains x strains: w.r.t. the strain at the last step
   Eigen::MatrixXd stress_by_history;    ///< strains x history
   Eigen::MatrixXd stress_by_parameter;  ///< strains x parameters
@@ -87,6 +101,14 @@ class Density {
   /// Adds its energy, stress and tangent.
   virtual void add(const Samples& samples, const StepTime& time, Response& response) const = 0;
 
+  /// Whether energies of it have a limit, beyond which its own is infinite.
+  virtual bool is_limited() const { return false; }
+
+  /// Lowers `left` to what share of their limits limited energies are below them; below 0 beyond.
+  virtual void lower_to_share_left(const Samples& samples, Lane& left) const {
+    static_cast<void>(samples), static_cast<void>(left);
+  }
+
   /// Adds the energy that is stored at the strain. Those that have none, or a short way to it, say
   /// so; else it is that of `add`.
   virtual void add_stored(const Samples& samples, Lane& stored) const;
@@ -104,6 +126,9 @@ class ParametricDensity : public Density {
  public:
   /// The numbers that describe the law, e.g. the control values of its stiffness.
   virtual Eigen::VectorXd parameters() const = 0;
+  /// Whether energy, stress and tangent are linear in them, so that the law of a sum of numbers is
+  /// the sum of the laws.
+  virtual bool is_linear() const { return false; }
   /// The law of the same kind with other numbers.
   virtual std::unique_ptr<ParametricDensity> with_parameters(
       const Eigen::VectorXd& values) const = 0;

@@ -137,6 +137,8 @@ std::unique_ptr<ParametricDensity> StiffnessDensity::with_parameters(
 void StiffnessDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
                                      SampleDerivatives& derivatives) const {
   const double strain = samples.strain(lane, component_);
+  derivatives.stored_by_parameter.segment(first_parameter, stiffness_.size()) +=
+      stiffness_.first_moment_weights(strain);
   derivatives.stress_by_parameter.row(component_).segment(first_parameter, stiffness_.size()) +=
       strain * stiffness_.weights(strain).transpose();
 }

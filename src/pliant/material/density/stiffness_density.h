@@ -21,6 +21,7 @@ class StiffnessDensity : public ParametricDensity {
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;
+  bool is_linear() const override { return true; }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;

@@ -1,5 +1,7 @@
 #include "pliant/material/density/sum.h"
 
+#include <algorithm>
+
 namespace pliant {
 
 void Sum::add_addend(std::shared_ptr<const Density> addend) {
@@ -23,6 +25,17 @@ void Sum::add(const Samples& samples, const StepTime& time, Response& response) 
   }
 }
 
+bool Sum::is_limited() const {
+  return std::ranges::any_of(addends_,
+                             [](const Addend& addend) { return addend.density->is_limited(); });
+}
+
+void Sum::lower_to_share_left(const Samples& samples, Lane& left) const {
+  for (const Addend& addend : addends_) {
+    addend.density->lower_to_share_left(own(addend, samples), left);
+  }
+}
+
 void Sum::add_stored(const Samples& samples, Lane& stored) const {
   for (const Addend& addend : addends_) addend.density->add_stored(own(addend, samples), stored);
 }
@@ -34,6 +47,12 @@ void Sum::advance(const Samples& samples, const StepTime& time, MutableLaneView 
                                    addend.history_size);
     addend.density->advance(own(addend, samples), time, own_next, work);
   }
+}
+
+bool Sum::is_linear() const {
+  return std::ranges::all_of(addends_, [](const Addend& addend) {
+    return addend.parametric && addend.parametric->is_linear();
+  });
 }
 
 Eigen::VectorXd Sum::parameters() const {

@@ -14,13 +14,17 @@ namespace pliant {
 class Sum : public ParametricDensity {
  public:
   void add_addend(std::shared_ptr<const Density> addend);
+  bool is_empty() const { return addends_.empty(); }
 
   int history_size() const override { return history_size_; }
   void add(const Samples& samples, const StepTime& time, Response& response) const override;
+  bool is_limited() const override;
+  void lower_to_share_left(const Samples& samples, Lane& left) const override;
   void add_stored(const Samples& samples, Lane& stored) const override;
   void advance(const Samples& samples, const StepTime& time, MutableLaneView next,
                Lane& work) const override;
   Eigen::VectorXd parameters() const override;
+  bool is_linear() const override;
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;

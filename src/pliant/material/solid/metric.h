@@ -16,6 +16,7 @@ struct StrainMetric {
   /// Where all are 0: an even curve may stand for a law (shear strains: the sign is that of an
   /// axis).
   bool even = false;
+  bool never_negative = false;
   /// Value and derivatives at eight Green strains (six columns).
   MetricJet (*jet)(const LaneView& strain);
 };

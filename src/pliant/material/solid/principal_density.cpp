@@ -142,6 +142,7 @@ void PrincipalDensity::differentiate(const Samples& samples, int lane, int, int 
     SampleDerivatives inner(1, 0, count);
     law_->differentiate(points.samples(a), lane, 0, 0, inner);
     by_parameter.row(a) = inner.stress_by_parameter.row(0);
+    derivatives.stored_by_parameter.segment(first_parameter, count) += inner.stored_by_parameter;
   }
   for (int p = 0; p < count; ++p) {
     derivatives.stress_by_parameter.col(first_parameter + p) +=

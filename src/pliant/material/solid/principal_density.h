@@ -21,6 +21,7 @@ class PrincipalDensity : public ParametricDensity {
   void add_stored(const Samples& samples, Lane& stored) const override;
   void advance(const Samples&, const StepTime&, MutableLaneView, Lane&) const override {}
   Eigen::VectorXd parameters() const override { return law_->parameters(); }
+  bool is_linear() const override { return law_->is_linear(); }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
   void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
                      SampleDerivatives& derivatives) const override;

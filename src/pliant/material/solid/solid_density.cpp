@@ -1,6 +1,6 @@
 #include "pliant/material/solid/solid_density.h"
 
-#include <iterator>
+#include <utility>
 
 #include "pliant/base/assert.h"
 #include "pliant/material/solid/metric_density.h"
@@ -21,21 +21,18 @@ std::shared_ptr<const ParametricDensity> on_metric(const std::string& component,
 
 }  // namespace
 
-SolidDensity solid_density(const Material& material, const DensityOptions& options) {
+NamedLaw solid_density(const Material& material, const DensityOptions& options) {
   PLIANT_ASSERT(material.kind == MaterialKind::solid, "a solid's law");
-  SolidDensity result{std::make_shared<Sum>(), {}};
+  ComponentSum sum(material);
   for (const std::string& name : solid_component_names()) {
     const auto found = material.components.find(name);
     if (found == material.components.end() || !found->second.stiffness) continue;
     DensityOptions own = options;
     if (find_principal_metric(name)) own.damping_fraction = 0;
-    const auto law = std::make_shared<Sum>();
-    AddedNames names = add_component(material, name, /*strain=*/0, own, *law);
-    std::ranges::move(names.parameters, std::back_inserter(result.names.parameters));
-    std::ranges::move(names.history, std::back_inserter(result.names.history));
-    result.law->add_addend(on_metric(name, law));
+    sum.add(name, /*strain=*/0, own,
+            [&](std::shared_ptr<Sum> law) { return on_metric(name, std::move(law)); });
   }
-  return result;
+  return std::move(sum).finish();
 }
 
 }  // namespace pliant

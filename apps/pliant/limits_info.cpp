@@ -1,0 +1,73 @@
+#include "apps/pliant/limits_info.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/material/solid/principal_metric.h"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 4;
+
+/// The first strain of some sign at which a law has an energy; nothing below the largest strains.
+std::optional<double> strain_of_energy(const ComponentLaw& law, double energy, double sign) {
+  constexpr double kFirst = 1e-6, kMore = 1.05, kLast = 1e4, kLeast = -1;
+  double below = 0;
+  for (double size = kFirst; size < kLast; size *= kMore) {
+    const double strain = sign * size;
+    if (strain <= kLeast) return std::nullopt;
+    if (!(law.elastic_energy(strain) >= energy)) {
+      below = strain;
+      continue;
+    }
+    double beyond = strain;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (below + beyond) / 2;
+      (law.elastic_energy(middle) >= energy ? beyond : below) = middle;
+    }
+    return beyond;
+  }
+  return std::nullopt;
+}
+
+std::vector<double> strains_of(const Material& material, const EnergyLimit& limit) {
+  std::vector<double> strains;
+  const std::string& component = limit.of.front();
+  if (limit.of.size() > 1 || find_principal_metric(component)) return strains;
+  for (const double sign : {-1.0, 1.0}) {
+    const auto strain = strain_of_energy(*law_of(material, component), limit.energy, sign);
+    if (strain) strains.push_back(*strain);
+  }
+  return strains;
+}
+
+}  // namespace
+
+void add_limits(const Material& material, FileInfo& info) {
+  if (material.limits.empty()) return;
+  const bool solid = material.kind == MaterialKind::solid;
+  Json list = Json::array();
+  for (const EnergyLimit& limit : material.limits) {
+    const std::vector<double> strains = strains_of(material, limit);
+    std::string text =
+        fmt::format("the energy of {} stays below {} {}", fmt::join(limit.of, " and "),
+                    format_number(limit.energy, kDigits), solid ? "J/m^3" : "J/m^2");
+    std::vector<std::string> texts;
+    for (const double strain : strains) texts.push_back(format_number(strain, kDigits));
+    if (!texts.empty()) {
+      text += fmt::format(": strains up to {}", fmt::join(texts, " and "));
+    }
+    info.lines.push_back(labelled("limit", text));
+    list.push_back({{"of", limit.of}, {"energy", limit.energy}, {"strains", strains}});
+  }
+  info.json["limits"] = std::move(list);
+}
+
+}  // namespace pliant

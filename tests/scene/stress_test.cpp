@@ -2,7 +2,11 @@
 // which an exact test tells that knows nothing of contact, and no energy comes from nowhere.
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,9 +22,13 @@ namespace {
 
 using test::RandomScene;
 
-/// How many ended before their time, for want of room, and how many were led.
+/// How a scene went.
 struct Outcome {
-  int without_room = 0, led = 0;
+  int steps = 0;
+  int halved = 0;           ///< of them
+  int most_iterations = 0;  ///< linear systems of a step, with its parts
+  bool without_room = false;
+  std::optional<std::string> fault;
 };
 
 /// Whether a face of cloth goes, at least with a vertex, where a clip is told to go: through
@@ -33,18 +41,18 @@ bool is_held(const Simulation& simulation, int face) {
   });
 }
 
-void expect_no_crossings(const Simulation& simulation) {
+std::optional<std::string> crossing_of(const Simulation& simulation) {
   const auto found = scene_crossings(simulation.now().state.configuration.positions,
                                      simulation.built().faces, simulation.built().bodies);
-  ASSERT_TRUE(found);
-  for (const auto& [one, other] : found->of_cloth) {
-    ASSERT_TRUE(is_held(simulation, one) && is_held(simulation, other)) << found->text();
-  }
+  const auto& cloth = found.value().of_cloth;
+  bool crosses = !std::ranges::all_of(cloth, [&](const auto& faces) {
+    return is_held(simulation, faces[0]) && is_held(simulation, faces[1]);
+  });
   for (const auto& body : found->of_bodies) {
-    for (const auto& faces : body.faces) {
-      ASSERT_TRUE(is_held(simulation, faces[0])) << found->text();
-    }
+    crosses |= !std::ranges::all_of(
+        body.faces, [&](const auto& faces) { return is_held(simulation, faces[0]); });
   }
+  return crosses ? std::optional(found->text()) : std::nullopt;
 }
 
 double total_energy(Simulation& simulation) {
@@ -53,51 +61,92 @@ double total_energy(Simulation& simulation) {
   return row.total() - row.outside;
 }
 
+std::optional<std::string> fault_of(const Simulation& simulation, double gained, double before) {
+  if (!simulation.now().state.configuration.positions.allFinite()) return "is not finite";
+  if (auto crossing = crossing_of(simulation)) return crossing;
+  if (gained <= 1e-9) return std::nullopt;
+  return fmt::format("gained {:.3g} J of {:.3g} J", gained, before);
+}
+
 // Where nothing is led there is always room.
-void expect_sound(const RandomScene& scene, Outcome& outcome) {
+Outcome outcome_of(const RandomScene& scene) {
+  Outcome outcome;
   Simulation simulation = scene.simulation();
-  expect_no_crossings(simulation);
   double energy = total_energy(simulation);
-  outcome.led += scene.is_led() ? 1 : 0;
-  while (!simulation.is_finished()) {
+  outcome.fault = crossing_of(simulation);
+  while (!simulation.is_finished() && !outcome.fault) {
     try {
       simulation.advance();
     } catch (const SolverError& error) {
-      ASSERT_TRUE(scene.is_led()) << error.what();
-      ++outcome.without_room;
-      return;
+      outcome.without_room = scene.is_led();
+      if (!scene.is_led()) outcome.fault = error.what();
+      break;
     }
-    ASSERT_TRUE(simulation.now().state.configuration.positions.allFinite());
-    expect_no_crossings(simulation);
-    if (::testing::Test::HasFatalFailure()) return;
-    const double before = energy;
-    energy = total_energy(simulation);
-    const double gained = scene.is_led() ? 0 : energy - before;
-    ASSERT_LE(gained, 1e-9) << before << " at " << simulation.now().state.time;
+    const auto& records = simulation.now().records;
+    ++outcome.steps;
+    outcome.halved += records.substeps.back() > 1 ? 1 : 0;
+    outcome.most_iterations = std::max(outcome.most_iterations, records.newton_iterations.back());
+    const double before = std::exchange(energy, total_energy(simulation));
+    outcome.fault = fault_of(simulation, scene.is_led() ? 0 : energy - before, before);
+  }
+  return outcome;
+}
+
+/// Of all scenes with an ingredient.
+struct Tally {
+  int scenes = 0, steps = 0, halved = 0, most_iterations = 0, without_room = 0, faults = 0;
+
+  void add(const Outcome& outcome) {
+    ++scenes;
+    steps += outcome.steps;
+    halved += outcome.halved;
+    most_iterations = std::max(most_iterations, outcome.most_iterations);
+    without_room += outcome.without_room ? 1 : 0;
+    faults += outcome.fault ? 1 : 0;
+  }
+};
+
+void print(const std::map<std::string, Tally>& tallies) {
+  std::cout << fmt::format("{:36}{:>7}{:>7}{:>9}{:>9}{:>9}{:>8}\n", "scenes with", "scenes",
+                           "steps", "halved", "systems", "no room", "faults");
+  for (const auto& [name, tally] : tallies) {
+    std::cout << fmt::format("{:36}{:7}{:7}{:9}{:9}{:9}{:8}\n", name, tally.scenes, tally.steps,
+                             tally.halved, tally.most_iterations, tally.without_room, tally.faults);
   }
 }
 
 void stress(int first, int count) {
+  constexpr const char *kAll = "any of these", *kClosed = "nothing that is led";
   if (!crossing_triangles(Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xi(3, 0))) {
     GTEST_SKIP() << "built without CGAL";
   }
-  Outcome outcome;
+  std::map<std::string, Tally> tallies;
   for (int seed = first; seed < first + count; ++seed) {
     const RandomScene scene(static_cast<std::uint64_t>(seed));
-    expect_sound(scene, outcome);
-    ASSERT_FALSE(::testing::Test::HasFatalFailure()) << seed << "\n" << scene.text();
+    const Outcome outcome = outcome_of(scene);
+    EXPECT_FALSE(outcome.fault) << "scene " << seed << " " << *outcome.fault << "\n"
+                                << scene.text();
+    for (const std::string& ingredient : scene.ingredients()) tallies[ingredient].add(outcome);
+    if (!scene.is_led()) tallies[kClosed].add(outcome);
+    tallies[kAll].add(outcome);
   }
-  EXPECT_GT(outcome.led, count / 2);
-  EXPECT_LE(outcome.without_room, count / 10);
-  std::cout << fmt::format(
-      "{} scenes, {} of them led: in none does anything pass through anything; in {} what is led "
-      "leaves no room, and the run says so\n",
-      count, outcome.led, outcome.without_room);
+  print(tallies);
+  EXPECT_GT(tallies[kClosed].scenes, count / 10);
+  // Bodies and clips that are led at metres a second, mostly in steps that may not be halved.
+  EXPECT_LE(tallies[kAll].without_room, 2 * count / 5);
+}
+
+/// A number that the one who runs the tests asks for.
+int asked_for(const char* variable, int otherwise) {
+  const char* number = std::getenv(variable);
+  return number ? std::atoi(number) : otherwise;
 }
 
 TEST(Stress, LetsNothingThrough) { stress(0, 10); }
 
-TEST(SlowStress, LetsNothingThrough) { stress(100, 90); }
+TEST(SlowStress, LetsNothingThrough) {
+  stress(asked_for("PLIANT_STRESS_FIRST", 1000), asked_for("PLIANT_STRESS_SCENES", 60));
+}
 
 }  // namespace
 }  // namespace pliant

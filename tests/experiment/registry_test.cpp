@@ -45,7 +45,7 @@ TEST(Registry, KnowsOfEachTypeAllThatTheProgramAsks) {
     EXPECT_EQ(type->make != nullptr, in_rows && fitted && !solid);
     EXPECT_EQ(type->make_solid != nullptr, solid);
     EXPECT_EQ(type->make_whole != nullptr, !fitted);
-    EXPECT_EQ(type->is_table != nullptr, in_rows && !solid);
+    EXPECT_EQ(type->is_table != nullptr, in_rows);
     EXPECT_EQ(!type->channels.empty(), in_rows && fitted);
     EXPECT_EQ(type->facts.deformation.has_value(), in_rows && fitted && !solid);
     EXPECT_EQ(type->template_files.empty(), !in_rows);

@@ -252,9 +252,11 @@ TEST_F(SlowSchema, AgreesWithTheReadersOnMissingAndMisshapenValues) {
         // Whether a file tells the size of its specimen, no schema can tell.
         const bool size = key == "length" || key == "width" || key == "defaults";
         const bool may_be_told = full.document.type == "study" && size;
-        // Whether a scene has what its pins name, no schema can tell.
+        // Whether a document has what another place in it names, no schema can tell.
         const bool may_be_named =
-            full.document.type == "scene" && object.empty() && (key == "cloth" || key == "solids");
+            (full.document.type == "scene" && object.empty() &&
+             (key == "cloth" || key == "solids")) ||
+            (full.document.type == "material" && whole.contains("limits") && key == "J");
         NamedDocument dropped = mutated(full.document, object, key, "dropped", nullptr);
         dropped.document.document[object].erase(key);
         if (!may_be_told && !may_be_named) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #if defined(__SSE2__)
@@ -75,6 +76,12 @@ template <class V>
 PLIANT_INLINE V with_bits(const Bits<V>& x) {
   return __builtin_bit_cast(V, x);
 }
+
+/// Bits whose sums may overflow.
+using WholeTwo = std::uint64_t __attribute__((vector_size(16)));
+using WholeFour = std::uint64_t __attribute__((vector_size(32)));
+PLIANT_INLINE WholeTwo whole(const Two& x) { return __builtin_bit_cast(WholeTwo, x); }
+PLIANT_INLINE WholeFour whole(const Four& x) { return __builtin_bit_cast(WholeFour, x); }
 
 template <class V>
 PLIANT_INLINE V absolute(const V& x) {
@@ -172,7 +179,7 @@ PLIANT_INLINE V exp_of_negative(const V& x) {
   sum = r + r * r * sum;
   // Times 2^power: the whole number stands in the last bits of `pushed`, the exponent 52 bits up.
   const V value = 1.0 + sum;
-  return with_bits<V>(bits(value) + (bits(pushed) << 52));
+  return __builtin_bit_cast(V, whole(value) + (whole(pushed) << 52));
 }
 
 }  // namespace pliant::simd

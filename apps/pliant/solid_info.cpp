@@ -120,7 +120,7 @@ void add_ellipticity(const Material& material, FileInfo& info) {
     if (range.limited) {
       info.lines.push_back(labelled(range.way,
                                     "no further than " + size_text(range, range.reach) +
-                                        ": a limit, or no " + "equilibrium across",
+                                        ": a limit, or no equilibrium across",
                                     1));
     }
     if (!range.lost) continue;

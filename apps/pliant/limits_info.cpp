@@ -1,6 +1,6 @@
 #include "apps/pliant/limits_info.h"
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/material/solid/principal_metric.h"
+#include "pliant/math/root.h"
 
 namespace pliant {
 namespace {
@@ -27,12 +28,8 @@ std::optional<double> strain_of_energy(const ComponentLaw& law, double energy, d
       below = strain;
       continue;
     }
-    double beyond = strain;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (below + beyond) / 2;
-      (law.elastic_energy(middle) >= energy ? beyond : below) = middle;
-    }
-    return beyond;
+    return root_in_bracket([&](double at) { return law.elastic_energy(at) - energy; },
+                           std::min(below, strain), std::max(below, strain));
   }
   return std::nullopt;
 }

@@ -62,12 +62,14 @@ LawPlaces add_parameters(System& system, const SolidLaw& law) {
   return places;
 }
 
-template <class Measure>
-void add_weights(const SolidLaw& law, const Eigen::Vector3d& place, Stencils<Measure>& stencils) {
-  if (!law.weights) return;
-  const Eigen::VectorXd weights = law.weights(place);
-  stencils.weights.conservativeResize(weights.size(), stencils.weights.cols() + 1);
-  stencils.weights.col(stencils.weights.cols() - 1) = weights;
+// Of the samples at each place, a column each; empty: the material is one.
+Eigen::MatrixXd weights_at(const std::vector<Eigen::Vector3d>& places, const SolidLaw& law) {
+  if (!law.weights) return {};
+  Eigen::MatrixXd weights(law.weights(places.front()).size(), std::ssize(places));
+  for (size_t i = 0; i < places.size(); ++i) {
+    weights.col(static_cast<Eigen::Index>(i)) = law.weights(places[i]);
+  }
+  return weights;
 }
 
 template <class Part>
@@ -80,12 +82,14 @@ void add_tetrahedra(System& system, const SolidPart& part, const SolidLaw& law,
                     const LawPlaces& places, Solid& solid) {
   if (part.tetrahedra.empty()) return;
   Stencils<LinearTetrahedron> stencils;
+  std::vector<Eigen::Vector3d> middles;
   for (const int t : part.tetrahedra) {
     const LinearTetrahedron::Positions x =
         part.mesh.positions(Eigen::all, part.mesh.tetrahedra.col(t));
     stencils.add(part.points(part.mesh.tetrahedra, t), tetrahedron_rest(x), tetrahedron_volume(x));
-    add_weights(law, x.rowwise().mean(), stencils);
+    middles.emplace_back(x.rowwise().mean());
   }
+  stencils.weights = weights_at(middles, law);
   add_shown(system,
             std::make_shared<ElementPotential<LinearTetrahedron>>(
                 stencils, law.of_points, places.of_points, law.point_fields),
@@ -108,6 +112,7 @@ void add_hexahedra(System& system, const SolidPart& part, const SolidLaw& law,
   if (part.hexahedra.empty()) return;
   Stencils<TrilinearHexahedron> stencils;  // eight for each element
   Stencils<HexahedronDilatation> dilatations;
+  std::vector<Eigen::Vector3d> points_at, middles;
   for (const int h : part.hexahedra) {
     const TrilinearHexahedron::Positions x =
         part.mesh.positions(Eigen::all, part.mesh.hexahedra.col(h));
@@ -116,12 +121,14 @@ void add_hexahedra(System& system, const SolidPart& part, const SolidLaw& law,
     const auto of_element = hexahedron_points(x);
     for (size_t p = 0; p < of_element.size(); ++p) {
       stencils.add(points, of_element[p].rest, of_element[p].size);
-      add_weights(law, x * hexahedron_shares()[p], stencils);
+      points_at.emplace_back(x * hexahedron_shares()[p]);
       volume += of_element[p].size;
     }
     dilatations.add(points, {volume}, volume);
-    add_weights(law, x.rowwise().mean(), dilatations);
+    middles.emplace_back(x.rowwise().mean());
   }
+  stencils.weights = weights_at(points_at, law);
+  dilatations.weights = weights_at(middles, law);
   add_shown(system,
             std::make_shared<ElementPotential<TrilinearHexahedron>>(
                 stencils, law.of_points, places.of_points, law.point_fields),

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "pliant/experiment/homogeneous/homogeneous_point.h"
 #include "pliant/material/solid/ellipticity.h"
@@ -20,20 +22,17 @@ enum class Way { uniaxial, equibiaxial, planar, volumetric, shear };
 constexpr std::array kWays{Way::uniaxial, Way::equibiaxial, Way::planar, Way::volumetric,
                            Way::shear};
 
-const char* name_of(Way way) {
-  switch (way) {
-    case Way::uniaxial:
-      return "uniaxial";
-    case Way::equibiaxial:
-      return "equibiaxial";
-    case Way::planar:
-      return "planar";
-    case Way::volumetric:
-      return "volumetric";
-    case Way::shear:
-      break;
-  }
-  return "shear";
+/// Of ways that homogeneous tests go too.
+std::optional<HomogeneousMode> mode_of(Way way) {
+  if (way == Way::uniaxial) return HomogeneousMode::uniaxial;
+  if (way == Way::equibiaxial) return HomogeneousMode::equibiaxial;
+  if (way == Way::planar) return HomogeneousMode::planar;
+  return std::nullopt;
+}
+
+std::string_view name_of(Way way) {
+  if (const auto mode = mode_of(way)) return name_of(*mode);
+  return way == Way::shear ? "shear" : "volumetric";
 }
 
 /// A law without memory, and the deformations of its points.
@@ -66,20 +65,12 @@ class Deformed {
   }
 
   std::optional<Eigen::Matrix3d> gradient_at(Way way, double size) const {
+    if (const auto mode = mode_of(way)) return stretched({*mode, size});
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity();
-    switch (way) {
-      case Way::shear:
-        gradient(0, 1) = size;
-        break;
-      case Way::volumetric:
-        gradient *= size;
-        break;
-      case Way::uniaxial:
-        return stretched({HomogeneousMode::uniaxial, size});
-      case Way::equibiaxial:
-        return stretched({HomogeneousMode::equibiaxial, size});
-      case Way::planar:
-        return stretched({HomogeneousMode::planar, size});
+    if (way == Way::shear) {
+      gradient(0, 1) = size;
+    } else {
+      gradient *= size;
     }
     return is_within_limits(gradient) ? std::optional(gradient) : std::nullopt;
   }
@@ -105,27 +96,46 @@ double size_of_step(Way way, bool compressed, double step) {
   return std::exp(sign * share * std::log(kLargestStretch));
 }
 
+/// Between a step at which something holds and one at which it does not: where it ends.
+template <class Holds>
+std::pair<double, double> end_between(double with, double without, const Holds& holds) {
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = (with + without) / 2;
+    (holds(middle) ? with : without) = middle;
+  }
+  return {with, without};
+}
+
 EllipticRange range_of(const Deformed& solid, Way way, bool compressed) {
-  EllipticRange range{name_of(way), compressed};
-  range.reach = size_of_step(way, compressed, 0);
+  const auto size = [&](double step) { return size_of_step(way, compressed, step); };
+  const auto is_allowed = [&](double step) {
+    return solid.wave_modulus(way, size(step)).has_value();
+  };
+  const auto is_elliptic = [&](double step) {
+    const auto modulus = solid.wave_modulus(way, size(step));
+    return modulus && *modulus > 0;
+  };
+  EllipticRange range{std::string(name_of(way)), compressed, size(0)};
   for (int step = 0; step <= kSteps; ++step) {
-    const auto modulus = solid.wave_modulus(way, size_of_step(way, compressed, step));
-    if (!modulus) {
-      range.limited = true;
+    if (is_elliptic(step)) {
+      range.reach = size(step);
+      continue;
+    }
+    if (step == 0) {
+      range.limited = !is_allowed(0);
+      range.lost = !range.limited;
+      range.at = size(0);
       return range;
     }
-    if (*modulus <= 0) {
-      double elliptic = step - 1, lost = step;
-      for (int i = 0; i < kBisections && step > 0; ++i) {
-        const double middle = (elliptic + lost) / 2;
-        const auto between = solid.wave_modulus(way, size_of_step(way, compressed, middle));
-        (between && *between > 0 ? elliptic : lost) = middle;
-      }
-      range.lost = true;
-      range.at = size_of_step(way, compressed, lost);
-      return range;
+    const double last = is_allowed(step) ? step : end_between(step - 1, step, is_allowed).first;
+    range.limited = is_elliptic(last);
+    range.lost = !range.limited;
+    if (range.limited) {
+      range.reach = size(last);
+    } else {
+      range.at = size(end_between(step - 1, last, is_elliptic).second);
     }
-    range.reach = size_of_step(way, compressed, step);
+    return range;
   }
   return range;
 }

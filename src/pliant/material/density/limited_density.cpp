@@ -94,17 +94,17 @@ void LimitedDensity::differentiate(const Samples& samples, int lane, int, int fi
   law_->differentiate(samples, lane, 0, 0, own);
   Response at(strains);
   law_->add(samples, {}, at);
-  const double energy = at.stored(lane), left = 1 - energy / largest_;
+  const double energy = at.stored(lane);
   const Eigen::VectorXd stress = at.stress.row(lane).transpose().matrix();
-  const LimitBarrier limits;
-  const Barrier barrier(left, largest_, limits);
+  const Barrier barrier(1 - energy / largest_, largest_, {});
   derivatives.stored_by_parameter.segment(first_parameter, count) +=
       (1 + barrier.multiplier) * own.stored_by_parameter;
   derivatives.stress_by_parameter.middleCols(first_parameter, count) +=
       (1 + barrier.multiplier) * own.stress_by_parameter +
       barrier.slope * stress * own.stored_by_parameter.transpose();
-  derivatives.stored_by_parameter(last) -=
-      limits.share * (std::log(left) + energy / (largest_ * left));
+  // A barrier is psi_max times a function of psi / psi_max.
+  derivatives.stored_by_parameter(last) +=
+      (barrier.value - barrier.multiplier * energy) / largest_;
   derivatives.stress_by_parameter.col(last) -= barrier.slope * energy / largest_ * stress;
 }
 

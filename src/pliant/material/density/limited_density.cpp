@@ -103,8 +103,7 @@ void LimitedDensity::differentiate(const Samples& samples, int lane, int, int fi
       (1 + barrier.multiplier) * own.stress_by_parameter +
       barrier.slope * stress * own.stored_by_parameter.transpose();
   // A barrier is psi_max times a function of psi / psi_max.
-  derivatives.stored_by_parameter(last) +=
-      (barrier.value - barrier.multiplier * energy) / largest_;
+  derivatives.stored_by_parameter(last) += (barrier.value - barrier.multiplier * energy) / largest_;
   derivatives.stress_by_parameter.col(last) -= barrier.slope * energy / largest_ * stress;
 }
 

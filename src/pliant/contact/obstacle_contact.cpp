@@ -227,6 +227,25 @@ Energy ObstacleContact::advance(const Evaluation& at, double* next) const {
   return energy;
 }
 
+// A motion of the body is one of all points the other way.
+Eigen::Matrix3Xd ObstacleContact::change_by_motion(const Evaluation& at,
+                                                   const Eigen::Vector3d& direction) const {
+  Eigen::Matrix3Xd change = Eigen::Matrix3Xd::Zero(3, at.configuration.positions.cols());
+  const Pose body = at.controls.body(body_);
+  const Eigen::Vector3d motion = body.rotation.conjugate() * direction;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const Eigen::Vector3d position = body.local(at.configuration.positions.col(points_[i]));
+    const SurfaceDistance surface = surface_distance(shape_, position);
+    if (surface.distance >= thickness_) continue;
+    const Barrier pushed = barrier(surface.distance, thickness_);
+    const Eigen::Vector3d by_place =
+        pushed.curvature * surface.normal.dot(motion) * surface.normal +
+        pushed.slope * surface.curvature * motion;
+    change.col(points_[i]) = body.rotation * (-stiffness_(static_cast<Eigen::Index>(i)) * by_place);
+  }
+  return change;
+}
+
 Touching ObstacleContact::touching(const Eigen::Matrix3Xd& positions,
                                    const Controls& controls) const {
   const Pose body = controls.body(body_);

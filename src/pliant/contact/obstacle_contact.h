@@ -41,6 +41,11 @@ class ObstacleContact : public HistoryPotential {
   Eigen::VectorXd initial_history(const Evaluation& at) const override;
   Energy advance(const Evaluation& at, double* next) const override;
 
+  /// How dE / d points changes as the body moves on, the points held where they are (N/m, one
+  /// column a point of the system). Without friction.
+  /// @param direction  of the body's motion, of unit length
+  Eigen::Matrix3Xd change_by_motion(const Evaluation& at, const Eigen::Vector3d& direction) const;
+
   /// Points nearer than the thickness, and the least distance of all, negative inside.
   Touching touching(const Eigen::Matrix3Xd& positions, const Controls& controls) const;
 

@@ -65,6 +65,11 @@ class Experiment {
   virtual std::vector<std::vector<int>> series() const = 0;
   /// What an error is compared with (SI), > 0: the largest force, or the largest change of length.
   virtual double reference() const = 0;
+  /// A stress of the size that the data show (Pa), for experiments of solids.
+  virtual double stress() const { return reference(); }
+  /// What was imposed, row by row, as shares of the specimen's size; empty where strains of the
+  /// material tell it.
+  virtual std::vector<double> imposed() const { return {}; }
 
   /// What each row counts in a fit: 1, or 0 where it is left out.
   virtual Eigen::ArrayXd weights() const = 0;

@@ -11,6 +11,7 @@
 #include "pliant/experiment/hanging/hanging_weights_type.h"
 #include "pliant/experiment/homogeneous/homogeneous_type.h"
 #include "pliant/experiment/overhang/bending_length_type.h"
+#include "pliant/experiment/press/press_type.h"
 #include "pliant/experiment/rolled/rolled_strip_type.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/shear/shear_cycles_type.h"
@@ -20,7 +21,7 @@ namespace pliant {
 namespace {
 
 /// Known to come.
-constexpr std::array kLaterTypes = {"press", "indentation", "image-poses"};
+constexpr std::array kLaterTypes = {"image-poses"};
 
 }  // namespace
 
@@ -29,7 +30,8 @@ std::span<const TestType* const> test_types() {
       &hanging_weights_type(), &tensile_cycles_type(), &shear_cycles_type(),
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
       &bending_length_type(),  &buckling_bend_type(),  &session_type(),
-      &drape_type(),           &homogeneous_type(),
+      &drape_type(),           &homogeneous_type(),    &press_type(),
+      &indentation_type(),
   };
   return types;
 }

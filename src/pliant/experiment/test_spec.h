@@ -22,6 +22,8 @@ struct TestSpec {
   virtual WrittenFields fields() const = 0;
   /// Whether no component of its own describes it in one dimension.
   virtual bool is_only_sheet() const { return false; }
+  /// Whether the volume of a solid may change in it: then something must resist that.
+  virtual bool volume_may_change() const { return false; }
 };
 
 }  // namespace pliant

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/geometry/mesh_file_fields.h"
 #include "pliant/io/named_file.h"
-#include "pliant/scene/mesh_source.h"
 
 namespace pliant {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "pliant/geometry/mesh_file_fields.h"
 #include "pliant/io/named_file.h"
 #include "pliant/io/vector_fields.h"
 
@@ -93,26 +93,6 @@ RectangleMesh read_rectangle(const Value& rectangle, Fields& fields) {
 }
 
 }  // namespace
-
-double read_file_unit(Fields& fields) {
-  const std::string expected = fmt::format("the length unit of the file's coordinates: {}",
-                                           fmt::join(units_of(Dimension::length), ", "));
-  const auto value = fields.optional("unit");
-  if (!value) {
-    Location where = fields.location();
-    where.field += ".unit";
-    throw InputError(where, "is missing", expected);
-  }
-  const std::optional<double> unit = unit_scale(value->text(), Dimension::length);
-  if (!unit) value->fail(quoted_value(value->text()), expected);
-  return *unit;
-}
-
-std::optional<std::string> read_file_up(Fields& fields) {
-  const auto value = fields.optional("up");
-  if (!value) return std::nullopt;
-  return value->choice({"x", "y", "z", "-x", "-y", "-z"});
-}
 
 MeshSource read_mesh_source(const Value& value) {
   Fields fields = value.fields();

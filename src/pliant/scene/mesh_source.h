@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <variant>
 
 #include "pliant/base/errors.h"
@@ -53,11 +51,5 @@ struct MeshSource {
 /// `{tube, nodes, diagonals}`.
 /// @throws InputError, also for a file that does not exist; its content is not looked at
 MeshSource read_mesh_source(const Value& value);
-
-/// `unit` of the coordinates of a file, which has to be there: m per unit.
-double read_file_unit(Fields& fields);
-
-/// `up`: the axis of a file that becomes the world's z.
-std::optional<std::string> read_file_up(Fields& fields);
 
 }  // namespace pliant

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pliant/geometry/volume_source.h"
 #include "pliant/scene/cloth.h"
-#include "pliant/scene/volume_source.h"
 
 namespace pliant {
 

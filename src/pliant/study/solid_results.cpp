@@ -89,7 +89,10 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   result.columns = info.columns;
   result.time = info.time;
   result.used = info.used;
-  result.strain = predictor->strains("fibre.x", predictor->values(), {});
+  result.strain = experiment.imposed();
+  if (result.strain.empty()) {
+    result.strain = predictor->strains("fibre.x", predictor->values(), {});
+  }
   const auto [low, high] = std::ranges::minmax(result.strain);
   result.strain_range = {low, high};
   describe_rows(experiment, result);

@@ -11,6 +11,7 @@
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/estimation/stated_options.h"
+#include "pliant/experiment/solid_material.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/solid_results.h"
 #include "pliant/study/study_experiments.h"
@@ -21,8 +22,6 @@ namespace {
 using SolidExperiments = std::vector<std::unique_ptr<Experiment>>;
 
 bool is_of_solid(const ExperimentSpec& spec) { return spec.test->type().facts.measures_solids; }
-
-bool is_isochoric(const std::string& component) { return component.ends_with("-bar"); }
 
 SolidExperiments read_solids(const Study& study, StudyResult& result) {
   SolidExperiments experiments;
@@ -47,11 +46,8 @@ void refuse_sheets(const Study& study) {
 
 /// Whether the volume may change in some experiment.
 bool is_compressible(const Study& study) {
-  return std::ranges::any_of(study.experiments, [](const ExperimentSpec& spec) {
-    const WrittenFields fields = spec.test->fields();
-    return std::ranges::find(fields, WrittenFields::value_type{"incompressible", "false"}) !=
-           fields.end();
-  });
+  return std::ranges::any_of(
+      study.experiments, [](const ExperimentSpec& spec) { return spec.test->volume_may_change(); });
 }
 
 /// The stretches across are those of least energy, which a material without anything against a
@@ -60,8 +56,8 @@ void require_volume(const Study& study, bool has_volume) {
   if (has_volume || !is_compressible(study)) return;
   throw InputError({study.file, 0, "model.components"},
                    "nothing in the material resists a change of volume, which experiments with "
-                   "`incompressible: false` leave free",
-                   "a component `J` or `log-J`, or `incompressible: true`");
+                   "`incompressible: false`, or of whole bodies, leave free",
+                   "a component `J` or `log-J`");
 }
 
 std::vector<const Experiment*> fitted(const Study& study, const SolidExperiments& all) {
@@ -168,9 +164,7 @@ StudyResult evaluate_solid_study(const Study& study, const Material& material,
         "are of a solid, and the material " + quoted_value(material.name) + " is cloth",
         "a material of kind `solid`");
   }
-  require_volume(study, std::ranges::any_of(material.components, [](const auto& component) {
-                   return component.second.stiffness && !is_isochoric(component.first);
-                 }));
+  require_volume(study, resists_volume(material));
   Study predicted = study;
   for (ExperimentSpec& spec : predicted.experiments) spec.role = ExperimentRole::validate;
   StudyResult result = describe(predicted);

@@ -64,7 +64,10 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
   node["type"] = spec.type;
   node["data"] = data_node(spec.data, directory);
   if (!spec.direction.empty()) node["direction"] = spec.direction;
-  for (const auto& [key, value] : spec.test->fields()) node[key] = value;
+  for (const auto& [key, value] : spec.test->fields()) {
+    const bool list = value.starts_with('[');
+    node[key] = list ? YAML::Load(value) : YAML::Node(value);
+  }
   if (!spec.standard.empty()) node["standard"] = spec.standard;
   if (spec.noise.force || spec.noise.length) {
     node["noise"] = noise_node(spec.noise, spec.test->type().channels);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kShare = 0.01;  // of the largest stress: the unit of differences
 
 /// A solid whose stretches across are near those of any solid.
-Material probe() { return neo_hookean_solid(1, 100); }
+Material probe(double stress) { return neo_hookean_solid(stress, 100 * stress); }
 
 /// An energy that is a line alone, on a metric that is never negative, must not fall: it would have
 /// no lower bound.
@@ -53,10 +53,9 @@ bool MetricData::is_seen() const {
 SolidProblem::SolidProblem(const FitSettings& settings, std::vector<const Experiment*> experiments,
                            const RunContext& context)
     : settings_(settings), experiments_(std::move(experiments)), context_(context) {
-  const std::vector<double> pulled = strains_of("fibre.x");
   double reach = 0, peak = 0;
-  for (const double strain : pulled) reach = std::max(reach, std::abs(strain));
-  for (const Experiment* experiment : experiments_) peak = std::max(peak, experiment->reference());
+  for (const Experiment* experiment : experiments_) peak = std::max(peak, experiment->stress());
+  for (const double strain : strains_of("fibre.x")) reach = std::max(reach, std::abs(strain));
   energy_ = peak * reach;
 }
 
@@ -69,7 +68,7 @@ int SolidProblem::rows() const {
 std::vector<double> SolidProblem::strains_of(const std::string& metric) const {
   std::vector<double> all;
   for (const Experiment* experiment : experiments_) {
-    const auto predictor = experiment->predictor(probe());
+    const auto predictor = experiment->predictor(probe(experiment->stress()));
     const std::vector<double> own = predictor->strains(metric, predictor->values(), {});
     all.insert(all.end(), own.begin(), own.end());
   }

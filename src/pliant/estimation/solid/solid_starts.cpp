@@ -78,10 +78,43 @@ MaterialComponent first_component(const std::string& name, const ComponentModel&
   return component;
 }
 
+/// Where the stiffness of a component begins: that of the volume, which data of any solid tells
+/// little of, at several places above that of what is pulled.
+std::vector<DataScale> first_scales(const std::string& component, SolidProblem& problem) {
+  if (component != "J" && component != "log-J") return {problem.data_of(component).scale};
+  const DataScale pulled = problem.data_of("fibre.x").scale;
+  std::vector<DataScale> scales;
+  for (const double times : {3.0, 30.0}) {
+    scales.push_back({.stress = times * pulled.stress, .strain = pulled.strain});
+  }
+  return scales;
+}
+
 void refuse(const FitSettings& settings, const std::string& component, std::string problem,
             std::string expected) {
   throw InputError({settings.file, 0, "model.components." + component}, std::move(problem),
                    std::move(expected));
+}
+
+/// Appends starts that have a component too, with each choice of its addends.
+void add_component(const std::string& name, const MaterialComponent& component,
+                   const std::vector<std::vector<Addend>>& choices,
+                   const std::vector<Material>& starts, std::vector<Material>& more) {
+  for (const std::vector<Addend>& addends : choices) {
+    for (const Material& start : starts) {
+      if (more.size() >= kMostStarts) return;
+      Material& own = more.emplace_back(start);
+      own.components[name] = component;
+      own.components[name].addends = addends;
+    }
+  }
+}
+
+void refuse_memory_of_stretches(const FitSettings& settings, const std::string& name,
+                                const MaterialComponent& component) {
+  if (!find_principal_metric(name) || !law_of(component).remembers()) return;
+  refuse(settings, name, "has friction or another law that remembers",
+         "such laws on another metric than principal stretches: green.xx, I1-bar, ...");
 }
 
 }  // namespace
@@ -100,20 +133,12 @@ std::vector<Material> solid_starts(const FitSettings& settings,
       refuse(settings, name, "changes in no experiment: the data cannot tell it",
              "components that the experiments strain (an incompressible test shows no J)");
     }
-    const MaterialComponent component = first_component(name, model, data.scale);
     std::vector<Material> more;
-    for (const std::vector<Addend>& addends : combinations(model.addends, data.scale)) {
-      for (const Material& start : starts) {
-        if (more.size() >= kMostStarts) break;
-        Material& own = more.emplace_back(start);
-        own.components[name] = component;
-        own.components[name].addends = addends;
-        if (find_principal_metric(name) && law_of(own.components[name]).remembers()) {
-          refuse(settings, name, "has friction or another law that remembers",
-                 "such laws on another metric than principal stretches: green.xx, I1-bar, ...");
-        }
-      }
+    for (const DataScale& scale : first_scales(name, problem)) {
+      add_component(name, first_component(name, model, scale), combinations(model.addends, scale),
+                    starts, more);
     }
+    refuse_memory_of_stretches(settings, name, more.front().components.at(name));
     starts = std::move(more);
   }
   return starts;

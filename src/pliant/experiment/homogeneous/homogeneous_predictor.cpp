@@ -3,29 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pliant/base/assert.h"
-#include "pliant/material/solid/metric.h"
-#include "pliant/material/solid/principal_metric.h"
+#include "pliant/material/solid/metric_values.h"
 
 namespace pliant {
 namespace {
 
-/// Values of a metric where a point is stretched along its axes.
-std::vector<double> metric_values(const std::string& name, const Eigen::Vector3d& stretches) {
-  const Eigen::Array3d logs = stretches.array().log();
-  if (const PrincipalMetric* metric = find_principal_metric(name)) {
-    std::vector<double> values;
-    for (const double log : logs) {
-      values.push_back(metric->of_log(log - (metric->isochoric ? logs.mean() : 0)).value);
-    }
-    return values;
-  }
-  const StrainMetric* metric = find_strain_metric(name);
-  PLIANT_ASSERT(metric, "a metric of solids");
-  Eigen::Array<double, kLanes, Eigen::Dynamic> strain =
-      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, kSolidStrains);
-  for (int i = 0; i < 3; ++i) strain.col(i) = (stretches(i) * stretches(i) - 1) / 2;
-  return {metric->jet(LaneView(strain.data(), kLanes, kSolidStrains)).value(0)};
+/// Of a metric where a point is stretched along its axes.
+std::vector<double> values_at(const std::string& metric, const Eigen::Vector3d& stretches) {
+  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+  strain.head<3>() = (stretches.array().square() - 1) / 2;
+  return metric_values(metric, strain);
 }
 
 }  // namespace
@@ -90,7 +77,7 @@ std::vector<double> HomogeneousPredictor::strains(const std::string& component,
   const auto all = stresses(values, /*derivatives=*/false, workers);
   if (!all) return result;
   for (const HomogeneousStress& stress : *all) {
-    for (const double value : metric_values(component, stress.stretches)) result.push_back(value);
+    for (const double value : values_at(component, stress.stretches)) result.push_back(value);
   }
   return result;
 }

@@ -10,6 +10,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/homogeneous/homogeneous.h"
 #include "pliant/experiment/homogeneous/homogeneous_predictor.h"
+#include "pliant/experiment/solid_material.h"
 #include "pliant/experiment/virtual_table.h"
 
 namespace pliant {
@@ -57,9 +58,6 @@ std::unique_ptr<Experiment> make(const ExperimentSpec& spec, const DataRows& dat
   return std::make_unique<HomogeneousTest>(spec, data);
 }
 
-/// Whether a metric is of the shape alone: nothing of it changes with the volume.
-bool is_isochoric(const std::string& component) { return component.ends_with("-bar"); }
-
 }  // namespace
 
 const TestType& homogeneous_type() {
@@ -96,25 +94,8 @@ WrittenFields HomogeneousSpec::fields() const {
 }
 
 void VirtualHomogeneous::require(const Material& material) const {
-  const std::string name = quoted_value(material.name);
-  if (material.kind != MaterialKind::solid) {
-    throw InputError(where, "needs a solid, and the material " + name + " is cloth",
-                     "a material of kind `solid`");
-  }
-  const auto has_law = [](const auto& component) { return component.second.stiffness.has_value(); };
-  if (std::ranges::none_of(material.components, has_law)) {
-    throw InputError(where, "needs a law, and the material " + name + " has none",
-                     "a material with components");
-  }
-  const bool resists_volume = std::ranges::any_of(material.components, [&](const auto& component) {
-    return has_law(component) && !is_isochoric(component.first);
-  });
-  if (!incompressible && !resists_volume) {
-    throw InputError(where,
-                     "is of a solid whose volume may change, and nothing in the material " + name +
-                         " resists that",
-                     "`incompressible: true`, or a material with a component `J` or `log-J`");
-  }
+  require_solid_law(material, where);
+  if (!incompressible) require_solid_of_volume(material, where);
 }
 
 std::vector<HomogeneousRow> VirtualHomogeneous::path() const {

@@ -17,6 +17,7 @@ struct HomogeneousSpec : TestSpec {
 
   const TestType& type() const override { return homogeneous_type(); }
   WrittenFields fields() const override;
+  bool volume_may_change() const override { return !incompressible; }
 };
 
 /// From rest to a stretch and, where there are several, back and to the next.

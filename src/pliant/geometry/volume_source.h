@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "pliant/geometry/fingertip.h"
 #include "pliant/geometry/volume_mesh.h"
 #include "pliant/io/fields.h"
 
@@ -32,20 +33,21 @@ struct SurfaceSource {
   double edge = 0;       ///< length that edges aim at, m
 };
 
-/// How a solid comes by its mesh.
+/// How a body comes by its mesh.
 struct VolumeSource {
-  std::variant<VolumeFileSource, BlockSource, SurfaceSource> kind;
+  std::variant<VolumeFileSource, BlockSource, SurfaceSource, Fingertip> kind;
   Location where;
 
   /// The file that it names; empty for none.
   std::filesystem::path file() const;
 };
 
-/// `{file, unit, up}`, `{block, cells, elements}` or `{surface, unit, up, edge}`.
+/// `{file, unit, up}`, `{block, cells, elements}`, `{surface, unit, up, edge}` or
+/// `{fingertip, edge}`.
 /// @throws InputError, also for a file that does not exist; its content is not looked at
 VolumeSource read_volume_source(const Value& value);
 
-/// The mesh, in the solid's own coordinates.
+/// The mesh, in the body's own coordinates.
 /// @throws InputError, also for a mesh that is unfit for simulation
 VolumeMesh make_volume_mesh(const VolumeSource& source);
 

@@ -1,13 +1,13 @@
-#include "pliant/scene/volume_source.h"
+#include "pliant/geometry/volume_source.h"
 
 #include "pliant/geometry/block_mesh.h"
+#include "pliant/geometry/mesh_file_fields.h"
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/geometry/volume_file.h"
 #include "pliant/geometry/volume_mesher.h"
 #include "pliant/geometry/world_positions.h"
 #include "pliant/io/named_file.h"
 #include "pliant/io/vector_fields.h"
-#include "pliant/scene/mesh_source.h"
 
 namespace pliant {
 namespace {
@@ -56,6 +56,26 @@ SurfaceSource read_surface(const Value& surface, Fields& fields) {
   return source;
 }
 
+Fingertip read_fingertip(const Value& value, Fields& fields) {
+  const Eigen::Vector3d size = read_vector(value);
+  if (size.minCoeff() <= 0) value.fail("has no volume", "three lengths above 0 (m)");
+  if (size.x() <= size.y() / 2) {
+    value.fail("is not longer than half its width", "[length, width, height] (m)");
+  }
+  const Value edge = fields.require("edge");
+  Fingertip shape{size.x(), size.y(), size.z(), edge.positive_quantity(Dimension::length)};
+  if (shape.edge > size.minCoeff() / 3) {
+    edge.fail("is too long for the body", "at most a third of its least size");
+  }
+  return shape;
+}
+
+VolumeMesh make_mesh(const Fingertip& shape) {
+  VolumeMesh mesh = make_fingertip(shape);
+  require_good_volume_mesh(mesh, {});
+  return mesh;
+}
+
 VolumeMesh make_mesh(const SurfaceSource& source) {
   const PolygonMesh polygons = read_polygon_mesh(source.file);
   const CutFaces cut =
@@ -84,13 +104,14 @@ VolumeSource read_volume_source(const Value& value) {
   VolumeSource source;
   source.where = value.location();
   const auto file = fields.optional("file"), block = fields.optional("block");
-  const auto surface = fields.optional("surface");
-  if (file.has_value() + block.has_value() + surface.has_value() != 1) {
-    value.fail("is not one mesh", "`file`, `block` or `surface`");
+  const auto surface = fields.optional("surface"), fingertip = fields.optional("fingertip");
+  if (file.has_value() + block.has_value() + surface.has_value() + fingertip.has_value() != 1) {
+    value.fail("is not one mesh", "`file`, `block`, `surface` or `fingertip`");
   }
   if (file) source.kind = read_volume_file(*file, fields);
   if (block) source.kind = read_block(*block, fields);
   if (surface) source.kind = read_surface(*surface, fields);
+  if (fingertip) source.kind = read_fingertip(*fingertip, fields);
   fields.finish();
   return source;
 }

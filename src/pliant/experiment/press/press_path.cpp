@@ -1,0 +1,215 @@
+#include "pliant/experiment/press/press_path.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "pliant/solver/equilibrium_derivatives.h"
+#include "pliant/solver/within_limits.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kStep = 0.25;      // of an edge
+constexpr double kFarthest = 0.95;  // of the body's extent along the way
+constexpr int kMostHalvings = 6;
+
+double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
+
+// Of one field with each of several.
+Eigen::RowVectorXd dot_each(const Eigen::Matrix3Xd& a, const Eigen::MatrixXd& each) {
+  return Eigen::Map<const Eigen::RowVectorXd>(a.data(), a.size()) * each;
+}
+
+}  // namespace
+
+PressPath::PressPath(const PressedBody& body, PressOptions options)
+    : body_(body),
+      options_(std::move(options)),
+      workspace_(body.system()),
+      travel_(body.clear_travel()) {
+  const Controls controls = body.controls(travel_);
+  State rest = body.system().initial_state(options_.parameters);
+  state_ = rest;
+  // What the contact remembers is where the indenter stands clear of the body.
+  body.system().advance_history(rest.configuration, {rest, options_.parameters, controls},
+                                state_.history);
+  history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
+}
+
+// From where the last step ended, what is in the indenter's way moved on with it.
+std::optional<PressPath::Trial> PressPath::trial(double travel) {
+  const Controls controls = body_.controls(travel);
+  const auto moved = body_.system().made_way(state_.configuration.positions,
+                                             {state_, options_.parameters, controls});
+  if (!moved) return std::nullopt;
+  Configuration guess = state_.configuration;
+  guess.positions += *moved;
+  return trial_from(std::move(guess), travel);
+}
+
+// Begins where the area before was found to be passed: there but for what friction remembers since.
+std::optional<PressPath::Trial> PressPath::trial_of_stop(double travel) {
+  if (ahead_.travel == travel && ahead_.at.positions.size() > 0) {
+    if (auto found = trial_from(ahead_.at, travel)) return found;
+  }
+  return trial(travel);
+}
+
+std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, double travel) {
+  const Controls controls = body_.controls(travel);
+  const NewtonOptions newton{.tolerance = body_.tolerance(), .stop = options_.stop};
+  const NewtonSummary found = minimize_within_limits(
+      body_.system(), {state_, options_.parameters, controls}, newton, workspace_, guess);
+  if (!found.converged) return std::nullopt;
+  const double area = body_.area(guess.positions, travel).value;
+  return Trial{travel, std::move(guess), area};
+}
+
+std::optional<PressPath::Trial> PressPath::trial_between(const Trial& low, const Trial& high,
+                                                         double travel) {
+  const double share = (travel - low.travel) / (high.travel - low.travel);
+  Configuration guess = low.at;
+  guess.positions += share * (high.at.positions - low.at.positions);
+  auto found = trial_from(std::move(guess), travel);
+  return found ? found : trial(travel);
+}
+
+// A stop at the next multiple of the step beyond where the path stands.
+double PressPath::next_stop(int way) const {
+  const double step = kStep * body_.edge();
+  const double steps = travel_ / step;
+  constexpr double kRounding = 1e-9;
+  return step * (way > 0 ? std::floor(steps + kRounding) + 1 : std::ceil(steps - kRounding) - 1);
+}
+
+bool PressPath::step(double travel, int halvings) {
+  if (const auto found = trial(travel)) {
+    accept(*found);
+    return true;
+  }
+  if (halvings == kMostHalvings) return false;
+  return step((travel_ + travel) / 2, halvings + 1) && step(travel, halvings + 1);
+}
+
+// To where the last step begins that ends at `travel`.
+bool PressPath::walk(double travel) {
+  const int way = travel > travel_ ? 1 : -1;
+  for (double stop = next_stop(way); way * (travel - stop) > 0; stop = next_stop(way)) {
+    if (!step(stop, 0)) return false;
+  }
+  return true;
+}
+
+std::optional<PressPoint> PressPath::go_to_travel(double travel) {
+  if (!walk(travel)) return std::nullopt;
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
+    if (const auto found = trial(travel)) return accept(*found);
+    if (!step((travel_ + travel) / 2, halvings + 1)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<PressPoint> PressPath::go_to_area(double area) {
+  const Eigen::Matrix3Xd& rest = body_.system().initial_state().configuration.positions;
+  const double farthest =
+      kFarthest * (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
+  Trial here{travel_, state_.configuration, body_.area(positions(), travel_).value};
+  const int way = area > here.area ? 1 : -1;
+  while (travel_ < farthest) {
+    double stop = std::max(next_stop(way), body_.clear_travel());
+    auto next = trial_of_stop(stop);
+    for (int halvings = 0; !next && halvings < kMostHalvings; ++halvings) {
+      stop = (travel_ + stop) / 2;
+      next = trial(stop);
+    }
+    if (!next) return std::nullopt;
+    if (way * (next->area - area) >= 0) {
+      ahead_ = *next;
+      const auto found = way > 0 ? trial_of_area(area, std::move(here), std::move(*next))
+                                 : trial_of_area(area, std::move(*next), std::move(here));
+      return found ? std::optional(accept(*found, area)) : std::nullopt;
+    }
+    if (stop == body_.clear_travel()) return std::nullopt;
+    accept(*next);
+    here = std::move(*next);
+  }
+  return std::nullopt;
+}
+
+// Near enough for the rest to be linear.
+std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low, Trial high) {
+  if (low.area == area) return low;
+  if (high.area == area) return high;
+  constexpr double kNear = 1e-6;  // of the area, and of an edge
+  std::uintmax_t most = 40;
+  bool all_found = true;
+  const auto beyond = [&](double travel) {
+    auto found = all_found ? trial_between(low, high, travel) : std::nullopt;
+    all_found = found.has_value();
+    if (!found) return 0.0;  // ends the search
+    const double excess = found->area - area;
+    (excess < 0 ? low : high) = std::move(*found);
+    return std::abs(excess) < kNear * area ? 0 : excess;
+  };
+  const auto near = [&](double a, double b) { return b - a < kNear * body_.edge(); };
+  boost::math::tools::toms748_solve(beyond, low.travel, high.travel, low.area - area,
+                                    high.area - area, near, most);
+  if (!all_found) return std::nullopt;
+  return area - low.area < high.area - area ? low : high;
+}
+
+PressPoint PressPath::accept(const Trial& trial, std::optional<double> area) {
+  const Controls controls = body_.controls(trial.travel);
+  const Evaluation of_contact{trial.at, body_.system().history_of(body_.contact(), state_), nullptr,
+                              controls};
+  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}, {}};
+  if (!options_.by.empty() || area) differentiate(trial, area, point);
+  State next = state_;
+  body_.system().advance_history(trial.at, {state_, options_.parameters, controls}, next.history);
+  next.configuration = trial.at;
+  std::swap(state_, next);
+  travel_ = trial.travel;
+  return point;
+}
+
+void PressPath::differentiate(const Trial& trial, const std::optional<double>& area,
+                              PressPoint& point) {
+  const System& system = body_.system();
+  const Controls controls = body_.controls(trial.travel);
+  const Conditions under{state_, options_.parameters, controls};
+  const Objective objective(system, under);
+  Eigen::Matrix3Xd gradient;
+  factorize_at(objective, trial.at, gradient, workspace_);
+  Eigen::MatrixXd positions_by =
+      differentiate_equilibrium(objective, trial.at, options_.by, history_by_, *workspace_.solver,
+                                /*with_forces=*/false)
+          .positions;
+  const Evaluation of_contact{trial.at, system.history_of(body_.contact(), state_), nullptr,
+                              controls};
+  // The contact's forces as the indenter moves on, which are also those by which its own force
+  // changes with the points.
+  const Eigen::Matrix3Xd by_travel = body_.change_by_travel(of_contact);
+  const SmoothedArea touching = body_.area(trial.at.positions, trial.travel);
+  point.force_by = dot_each(by_travel, positions_by);
+  point.area_by = dot_each(touching.by_position, positions_by);
+  if (area) {
+    const Coordinates& coordinates = system.coordinates();
+    const Eigen::Matrix3Xd positions_by_travel = coordinates.motion(
+        trial.at, workspace_.solver->solve_all(-coordinates.reduce(trial.at, by_travel)).col(0));
+    const double force_by_travel =
+        dot(by_travel, positions_by_travel) - body_.direction().dot(by_travel.rowwise().sum());
+    const double area_by_travel =
+        dot(touching.by_position, positions_by_travel) + touching.by_travel;
+    const Eigen::RowVectorXd travel_by = -point.area_by / area_by_travel;
+    point.force_by += force_by_travel * travel_by;
+    point.force += force_by_travel * (*area - trial.area) / area_by_travel;
+    point.area = *area;
+    point.area_by.setZero();
+    positions_by += positions_by_travel.reshaped() * travel_by;
+  }
+  system.advance_sensitivity(trial.at, under, options_.by, positions_by, history_by_);
+}
+
+}  // namespace pliant

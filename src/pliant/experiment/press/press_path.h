@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pliant/base/progress.h"
+#include "pliant/experiment/press/pressed_body.h"
+#include "pliant/solver/workspace.h"
+
+namespace pliant {
+
+/// An equilibrium of a pressed body.
+struct PressPoint {
+  double travel = 0;            ///< of the indenter from where it first touches (m)
+  double force = 0;             ///< N
+  double area = 0;              ///< that touches, smoothed (m^2)
+  Eigen::RowVectorXd force_by;  ///< by the chosen parameters
+  Eigen::RowVectorXd area_by;   ///< the same; 0 where the area is given
+};
+
+struct PressOptions {
+  Parameters parameters = {};  ///< of the body's system
+  std::vector<int> by = {};    ///< of them, those that derivatives are wanted by
+  StopToken stop = {};
+};
+
+/// The way of an indenter into a body that remembers: equilibria one after the other.
+///
+/// It goes on in steps of a quarter of an edge at most, which end where all paths have an end, so
+/// that what friction remembers depends on the parameters by the given places alone.
+class PressPath {
+ public:
+  /// From the body at rest. `body` outlives it.
+  PressPath(const PressedBody& body, PressOptions options);
+
+  /// @return nothing where no equilibrium is found; the path is then of no more use
+  std::optional<PressPoint> go_to_travel(double travel);
+  /// Moves the indenter until a given area touches. The travel depends on the parameters then, and
+  /// the force at the given area by F_p - F_s A_p / A_s.
+  std::optional<PressPoint> go_to_area(double area);
+
+  const Eigen::Matrix3Xd& positions() const { return state_.configuration.positions; }
+
+ private:
+  /// An equilibrium that is not accepted.
+  struct Trial {
+    double travel = 0;
+    Configuration at;
+    double area = 0;
+  };
+  std::optional<Trial> trial(double travel);
+  std::optional<Trial> trial_of_stop(double travel);
+  std::optional<Trial> trial_from(Configuration guess, double travel);
+  std::optional<Trial> trial_between(const Trial& low, const Trial& high, double travel);
+  std::optional<Trial> trial_of_area(double area, Trial low, Trial high);
+  bool step(double travel, int halvings);
+  bool walk(double travel);
+  double next_stop(int way) const;
+  PressPoint accept(const Trial& trial, std::optional<double> area = {});
+  void differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
+
+  const PressedBody& body_;
+  PressOptions options_;
+  Workspace workspace_;
+  State state_;
+  Eigen::MatrixXd history_by_;
+  double travel_;
+  Trial ahead_;  // of a stop beyond the last area
+};
+
+}  // namespace pliant

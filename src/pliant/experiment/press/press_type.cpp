@@ -1,0 +1,193 @@
+#include "pliant/experiment/press/press_type.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/base/quantity.h"
+#include "pliant/experiment/press/press.h"
+#include "pliant/experiment/press/press_path.h"
+#include "pliant/experiment/press/press_setup_fields.h"
+#include "pliant/experiment/solid_material.h"
+#include "pliant/experiment/virtual_table.h"
+#include "pliant/geometry/mesh_file_fields.h"
+#include "pliant/geometry/volume_file.h"
+#include "pliant/geometry/volume_source.h"
+#include "pliant/io/named_file.h"
+
+namespace pliant {
+namespace {
+
+std::shared_ptr<const TestSpec> read_spec(const TestType& kind, Fields& fields) {
+  auto spec = std::make_shared<PressSpec>();
+  spec->kind = &kind;
+  spec->mesh_file = read_named_file(fields.require("mesh"), "a file of a volume mesh");
+  const double unit = read_file_unit(fields);
+  spec->unit = fields.require("unit").text();
+  spec->up = read_file_up(fields).value_or("z");
+  spec->setup.mesh = read_volume_mesh(spec->mesh_file, {unit, spec->up});
+  read_press_setup(fields, spec->setup, spec->fixed);
+  return spec;
+}
+
+std::shared_ptr<VirtualTest> read_lab(const TestType& kind, Fields& fields) {
+  auto test = std::make_shared<VirtualPress>();
+  test->kind = &kind;
+  test->setup.mesh = make_volume_mesh(read_volume_source(fields.require("mesh")));
+  read_press_setup(fields, test->setup, test->fixed);
+  test->depths = read_quantities(fields.require("depths"), Dimension::length, "depth");
+  if (auto v = fields.optional("samples")) test->samples = v->integer(3, 10000);
+  if (auto v = fields.optional("cycles")) test->cycles = v->flag();
+  if (auto v = fields.optional("noise")) test->noise = v->quantity_from_zero(Dimension::force);
+  return test;
+}
+
+std::unique_ptr<Experiment> make(const ExperimentSpec& spec, const DataRows& data) {
+  return std::make_unique<PressTest>(spec, data);
+}
+
+constexpr TestFacts kFacts{.measures_solids = true,
+                           .assumption = "the indenter is rigid and slides freely on the body",
+                           .unfitted = "a body at rest before its first row"};
+
+WrittenFields setup_fields(const PressSetup& setup, const std::string& fixed) {
+  WrittenFields fields{{"fixed", fixed}, {"direction", vector_text(setup.direction)}};
+  if (!setup.radius) return fields;
+  fields.emplace_back("radius", exact_quantity(*setup.radius, Dimension::length));
+  fields.emplace_back("through", vector_text(setup.through));
+  return fields;
+}
+
+}  // namespace
+
+const TestType& press_type() {
+  static const TestType type{
+      .name = "press",
+      .facts = kFacts,
+      .channels = {force_channel()},
+      .required = {"mesh", "unit", "fixed", "direction"},
+      .read = [](Fields& fields, const SpecimenDefaults&,
+                 ExperimentSpec&) { return read_spec(press_type(), fields); },
+      .make_solid = make,
+      .read_virtual = [](Fields& fields) { return read_lab(press_type(), fields); },
+      .own_quantities = {{"area", Dimension::area}}};
+  return type;
+}
+
+const TestType& indentation_type() {
+  static const TestType type{
+      .name = "indentation",
+      .facts = kFacts,
+      .channels = {force_channel()},
+      .required = {"mesh", "unit", "fixed", "direction"},
+      .read = [](Fields& fields, const SpecimenDefaults&,
+                 ExperimentSpec&) { return read_spec(indentation_type(), fields); },
+      .make_solid = make,
+      .read_virtual = [](Fields& fields) { return read_lab(indentation_type(), fields); },
+      .own_quantities = {{"depth", Dimension::length}}};
+  return type;
+}
+
+WrittenFields PressSpec::fields() const {
+  WrittenFields fields{
+      {"mesh", std::filesystem::absolute(mesh_file).generic_string()}, {"unit", unit}, {"up", up}};
+  std::ranges::move(setup_fields(setup, fixed), std::back_inserter(fields));
+  return fields;
+}
+
+void VirtualPress::require(const Material& material) const {
+  require_solid_of_volume(material, where);
+  for (const double depth : depths) {
+    if (!(depth > 0)) throw InputError(where, "has a depth of 0 or below", "depths above 0");
+  }
+}
+
+std::vector<double> VirtualPress::path() const {
+  const double deepest = *std::ranges::max_element(depths);
+  std::vector<double> path;
+  double from = 0;
+  const auto go = [&](double to) {
+    const int steps =
+        std::max(1, static_cast<int>(std::lround((samples - 1) * std::abs(to - from) / deepest)));
+    for (int i = 1; i <= steps; ++i) path.push_back(from + (to - from) * i / steps);
+    from = to;
+  };
+  for (const double depth : depths) {
+    go(depth);
+    if (cycles) go(0);
+  }
+  return path;
+}
+
+int VirtualPress::work() const { return static_cast<int>(path().size()); }
+
+VirtualData VirtualPress::measure(const VirtualSpecimen& specimen, const VirtualWork& work) const {
+  RandomStream random = specimen.random.split(fmt::format("{}/{}", name, specimen.number));
+  const SolidLaw law = solid_law(specimen.material);
+  const double pressure = stiffness_at_rest(law).diagonal().tail<3>().maxCoeff();  // to shear
+  const PressedBody body(setup, law, pressure);
+  const ParameterList& list = body.system().parameters();
+  Eigen::VectorXd numbers =
+      Eigen::Map<const Eigen::VectorXd>(list.values.data(), std::ssize(list.values));
+  for (double& number : numbers) number *= 1 + specimen.variation * random.normal();
+  PressPath way(body, {body.system().with(numbers), {}, work.stop});
+  ReadColumn area{"area_mm2", {}, 1e6}, depth{"depth_mm", {}, 1e3},
+      force{"force_N", {}, 1, {noise, 0}};
+  for (const double at : path()) {
+    const auto point = way.go_to_travel(at);
+    if (!point) {
+      throw SolverError(
+          fmt::format("virtual experiment {}: the equilibrium at a depth of {:.4g} mm", name,
+                      1e3 * at),
+          0, 0);
+    }
+    work.done(1);
+    const bool left = kind == &press_type() && !(point->force > 0);
+    if (left) continue;
+    area.values.push_back(point->area);
+    depth.values.push_back(at);
+    force.values.push_back(point->force);
+  }
+  const ReadColumn& set = kind == &press_type() ? area : depth;
+  VirtualData data{{{specimen.name + ".csv", table_text({set, force}, random)}}};
+  if (specimen.number == 1) {
+    data.files.emplace_back(name + ".msh", volume_file_text(setup.mesh, name + ".msh"));
+  }
+  return data;
+}
+
+WrittenFields VirtualPress::study_fields() const {
+  WrittenFields fields{{"mesh", nlohmann::json(name + ".msh").dump()}, {"unit", "m"}};
+  std::ranges::move(setup_fields(setup, fixed), std::back_inserter(fields));
+  return fields;
+}
+
+WrittenFields VirtualPress::description() const {
+  std::string turns;
+  for (const double depth : depths) {
+    turns += (turns.empty() ? "" : ", ") + format_quantity(depth, Dimension::length);
+  }
+  return {
+      {"body", fmt::format("{} nodes, {} elements, held at {}", setup.mesh.node_count(),
+                           setup.mesh.element_count(), fixed)},
+      {"indenter", setup.radius ? "a sphere of " + format_quantity(*setup.radius, Dimension::length)
+                                : "a plane"},
+      {"depths", turns + (cycles ? ", each and back" : "")},
+      {"noise", format_quantity(noise, Dimension::force)}};
+}
+
+nlohmann::ordered_json VirtualPress::facts() const {
+  nlohmann::ordered_json facts{{"nodes", setup.mesh.node_count()},
+                               {"elements", setup.mesh.element_count()},
+                               {"fixed", fixed},
+                               {"depths", depths},
+                               {"samples", samples},
+                               {"cycles", cycles},
+                               {"force_noise", noise}};
+  if (setup.radius) facts["radius"] = *setup.radius;
+  return facts;
+}
+
+}  // namespace pliant

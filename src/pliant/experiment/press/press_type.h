@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "pliant/experiment/press/pressed_body.h"
+#include "pliant/experiment/test_type.h"
+
+namespace pliant {
+
+/// A body that a rigid plane or sphere is pressed into: its force at each contact area ([T] 4.4.2).
+const TestType& press_type();
+
+/// The same at each depth of the indenter.
+const TestType& indentation_type();
+
+/// What a study says of the body and its indenter.
+struct PressSpec : TestSpec {
+  const TestType* kind = nullptr;
+  PressSetup setup;
+  std::filesystem::path mesh_file;
+  std::string unit, up;  ///< of the file, as they are written
+  std::string fixed;     ///< what is held, as it is written
+
+  const TestType& type() const override { return *kind; }
+  WrittenFields fields() const override;
+  bool volume_may_change() const override { return true; }
+};
+
+/// An indenter that goes in step by step and, where it cycles, back out.
+struct VirtualPress : VirtualTest {
+  const TestType* kind = nullptr;
+  PressSetup setup;
+  std::string fixed;           ///< what is held, as it is written
+  std::vector<double> depths;  ///< at which it turns (m)
+  int samples = 10;            ///< rows of the way to the largest
+  bool cycles = false;         ///< after each depth back to the surface
+  double noise = 0;            ///< of the force (N)
+
+  const TestType& type() const override { return *kind; }
+  void require(const Material& material) const override;
+  int work() const override;
+  VirtualData measure(const VirtualSpecimen& specimen, const VirtualWork& work) const override;
+  WrittenFields study_fields() const override;
+  std::string heading() const override { return setup.radius ? "a sphere" : "a plane"; }
+  WrittenFields description() const override;
+  nlohmann::ordered_json facts() const override;
+
+ private:
+  std::vector<double> path() const;
+};
+
+}  // namespace pliant

@@ -1,0 +1,50 @@
+#include "pliant/mechanics/element_strains.h"
+
+#include "pliant/material/strain/linear_tetrahedron.h"
+#include "pliant/material/strain/trilinear_hexahedron.h"
+
+namespace pliant {
+
+std::vector<GreenStrainVector> element_strains(const VolumeMesh& mesh,
+                                               const Eigen::Matrix3Xd& positions) {
+  std::vector<GreenStrainVector> strains;
+  for (const auto& nodes : mesh.tetrahedra.colwise()) {
+    const LinearTetrahedron::Positions rest = mesh.positions(Eigen::all, nodes);
+    const LinearTetrahedron::Positions now = positions(Eigen::all, nodes);
+    strains.push_back(LinearTetrahedron::strain(tetrahedron_rest(rest), now));
+  }
+  for (const auto& nodes : mesh.hexahedra.colwise()) {
+    const TrilinearHexahedron::Positions rest = mesh.positions(Eigen::all, nodes);
+    const TrilinearHexahedron::Positions now = positions(Eigen::all, nodes);
+    GreenStrainVector mean = GreenStrainVector::Zero();
+    for (const HexahedronPoint& point : hexahedron_points(rest)) {
+      mean += TrilinearHexahedron::strain(point.rest, now) / 8;
+    }
+    strains.push_back(mean);
+  }
+  return strains;
+}
+
+std::vector<double> volume_strains(const VolumeMesh& mesh, const Eigen::Matrix3Xd& positions) {
+  VolumeMesh now = mesh;
+  now.positions = positions;
+  const Eigen::VectorXd rest_volumes = element_volumes(mesh), volumes = element_volumes(now);
+  Eigen::VectorXd rest_of_nodes = Eigen::VectorXd::Zero(mesh.node_count());
+  Eigen::VectorXd of_nodes = rest_of_nodes;
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    for (const int node : mesh.tetrahedra.col(t)) {
+      rest_of_nodes(node) += rest_volumes(t) / 4;
+      of_nodes(node) += volumes(t) / 4;
+    }
+  }
+  std::vector<double> strains;
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    if (rest_of_nodes(node) > 0) strains.push_back(of_nodes(node) / rest_of_nodes(node) - 1);
+  }
+  for (int e = mesh.tetrahedron_count(); e < mesh.element_count(); ++e) {
+    strains.push_back(volumes(e) / rest_volumes(e) - 1);
+  }
+  return strains;
+}
+
+}  // namespace pliant

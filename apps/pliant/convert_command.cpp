@@ -9,10 +9,10 @@
 #include "pliant/exchange/solid_conversion.h"
 #include "pliant/geometry/volume_file.h"
 #include "pliant/io/atomic_file.h"
-#include "pliant/io/file_kind.h"
 #include "pliant/material/material_file.h"
 
 #include "apps/pliant/command.h"
+#include "apps/pliant/file_info.h"
 #include "apps/pliant/given_document.h"
 
 namespace pliant {

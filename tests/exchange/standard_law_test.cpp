@@ -93,6 +93,17 @@ TEST(StandardLaw, TellsWhatIsLost) {
                                     "damping"));
 }
 
+TEST(StandardLaw, TellsThatWhatIsKnownOfTheNumbersIsLost) {
+  Material material = neo_hookean_solid(5e4, kBulk);
+  material.components["J"].status = ComponentStatus::assumed;
+  material.components["I1-bar"].range = std::pair(0.0, 3.0);
+  material.components["I1-bar"].errors["linear.c"].std_error = 100;
+  material.info["lot"] = "A7";
+  EXPECT_THAT(law_of_material(material).lost,
+              ElementsAre("what is told about the numbers: which are assumed, ranges of the data, "
+                          "errors, info"));
+}
+
 TEST(StandardLaw, IsNoneWhereAnElasticComponentHasNoCounterpart) {
   const MaterialComponent shape = component_of({linear(5e4)});
   const auto field = [&](const std::string& name, const MaterialComponent& component) {

@@ -1,11 +1,11 @@
 // Converted files under CalculiX: a column that is pulled by 30 %, against our equilibrium of the
 // same mesh. Skipped where the program ccx is not installed.
 
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/material/addend/rubber_addends.h"
@@ -280,6 +281,24 @@ class Recogniser {
   std::vector<Part> parts_;  // those with an elastic law
 };
 
+/// What the file tells about its numbers: "ranges of the data, errors"; may be empty.
+std::string told_about_numbers(const Material& material) {
+  const auto any = [&](auto has) {
+    return std::ranges::any_of(material.components, [&](const auto& c) { return has(c.second); });
+  };
+  std::vector<std::string> told;
+  if (any([](const auto& c) { return c.status == ComponentStatus::assumed; })) {
+    told.emplace_back("which are assumed");
+  }
+  if (any([](const auto& c) { return c.range.has_value(); })) {
+    told.emplace_back("ranges of the data");
+  }
+  if (any([](const auto& c) { return !c.errors.empty(); })) told.emplace_back("errors");
+  if (!material.info.empty()) told.emplace_back("info");
+  if (!material.provenance.empty()) told.emplace_back("provenance");
+  return fmt::format("{}", fmt::join(told, ", "));
+}
+
 std::vector<std::string> what_is_lost(const Material& material) {
   std::vector<std::string> lost;
   for (const std::string& name : solid_component_names()) {
@@ -299,6 +318,8 @@ std::vector<std::string> what_is_lost(const Material& material) {
     lost.push_back("the limit of energy " + limit_name(limit.of));
   }
   if (material.damping_fraction.value_or(0) > 0) lost.emplace_back("damping");
+  const std::string told = told_about_numbers(material);
+  if (!told.empty()) lost.push_back("what is told about the numbers: " + told);
   return lost;
 }
 

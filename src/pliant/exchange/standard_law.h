@@ -61,7 +61,7 @@ struct VolumeEnergy {
 struct StandardLaw {
   std::variant<StvkLaw, InvariantLaw, OgdenLaw, ArrudaBoyceLaw, CoupledMooneyRivlinLaw> shape;
   VolumeEnergy volume;
-  std::vector<std::string> lost;  ///< what the material has beside it: friction, limits, damping
+  std::vector<std::string> lost;  ///< what the material has beside it: friction, damping, errors
 };
 
 /// What a material of kind solid is, component by component: a sum of addends that has the energy

@@ -61,6 +61,7 @@ void add_simulate(CommandRegistry& registry);
 void add_report(CommandRegistry& registry);
 void add_render(CommandRegistry& registry);
 void add_compare(CommandRegistry& registry);
+void add_convert(CommandRegistry& registry);
 void add_info(CommandRegistry& registry);
 
 }  // namespace pliant

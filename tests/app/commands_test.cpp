@@ -27,14 +27,16 @@ TEST(Help, OfTheProgramNamesTheCommandsThatWork) {
   const ProgramRun run = run_program({"--help"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* command : {"init", "import", "fit", "evaluate", "lab", "report", "info"}) {
+  for (const char* command :
+       {"init", "import", "fit", "evaluate", "lab", "report", "convert", "info"}) {
     EXPECT_THAT(run.out, HasSubstr(std::string("\n  ") + command + " ")) << command;
   }
   EXPECT_THAT(run.out, HasSubstr("Exit status"));
 }
 
 TEST(SlowHelp, OfEachCommandNamesItsOptions) {
-  for (const char* command : {"init", "import", "fit", "evaluate", "lab", "report", "info"}) {
+  for (const char* command :
+       {"init", "import", "fit", "evaluate", "lab", "report", "convert", "info"}) {
     const ProgramRun run = run_program({command, "--help"});
     EXPECT_EQ(run.status, 0) << command;
     for (const char* option : {"--threads", "--seed", "--quiet", "--log-level", "--json"}) {

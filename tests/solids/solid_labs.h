@@ -1,45 +1,17 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pliant/experiment/homogeneous/homogeneous_type.h"
-#include "pliant/material/addend/rubber_addends.h"
 #include "pliant/study/study_fit.h"
 
 #include "io/temporary_folder.h"
+#include "support/solid_materials.h"
 #include "support/virtual_lab.h"
 
 namespace pliant::test {
-
-inline MaterialComponent component_of(std::vector<Addend> addends) {
-  MaterialComponent component;
-  component.stiffness = ScalarCurve::none();
-  component.addends = std::move(addends);
-  return component;
-}
-
-inline MaterialComponent component_of(const ScalarCurve& stiffness) {
-  MaterialComponent component;
-  component.stiffness = stiffness;
-  return component;
-}
-
-inline Addend linear(double c) { return {linear_addend(), Eigen::VectorXd::Constant(1, c)}; }
-
-inline Addend ogden(double mu, double alpha) {
-  return {ogden_addend(), Eigen::Vector2d(mu, alpha)};
-}
-
-inline Material solid_of(std::map<std::string, MaterialComponent> components) {
-  Material material;
-  material.name = "made-up";
-  material.kind = MaterialKind::solid;
-  material.components = std::move(components);
-  return material;
-}
 
 inline VirtualHomogeneous homogeneous(HomogeneousMode mode, std::vector<double> peaks) {
   VirtualHomogeneous test;

@@ -63,7 +63,6 @@ EnergyAt ogden_energy(double x, const Eigen::VectorXd& mu_alpha) {
 }
 
 EnergyAt arruda_boyce_energy(double x, const Eigen::VectorXd& mu_lock) {
-  constexpr std::array kSeriesOfChains{1.0 / 2, 1.0 / 20, 11.0 / 1050, 19.0 / 7000, 519.0 / 673750};
   const double mu = mu_lock(0), lock = mu_lock(1), first = x + 3;
   EnergyAt at;
   double per_lock = 1;  // lock^(2 - 2 i)

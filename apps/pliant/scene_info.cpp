@@ -128,6 +128,14 @@ std::string source_text(const BlockSource& block) {
                      block.cells[0], block.cells[1], block.cells[2]);
 }
 
+std::string source_text(const Fingertip& shape) {
+  return fmt::format("fingertip {} x {} x {}, edges of {}",
+                     format_quantity(shape.length, Dimension::length),
+                     format_quantity(shape.width, Dimension::length),
+                     format_quantity(shape.height, Dimension::length),
+                     format_quantity(shape.edge, Dimension::length));
+}
+
 void describe_solid(const SceneSolid& solid, const SolidPiece& piece, FileInfo& info) {
   const std::string source =
       std::visit([](const auto& kind) { return source_text(kind); }, solid.mesh.kind);

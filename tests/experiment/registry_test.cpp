@@ -61,6 +61,7 @@ TEST(Registry, TemplatesAreAStudyATableAndAProtocol) {
       EXPECT_THAT(content, Not(IsEmpty())) << type->name << ", " << name;
     }
     if (endings.empty()) continue;
+    endings.erase(".msh");  // of bodies
     EXPECT_EQ(endings, (std::set<std::string>{".yaml", ".csv", ".md"})) << type->name;
   }
   EXPECT_THAT(template_files("nowhere"), IsEmpty());
@@ -73,9 +74,9 @@ TEST(Registry, WhatBendsByItsWeightNeedsTheDensity) {
 }
 
 TEST(Registry, RefusesTypesThatAreNotThereYet) {
-  const InputError error = test::input_error_of([] { read_name("press"); });
+  const InputError error = test::input_error_of([] { read_name("image-poses"); });
   EXPECT_EQ(error.where().field, "type");
-  EXPECT_EQ(error.problem(), "\"press\" is not there yet");
+  EXPECT_EQ(error.problem(), "\"image-poses\" is not there yet");
   for (const TestType* type : test_types()) {
     EXPECT_THAT(error.expected(), HasSubstr(std::string(type->name)));
   }

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "pliant/exchange/u3m_import.h"
+#include "pliant/geometry/block_mesh.h"
+#include "pliant/geometry/volume_file.h"
 #include "pliant/io/digest.h"
 #include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
@@ -25,8 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kSource = PLIANT_SOURCE_DIR;
-const fs::path kDocuments = kSource / "tests" / "schema" / "documents";
+const fs::path kSource = PLIANT_SOURCE_DIR, kDocuments = kSource / "tests/schema/documents";
 
 NamedDocument named(const std::string& name, const Document& document) {
   const Json json = json_of(document.root);
@@ -128,16 +129,16 @@ DocumentFolder::DocumentFolder() {
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"}) {
     write(name, "");
   }
-  write("rubber.json", read_text_file(kSource / "examples" / "rubber.json"));
+  write("block.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "block.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
-  spandex["components"]["bend.warp"] = {{"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
   spandex["components"]["bend.weft"] = {
       {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}},
       {"friction", {{"law", "dahl"}, {"a", 5e-4}, {"b", 0}, {"tau", 20}}}};
-  spandex["components"]["bend.diagonal"] = {
-      {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
+  for (const char* name : {"bend.warp", "bend.diagonal"}) {
+    spandex["components"][name] = {{"stiffness", {{"curve", "constant"}, {"value", 1e-5}}}};
+  }
   write("spandex.json", spandex.dump());
   write("rubber.json", read_text_file(kDocuments / "rubber.json"));
 }

@@ -67,12 +67,18 @@ const TestType& press_type() {
       .name = "press",
       .facts = kFacts,
       .channels = {force_channel()},
+      .template_files = template_files("press"),
       .required = {"mesh", "unit", "fixed", "direction"},
       .read = [](Fields& fields, const SpecimenDefaults&,
                  ExperimentSpec&) { return read_spec(press_type(), fields); },
       .make_solid = make,
       .read_virtual = [](Fields& fields) { return read_lab(press_type(), fields); },
-      .own_quantities = {{"area", Dimension::area}}};
+      .own_quantities = {{"area", Dimension::area}},
+      .is_table =
+          [](const TableColumns& columns) {
+            return columns.has("area", Dimension::area) && columns.has("force", Dimension::force) &&
+                   !columns.has("extension", Dimension::length);
+          }};
   return type;
 }
 
@@ -81,12 +87,18 @@ const TestType& indentation_type() {
       .name = "indentation",
       .facts = kFacts,
       .channels = {force_channel()},
+      .template_files = template_files("indentation"),
       .required = {"mesh", "unit", "fixed", "direction"},
       .read = [](Fields& fields, const SpecimenDefaults&,
                  ExperimentSpec&) { return read_spec(indentation_type(), fields); },
       .make_solid = make,
       .read_virtual = [](Fields& fields) { return read_lab(indentation_type(), fields); },
-      .own_quantities = {{"depth", Dimension::length}}};
+      .own_quantities = {{"depth", Dimension::length}},
+      .is_table =
+          [](const TableColumns& columns) {
+            return columns.has("depth", Dimension::length) &&
+                   columns.has("force", Dimension::force);
+          }};
   return type;
 }
 

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/experiment/press/press_type.h"
+#include "pliant/geometry/block_mesh.h"
+#include "pliant/material/solid/standard_solids.h"
+
+#include "io/input_error_of.h"
+#include "solids/solid_labs.h"
+
+namespace pliant {
+namespace {
+
+using test::content_of;
+using test::LabFolder;
+using test::solid_study;
+using test::value_of;
+using ::testing::HasSubstr;
+
+/// Of a block that is held below and pressed by a sphere.
+VirtualPress pressed_block(const TestType& kind) {
+  VirtualPress test;
+  test.name = std::string(kind.name);
+  test.kind = &kind;
+  test.setup.mesh = block_of_hexahedra({0.02, 0.02, 0.01}, {6, 6, 4});
+  test.setup.held = nodes_at(test.setup.mesh, 2, 0);
+  test.setup.radius = 8e-3;
+  test.setup.through = {0.01, 0.01, 0};
+  test.fixed = "-z";
+  test.depths = {1.5e-3};
+  test.samples = 7;
+  return test;
+}
+
+std::vector<test::AnyTest> areas_and_depths(double noise = 0) {
+  VirtualPress press = pressed_block(press_type()), depth = pressed_block(indentation_type());
+  press.noise = depth.noise = noise;
+  return {press, depth};
+}
+
+LabFolder measured(const Material& material, const std::vector<test::AnyTest>& tests) {
+  return LabFolder(test::measurements_of(test::lab_of(material, tests), 1));
+}
+
+Study study_of(const LabFolder& folder) { return solid_study(folder, "law: neo-hookean"); }
+
+// Areas tell how much the volume resists, depths do as well: together both numbers.
+TEST(PressStudy, FindsTheNumbersOfASolidFromAreasAndDepths) {
+  const LabFolder folder = measured(neo_hookean_solid(15e3, 300e3), areas_and_depths());
+  const StudyResult result = fit_study(study_of(folder), {}, {});
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 0.005 * 15e3);
+  EXPECT_NEAR(value_of(result, "J.k"), 300e3, 0.03 * 300e3);
+  for (const ExperimentResult& one : result.experiments) EXPECT_LT(one.rms_percent, 0.1);
+}
+
+/// What is wrong with a study of depths one line of which was replaced.
+InputError refusal(const std::string& line, const std::string& by) {
+  const LabFolder folder =
+      measured(neo_hookean_solid(15e3, 300e3), {pressed_block(indentation_type())});
+  std::string text = content_of(folder.path() / "study.yaml");
+  const auto at = text.find(line);
+  EXPECT_NE(at, std::string::npos) << line;
+  text.replace(at, line.size(), by);
+  folder.write("study.yaml", text);
+  return test::input_error_of([&] {
+    const Study study = read_study(folder.path() / "study.yaml");
+    fit_study(study, {}, {});
+  });
+}
+
+TEST(PressStudy, RefusesWhatCannotBePressed) {
+  EXPECT_THAT(refusal("fixed: -z", "fixed: bone").problem(), HasSubstr("no nodes of \"bone\""));
+  EXPECT_EQ(refusal("direction: [0, 0, -1]", "direction: [0, 0, 0]").problem(), "has no length");
+  const InputError past = refusal("through: [0.01, 0.01, 0]", "through: [0.05, 0.01, 0]");
+  EXPECT_THAT(past.problem(), HasSubstr("past the body"));
+  EXPECT_THAT(past.where().field, HasSubstr("through"));
+  EXPECT_THAT(refusal("radius: 0.008 m", "").problem(), HasSubstr("is of a sphere"));
+  EXPECT_THAT(refusal("unit: m", "").problem(), HasSubstr("missing"));
+  EXPECT_THAT(refusal("mesh: \"indentation.msh\"", "mesh: study.yaml").problem(),
+              HasSubstr("volume mesh"));
+}
+
+TEST(PressStudy, RefusesAMaterialWhoseVolumeIsFree) {
+  Material material = neo_hookean_solid(15e3, 300e3);
+  material.components.erase("J");
+  EXPECT_THAT(
+      test::input_error_of([&] { pressed_block(press_type()).require(material); }).problem(),
+      HasSubstr("resists"));
+}
+
+}  // namespace
+}  // namespace pliant

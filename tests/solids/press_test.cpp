@@ -56,7 +56,7 @@ TEST(TouchingArea, HasTheDerivativesOfItsValue) {
 
 /// Forces at two places of a path, and their derivatives against differences of other paths.
 void expect_derivatives(const PressSetup& setup, const Material& material, bool at_areas,
-                        const std::vector<double>& set) {
+                        const std::vector<double>& set, double share = 2e-4) {
   const PressedBody body(setup, solid_law(material), 10e3);
   const auto walk = [&](const Eigen::VectorXd& values, const std::vector<int>& by) {
     PressPath path(body, {body.system().with(values), by, {}});
@@ -79,7 +79,7 @@ void expect_derivatives(const PressSetup& setup, const Material& material, bool 
     for (std::size_t i = 0; i < set.size(); ++i) {
       const double by = (above[i].force - below[i].force) / (2 * step);
       EXPECT_NEAR(points[i].force_by(p), by,
-                  1e-3 * std::abs(by) + 1e-6 * points[i].force / values(p))
+                  share * std::abs(by) + 1e-6 * points[i].force / values(p))
           << body.system().parameters().names[static_cast<std::size_t>(p)] << " at " << set[i];
     }
   }
@@ -104,7 +104,9 @@ TEST(PressPath, HasTheDerivativesOfForcesThatRemember) {
   Material material = soft_solid();
   material.components["green.xz"].friction = ComponentFriction{{600, 3000, 0.05}, {}};
   material.components["green.xz"].stiffness = ScalarCurve::none();
-  expect_derivatives(block_under_sphere(4), material, true, {6e-6, 1.2e-5, 8e-6});
+  // Differences of paths that turn around are less exact than the derivatives.
+  constexpr double kShare = 1e-3;
+  expect_derivatives(block_under_sphere(4), material, true, {6e-6, 1.2e-5, 8e-6}, kShare);
 }
 
 // Poisson's ratio 0: the column does not get wider, and the closed form of its compression holds.

@@ -129,7 +129,7 @@ DocumentFolder::DocumentFolder() {
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"}) {
     write(name, "");
   }
-  write("block.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "block.msh"));
+  write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};

@@ -183,7 +183,9 @@ std::vector<std::string> loading_only_components(const StudyResult& result, bool
   std::vector<std::pair<std::string, bool>> unloads;  // in the order of the experiments
   for (const ExperimentResult& e : result.experiments) {
     if (e.role == ExperimentRole::validate && !evaluation) continue;
-    if (e.sheet) continue;  // the stages of sheets say themselves what friction they tell
+    // The stages of sheets say themselves what friction they tell; a solid's components have their
+    // experiments together.
+    if (e.sheet || e.component.empty()) continue;
     auto known = std::ranges::find(unloads, e.component, &std::pair<std::string, bool>::first);
     if (known == unloads.end()) known = unloads.insert(known, {e.component, false});
     known->second = known->second || e.unloads || e.measured_loop.has_value();

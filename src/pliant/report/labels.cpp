@@ -46,10 +46,11 @@ QuantityLabel quantity_label(std::string_view column) {
   if (column == "angle_deg") return {"Shear angle", "°"};
   if (column == "moment_N") return {"Moment per width", "N"};
   // Longest first: `_N_per_m` ends in `_m` too.
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kUnits = {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kUnits = {
       {{"_N_per_m", "N/m"},
        {"_1_per_m", "1/m"},
        {"_deg", "°"},
+       {"_mm2", "mm²"},
        {"_mm", "mm"},
        {"_mN", "mN"},
        {"_Pa", "Pa"},

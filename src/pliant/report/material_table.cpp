@@ -242,9 +242,33 @@ std::string notes(const Results& results, bool membranes, bool bending) {
   return text + (beyond ? " * read off the law where there are no data." : "");
 }
 
+/// The numbers of a solid's laws, whose components all show together.
+std::string solid_numbers(const Results& results) {
+  if (results.parameters.empty()) return {};
+  HtmlTable table({{"Number"},
+                   {"Value", Align::number},
+                   {"Standard error", Align::number},
+                   {"Unit", Align::unit}},
+                  "compact");
+  for (const ResultParameter& p : results.parameters) {
+    const ReadableUnit unit = readable_unit(p.unit, std::abs(p.value.value_or(0)));
+    const auto shown = [&](const std::optional<double>& number, int digits) {
+      return number ? format_significant(unit.factor * *number, digits) : std::string(kNoValue);
+    };
+    table.begin_row();
+    table.cell(p.name);
+    table.cell(p.identified ? shown(p.value, 4) : "(" + shown(p.value, 4) + ")");
+    table.cell(shown(p.std_error, 2));
+    table.cell(unit.name);
+  }
+  return "<section><h2>Material</h2>\n" + table.html() +
+         "<p class=\"small\">In brackets: not determined by the data.</p></section>\n";
+}
+
 }  // namespace
 
 std::string material_table(const Results& results, const std::optional<Material>& material) {
+  if (results.is_of_solid()) return solid_numbers(results);
   const std::vector<StrainRange> ranges = strain_ranges(results, material);
   const std::string stretch = membranes(results, ranges), bending = bends(results, ranges);
   if (stretch.empty() && bending.empty()) return {};

@@ -22,7 +22,7 @@ std::string driver_column(const CsvTable& table, std::string_view quantity) {
       if (table.has(name)) return name;
     }
   }
-  for (const char* name : {"angle_deg", "distance_mm"}) {
+  for (const char* name : {"angle_deg", "distance_mm", "area_mm2", "depth_mm"}) {
     if (table.has(name)) return name;
   }
   return "";

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/experiment/registry.h"
 #include "pliant/material/material.h"
 #include "pliant/report/json_reader.h"
 #include "pliant/report/number_format.h"
@@ -322,6 +323,11 @@ std::vector<std::string> Results::warnings_of(bool on_page_one) const {
   const std::size_t last = std::min(first + kOnPageOne, warnings.size());
   const auto at = [&](std::size_t i) { return warnings.begin() + static_cast<std::ptrdiff_t>(i); };
   return on_page_one ? std::vector(at(first), at(last)) : std::vector(at(last), warnings.end());
+}
+
+bool Results::is_of_solid() const {
+  return std::ranges::any_of(
+      experiments, [](const ResultExperiment& e) { return facts_of_test(e.type).measures_solids; });
 }
 
 bool Results::has_figures(const std::string& component) const {

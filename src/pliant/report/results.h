@@ -138,7 +138,7 @@ struct Results {
   bool evaluation = false;
   std::string name, material, command, created, version, estimator;
   std::vector<DataDigest> data;
-  std::optional<double> density;            ///< kg/m^2
+  std::optional<double> density;            ///< kg/m^2; of a solid kg/m^3
   std::optional<MembraneMeasure> membrane;  ///< absent in results of earlier versions
   std::vector<ResultFigure> figures;        ///< alike; in the order of the components' names
   std::optional<double> seconds;
@@ -160,6 +160,8 @@ struct Results {
   ResultJudgement judgement;
 
   bool has_figures(const std::string& component) const;
+  /// Whether a solid was measured.
+  bool is_of_solid() const;
 
   /// The warnings beside the questions: the first of them, which stand on page one, or the others,
   /// so that each comes once.

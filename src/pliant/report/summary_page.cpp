@@ -73,7 +73,10 @@ Facts all_facts(const ReportData& data) {
   const Results& results = data.results;
   Facts all;
   if (results.density) {
-    all.emplace_back("Area density", format_significant(1000.0 * *results.density, 3) + " g/m²");
+    all.push_back(results.is_of_solid()
+                      ? std::pair("Density", format_significant(*results.density, 4) + " kg/m³")
+                      : std::pair("Area density",
+                                  format_significant(1000.0 * *results.density, 3) + " g/m²"));
   }
   if (!results.material.empty()) all.emplace_back("Material file", results.material);
   if (data.is_of_sheets()) {

@@ -182,23 +182,26 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
     for (const auto& [key, value] : spec.test->fields()) {
       info.lines.push_back(labelled(key, value, 1));
     }
+    const bool stress = about.quantity.kind == "stress";
+    const Dimension measured = stress ? Dimension::stress : Dimension::force;
     info.lines.push_back(
         labelled("data",
                  fmt::format("{} rows, up to {}", experiment->rows(),
-                             format_quantity(experiment->reference(), Dimension::stress, kDigits)),
+                             format_quantity(experiment->reference(), measured, kDigits)),
                  1));
     for (const std::string& text : about.handled) {
       info.lines.push_back(labelled("handled", text, 1));
     }
     for (const std::string& text : about.warnings) info.warnings.push_back(spec.name + ": " + text);
-    info.json["experiments"].push_back({{"name", spec.name},
-                                        {"type", spec.type},
-                                        {"rows", experiment->rows()},
-                                        {"peak_stress_Pa", experiment->reference()},
-                                        {"handled", about.handled}});
+    info.json["experiments"].push_back(
+        {{"name", spec.name},
+         {"type", spec.type},
+         {"rows", experiment->rows()},
+         {stress ? "peak_stress_Pa" : "peak_force_N", experiment->reference()},
+         {"handled", about.handled}});
   }
   std::vector<std::string> components;
-  for (const auto& [name, model] : solid_components(study.model, /*compressible=*/false)) {
+  for (const auto& [name, model] : solid_components(study.model, is_compressible(study))) {
     components.push_back(name);
   }
   const std::string law = study.model.components.empty() ? study.model.solid_law : "of its own";

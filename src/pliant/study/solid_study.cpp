@@ -44,12 +44,6 @@ void refuse_sheets(const Study& study) {
   }
 }
 
-/// Whether the volume may change in some experiment.
-bool is_compressible(const Study& study) {
-  return std::ranges::any_of(
-      study.experiments, [](const ExperimentSpec& spec) { return spec.test->volume_may_change(); });
-}
-
 /// The stretches across are those of least energy, which a material without anything against a
 /// change of volume has none of.
 void require_volume(const Study& study, bool has_volume) {
@@ -121,6 +115,11 @@ std::vector<std::string> assumptions_of(const Study& study, const SolidExperimen
 
 bool measures_solids(const Study& study) {
   return std::ranges::any_of(study.experiments, is_of_solid);
+}
+
+bool is_compressible(const Study& study) {
+  return std::ranges::any_of(
+      study.experiments, [](const ExperimentSpec& spec) { return spec.test->volume_may_change(); });
 }
 
 StudyResult fit_solid_study(const Study& study, const RunContext& context) {

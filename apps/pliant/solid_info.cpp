@@ -13,6 +13,7 @@
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/solid/solid_density.h"
+#include "pliant/study/solid_study.h"
 
 #include "apps/pliant/limits_info.h"
 

@@ -149,7 +149,7 @@ LabFolder limited_rubber(double noise, std::uint64_t seed) {
   return LabFolder(test::measurements_of(test::lab_of(material, tests), seed));
 }
 
-TEST(SolidStudy, FindsALimitOfEnergyWithTheNumbersBelowIt) {
+TEST(SlowSolidStudy, FindsALimitOfEnergyWithTheNumbersBelowIt) {
   const StudyResult result = fit(limited_rubber(0, 1), "law: neo-hookean, limits: [{of: [J]}]");
   EXPECT_NEAR(value_of(result, "J.limit"), 5e3, 1e-5 * 5e3);
   EXPECT_NEAR(value_of(result, "J.k"), 1.5e6, 1e-5 * 1.5e6);

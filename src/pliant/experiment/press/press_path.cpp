@@ -5,6 +5,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "pliant/base/assert.h"
 #include "pliant/solver/equilibrium_derivatives.h"
 #include "pliant/solver/within_limits.h"
 
@@ -181,7 +182,8 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
   const Conditions under{state_, options_.parameters, controls};
   const Objective objective(system, under);
   Eigen::Matrix3Xd gradient;
-  factorize_at(objective, trial.at, gradient, workspace_);
+  const bool factorized = factorize_at(objective, trial.at, gradient, workspace_).has_value();
+  PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
   Eigen::MatrixXd positions_by =
       differentiate_equilibrium(objective, trial.at, options_.by, history_by_, *workspace_.solver,
                                 /*with_forces=*/false)

@@ -84,12 +84,6 @@ std::vector<std::vector<int>> ComponentExperiment::series() const {
   return series;
 }
 
-Eigen::ArrayXd ComponentExperiment::weights() const {
-  return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(
-             info_.used.data(), static_cast<Eigen::Index>(info_.used.size()))
-      .cast<double>();
-}
-
 std::unique_ptr<Predictor> ComponentExperiment::predictor(const Material& material) const {
   const std::optional<ComponentLaw> law = law_of(material, info_.component);
   PLIANT_ASSERT(law.has_value(), "a fit begins with a material that has the component");

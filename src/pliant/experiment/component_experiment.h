@@ -54,7 +54,6 @@ class ComponentExperiment : public Experiment {
   /// One of each specimen.
   std::vector<std::vector<int>> series() const override;
   double reference() const override;
-  Eigen::ArrayXd weights() const override;
   std::unique_ptr<Predictor> predictor(const Material& material) const override;
   /// The same for a law of its component, in a form that materials need not have.
   std::unique_ptr<Predictor> predictor(const ComponentLaw& law) const;

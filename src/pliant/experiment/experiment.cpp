@@ -11,4 +11,10 @@ void append_nuisance(const std::vector<NuisanceParameter>& own,
   }
 }
 
+Eigen::ArrayXd Experiment::weights() const {
+  return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(info_.used.data(),
+                                                                 std::ssize(info_.used))
+      .cast<double>();
+}
+
 }  // namespace pliant

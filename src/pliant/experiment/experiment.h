@@ -72,7 +72,7 @@ class Experiment {
   virtual std::vector<double> imposed() const { return {}; }
 
   /// What each row counts in a fit: 1, or 0 where it is left out.
-  virtual Eigen::ArrayXd weights() const = 0;
+  virtual Eigen::ArrayXd weights() const;
 
   /// Predicts with materials of one form.
   /// @param material  whose laws keep their form while their numbers change; it has all components

@@ -6,7 +6,6 @@
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/homogeneous/homogeneous_predictor.h"
 #include "pliant/experiment/homogeneous/homogeneous_type.h"
-#include "pliant/measurement/turning_points.h"
 
 namespace pliant {
 
@@ -42,31 +41,10 @@ void HomogeneousTest::cut_into_frames(const std::vector<SpecimenRows>& specimens
       for (int i = first; i < last; ++i) {
         stretches.push_back(path_[static_cast<std::size_t>(i)].stretch);
       }
-      beginnings_.push_back(first);
-      const double threshold = reversal_threshold(stretches, 0);
-      for (const HalfCycle& half : half_cycles_of(stretches, threshold)) {
-        frames_.push_back({first + half.first, half.last - half.first + 1, static_cast<int>(s)});
-      }
+      append_from_rest(first, stretches, static_cast<int>(s));
       first = last;
     }
   }
-}
-
-std::vector<std::vector<int>> HomogeneousTest::series() const {
-  std::vector<std::vector<int>> series;
-  for (int row = 0; row < rows(); ++row) {
-    if (std::ranges::binary_search(beginnings_, row)) series.emplace_back();
-    series.back().push_back(row);
-  }
-  return series;
-}
-
-double HomogeneousTest::reference() const { return measured_.cwiseAbs().maxCoeff(); }
-
-Eigen::ArrayXd HomogeneousTest::weights() const {
-  return Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>(info_.used.data(),
-                                                                 std::ssize(info_.used))
-      .cast<double>();
 }
 
 std::unique_ptr<Predictor> HomogeneousTest::predictor(const Material& material) const {

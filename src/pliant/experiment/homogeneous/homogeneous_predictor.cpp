@@ -54,19 +54,15 @@ bool HomogeneousPredictor::predict(const Eigen::VectorXd& values, const std::vec
                                    const Workers& workers, FrameSink& rows) {
   const auto all = stresses(values, !by.empty(), workers);
   if (!all) return false;
-  const std::vector<Frame> frames = experiment_.frames();
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const auto [first, count, specimen] = frames[f];
-    PredictedFrame frame;
-    frame.value.resize(count);
-    frame.by.resize(count, std::ssize(by));
-    for (int i = 0; i < count; ++i) {
-      const HomogeneousStress& stress = (*all)[static_cast<std::size_t>(first + i)];
-      frame.value(i) = stress.value;
-      if (!by.empty()) frame.by.row(i) = stress.by(by);
-    }
-    rows.take(static_cast<int>(f), frame);
+  PredictedFrame predicted;
+  predicted.value.resize(experiment_.rows());
+  predicted.by.resize(experiment_.rows(), std::ssize(by));
+  for (std::size_t row = 0; row < all->size(); ++row) {
+    const auto index = static_cast<Eigen::Index>(row);
+    predicted.value(index) = (*all)[row].value;
+    if (!by.empty()) predicted.by.row(index) = (*all)[row].by(by);
   }
+  give_by_frames(experiment_, predicted, rows);
   return true;
 }
 

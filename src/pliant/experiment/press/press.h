@@ -3,15 +3,15 @@
 #include <memory>
 #include <vector>
 
-#include "pliant/experiment/experiment.h"
 #include "pliant/experiment/press/press_type.h"
+#include "pliant/experiment/solid_experiment.h"
 
 namespace pliant {
 
 /// Forces of a body that is pressed, at contact areas or depths that were set.
 ///
 /// Each specimen begins at rest, and a law that remembers goes along the rows.
-class PressTest : public Experiment {
+class PressTest : public SolidExperiment {
  public:
   /// @throws InputError for unusable data
   PressTest(const ExperimentSpec& spec, const DataRows& data);
@@ -20,17 +20,10 @@ class PressTest : public Experiment {
   bool is_at_areas() const { return at_areas_; }
   /// Areas (m^2) or depths (m), one a row.
   const std::vector<double>& set() const { return set_; }
-  /// Rows at which a specimen begins at rest, rising.
-  const std::vector<int>& beginnings() const { return beginnings_; }
 
-  /// Half cycles.
-  std::vector<Frame> frames() const override { return frames_; }
-  std::vector<std::vector<int>> series() const override;
-  double reference() const override;
   /// The largest force over the area that it acts on.
   double stress() const override;
   std::vector<double> imposed() const override;
-  Eigen::ArrayXd weights() const override;
   /// @param material  a solid that has a law, volumes included
   std::unique_ptr<Predictor> predictor(const Material& material) const override;
 
@@ -38,8 +31,6 @@ class PressTest : public Experiment {
   std::shared_ptr<const PressSpec> spec_;
   bool at_areas_;
   std::vector<double> set_;
-  std::vector<Frame> frames_;
-  std::vector<int> beginnings_;
 };
 
 }  // namespace pliant

@@ -13,7 +13,7 @@ namespace pliant {
 namespace {
 
 constexpr double kStep = 0.25;      // of an edge
-constexpr double kFarthest = 0.95;  // of the body's extent along the way
+constexpr double kFarthest = 0.95;  // of the body's extent
 constexpr int kMostHalvings = 6;
 
 double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
@@ -85,13 +85,11 @@ double PressPath::next_stop(int way) const {
   return step * (way > 0 ? std::floor(steps + kRounding) + 1 : std::ceil(steps - kRounding) - 1);
 }
 
-bool PressPath::step(double travel, int halvings) {
-  if (const auto found = trial(travel)) {
-    accept(*found);
-    return true;
-  }
-  if (halvings == kMostHalvings) return false;
-  return step((travel_ + travel) / 2, halvings + 1) && step(travel, halvings + 1);
+std::optional<PressPoint> PressPath::step(double travel, int halvings) {
+  if (const auto found = trial(travel)) return accept(*found);
+  if (halvings == kMostHalvings) return std::nullopt;
+  if (!step((travel_ + travel) / 2, halvings + 1)) return std::nullopt;
+  return step(travel, halvings + 1);
 }
 
 // To where the last step begins that ends at `travel`.
@@ -104,18 +102,11 @@ bool PressPath::walk(double travel) {
 }
 
 std::optional<PressPoint> PressPath::go_to_travel(double travel) {
-  if (!walk(travel)) return std::nullopt;
-  for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
-    if (const auto found = trial(travel)) return accept(*found);
-    if (!step((travel_ + travel) / 2, halvings + 1)) return std::nullopt;
-  }
-  return std::nullopt;
+  return walk(travel) ? step(travel, 0) : std::nullopt;
 }
 
 std::optional<PressPoint> PressPath::go_to_area(double area) {
-  const Eigen::Matrix3Xd& rest = body_.system().initial_state().configuration.positions;
-  const double farthest =
-      kFarthest * (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
+  const double farthest = kFarthest * body_.extent();
   Trial here{travel_, state_.configuration, body_.area(positions(), travel_).value};
   const int way = area > here.area ? 1 : -1;
   while (travel_ < farthest) {
@@ -165,7 +156,7 @@ PressPoint PressPath::accept(const Trial& trial, std::optional<double> area) {
   const Controls controls = body_.controls(trial.travel);
   const Evaluation of_contact{trial.at, body_.system().history_of(body_.contact(), state_), nullptr,
                               controls};
-  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}, {}};
+  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}};
   if (!options_.by.empty() || area) differentiate(trial, area, point);
   State next = state_;
   body_.system().advance_history(trial.at, {state_, options_.parameters, controls}, next.history);
@@ -193,10 +184,9 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
   // The contact's forces as the indenter moves on, which are also those by which its own force
   // changes with the points.
   const Eigen::Matrix3Xd by_travel = body_.change_by_travel(of_contact);
-  const SmoothedArea touching = body_.area(trial.at.positions, trial.travel);
   point.force_by = dot_each(by_travel, positions_by);
-  point.area_by = dot_each(touching.by_position, positions_by);
   if (area) {
+    const SmoothedArea touching = body_.area(trial.at.positions, trial.travel);
     const Coordinates& coordinates = system.coordinates();
     const Eigen::Matrix3Xd positions_by_travel = coordinates.motion(
         trial.at, workspace_.solver->solve_all(-coordinates.reduce(trial.at, by_travel)).col(0));
@@ -204,11 +194,11 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
         dot(by_travel, positions_by_travel) - body_.direction().dot(by_travel.rowwise().sum());
     const double area_by_travel =
         dot(touching.by_position, positions_by_travel) + touching.by_travel;
-    const Eigen::RowVectorXd travel_by = -point.area_by / area_by_travel;
+    const Eigen::RowVectorXd travel_by =
+        -dot_each(touching.by_position, positions_by) / area_by_travel;
     point.force_by += force_by_travel * travel_by;
     point.force += force_by_travel * (*area - trial.area) / area_by_travel;
     point.area = *area;
-    point.area_by.setZero();
     positions_by += positions_by_travel.reshaped() * travel_by;
   }
   system.advance_sensitivity(trial.at, under, options_.by, positions_by, history_by_);

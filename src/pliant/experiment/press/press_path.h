@@ -15,7 +15,6 @@ struct PressPoint {
   double force = 0;             ///< N
   double area = 0;              ///< that touches, smoothed (m^2)
   Eigen::RowVectorXd force_by;  ///< by the chosen parameters
-  Eigen::RowVectorXd area_by;   ///< the same; 0 where the area is given
 };
 
 struct PressOptions {
@@ -53,7 +52,7 @@ class PressPath {
   std::optional<Trial> trial_from(Configuration guess, double travel);
   std::optional<Trial> trial_between(const Trial& low, const Trial& high, double travel);
   std::optional<Trial> trial_of_area(double area, Trial low, Trial high);
-  bool step(double travel, int halvings);
+  std::optional<PressPoint> step(double travel, int halvings);
   bool walk(double travel);
   double next_stop(int way) const;
   PressPoint accept(const Trial& trial, std::optional<double> area = {});

@@ -42,12 +42,7 @@ bool PressPredictor::predict(const Eigen::VectorXd& values, const std::vector<in
         if (!by.empty()) all.by.row(row) = point.force_by;
       });
   if (!found) return false;
-  const std::vector<Frame> frames = experiment_.frames();
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const auto [first, count, specimen] = frames[f];
-    rows.take(static_cast<int>(f),
-              {all.value.segment(first, count), all.by.middleRows(first, count)});
-  }
+  give_by_frames(experiment_, all, rows);
   return true;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pliant/base/assert.h"
 
@@ -30,6 +29,10 @@ std::vector<int> nodes_to_touch(const PressSetup& setup) {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::erase_if(nodes, [&](int node) { return std::ranges::binary_search(setup.held, node); });
   return nodes;
+}
+
+double extent_of(const VolumeMesh& mesh) {
+  return (mesh.positions.rowwise().maxCoeff() - mesh.positions.rowwise().minCoeff()).norm();
 }
 
 double surface_edge(const PressSetup& setup) {

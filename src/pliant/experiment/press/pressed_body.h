@@ -23,6 +23,9 @@ struct PressSetup {
 /// Nodes of a mesh that an indenter can touch: those of its surface that are not held.
 std::vector<int> nodes_to_touch(const PressSetup& setup);
 
+/// The diagonal of the box around a mesh (m).
+double extent_of(const VolumeMesh& mesh);
+
 /// The mean length of the edges of the surface that can be touched (m).
 double surface_edge(const PressSetup& setup);
 
@@ -46,6 +49,7 @@ class PressedBody {
   const Eigen::Vector3d& direction() const { return setup_.direction; }
   /// Length of an edge of the surface (m).
   double edge() const { return edge_; }
+  double extent() const { return extent_of(setup_.mesh); }
   /// Where nothing is touched and no place counts as touching (m, < 0).
   double clear_travel() const { return -(thickness_ + fading_); }
   /// Forces on nodes that leave an equilibrium one (N).

@@ -2,7 +2,6 @@
 // which an exact test tells that knows nothing of contact, and no energy comes from nowhere.
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "pliant/scene/scene_crossings.h"
 
 #include "scene/random_scene.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -136,16 +136,10 @@ void stress(int first, int count) {
   EXPECT_LE(tallies[kAll].without_room, 2 * count / 5);
 }
 
-/// A number that the one who runs the tests asks for.
-int asked_for(const char* variable, int otherwise) {
-  const char* number = std::getenv(variable);
-  return number ? std::atoi(number) : otherwise;
-}
-
 TEST(Stress, LetsNothingThrough) { stress(0, 10); }
 
 TEST(SlowStress, LetsNothingThrough) {
-  stress(asked_for("PLIANT_STRESS_FIRST", 1000), asked_for("PLIANT_STRESS_SCENES", 25));
+  stress(test::asked_for("PLIANT_STRESS_FIRST", 1000), test::asked_for("PLIANT_STRESS_SCENES", 25));
 }
 
 }  // namespace

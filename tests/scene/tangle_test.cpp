@@ -2,7 +2,6 @@
 // knows nothing of contact.
 
 #include <cmath>
-#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "pliant/solver/free_change.h"
 
 #include "contact/touching_sheets.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -61,10 +61,7 @@ TEST(Tangle, IsNotMadeByAStepThatGoesAstray) {
 TEST(Tangle, HasNoWayThroughASurface) { throw_about(30); }
 
 // PLIANT_THROWS asks for more.
-TEST(SlowTangle, HasNoWayThroughASurface) {
-  const char* asked = std::getenv("PLIANT_THROWS");
-  throw_about(asked ? std::atoi(asked) : 300);
-}
+TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(test::asked_for("PLIANT_THROWS", 300)); }
 
 }  // namespace
 }  // namespace pliant

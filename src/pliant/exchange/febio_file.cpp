@@ -8,6 +8,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
+#include "pliant/geometry/volume_regions.h"
 #include "pliant/io/xml_text.h"
 
 namespace pliant {
@@ -39,8 +40,8 @@ class LawWriter {
  private:
   FebioLaw law_of(const StvkLaw& law) {
     FebioLaw febio{"isotropic elastic", {}};
-    febio.add("E", law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu));
-    febio.add("v", law.lambda / (2 * (law.lambda + law.mu)));
+    febio.add("E", law.young());
+    febio.add("v", law.poisson());
     return febio;
   }
 
@@ -164,8 +165,7 @@ std::string set_text(const char* kind, const std::string& name, std::vector<int>
 }
 
 std::string regions_text(const VolumeMesh& mesh) {
-  std::map<int, std::vector<int>> regions;
-  for (int e = 0; e < mesh.element_count(); ++e) regions[mesh.label_of(e)].push_back(e);
+  const std::map<int, std::vector<int>> regions = elements_of_regions(mesh);
   if (regions.size() < 2 && mesh.region_names.empty()) return "";
   std::string text;
   for (const auto& [label, elements] : regions) {

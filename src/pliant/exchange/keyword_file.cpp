@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/geometry/volume_regions.h"
 
 namespace pliant {
 namespace {
@@ -58,8 +59,7 @@ std::string elements_text(const Elements& elements, const std::string& type, int
 }
 
 std::string regions_text(const VolumeMesh& mesh) {
-  std::map<int, std::vector<int>> regions;
-  for (int e = 0; e < mesh.element_count(); ++e) regions[mesh.label_of(e)].push_back(e);
+  const std::map<int, std::vector<int>> regions = elements_of_regions(mesh);
   if (regions.size() < 2 && mesh.region_names.empty()) return "";
   std::string text;
   SetNames name(kAllElements);

@@ -48,8 +48,7 @@ class LawWriter {
           "St. Venant-Kirchhoff at large strains: *ELASTIC is a law of rates in Abaqus, alike "
           "where strains are small, however large rotations are");
     }
-    const double young = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
-    return keyword("ELASTIC", {young, law.lambda / (2 * (law.lambda + law.mu))});
+    return keyword("ELASTIC", {law.young(), law.poisson()});
   }
 
   std::string text_of(const InvariantLaw& law) {

@@ -12,6 +12,9 @@ namespace pliant {
 /// St. Venant-Kirchhoff: lambda / 2 tr(E)^2 + mu tr(E^2) ([T] Eq. 4.3); Pa.
 struct StvkLaw {
   double lambda = 0, mu = 0;
+
+  double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
+  double poisson() const { return lambda / (2 * (lambda + mu)); }
 };
 
 /// Powers of the isochoric invariants: sum_i first[i - 1] (I1-bar - 3)^i + second (I2-bar - 3), in

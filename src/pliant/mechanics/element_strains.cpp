@@ -28,21 +28,19 @@ std::vector<GreenStrainVector> element_strains(const VolumeMesh& mesh,
 std::vector<double> volume_strains(const VolumeMesh& mesh, const Eigen::Matrix3Xd& positions) {
   VolumeMesh now = mesh;
   now.positions = positions;
-  const Eigen::VectorXd rest_volumes = element_volumes(mesh), volumes = element_volumes(now);
-  Eigen::VectorXd rest_of_nodes = Eigen::VectorXd::Zero(mesh.node_count());
-  Eigen::VectorXd of_nodes = rest_of_nodes;
-  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
-    for (const int node : mesh.tetrahedra.col(t)) {
-      rest_of_nodes(node) += rest_volumes(t) / 4;
-      of_nodes(node) += volumes(t) / 4;
-    }
-  }
   std::vector<double> strains;
+  VolumeMesh tetrahedra;
+  tetrahedra.positions = mesh.positions;
+  tetrahedra.tetrahedra = mesh.tetrahedra;
+  const Eigen::VectorXd rest_of_nodes = node_volumes(tetrahedra);
+  tetrahedra.positions = positions;
+  const Eigen::VectorXd of_nodes = node_volumes(tetrahedra);
   for (int node = 0; node < mesh.node_count(); ++node) {
     if (rest_of_nodes(node) > 0) strains.push_back(of_nodes(node) / rest_of_nodes(node) - 1);
   }
+  const Eigen::VectorXd rest = element_volumes(mesh), volumes = element_volumes(now);
   for (int e = mesh.tetrahedron_count(); e < mesh.element_count(); ++e) {
-    strains.push_back(volumes(e) / rest_volumes(e) - 1);
+    strains.push_back(volumes(e) / rest(e) - 1);
   }
   return strains;
 }

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "pliant/base/nearest_name.h"
+#include "pliant/geometry/volume_regions.h"
 #include "pliant/io/result_name.h"
 #include "pliant/io/vector_fields.h"
 
@@ -53,10 +54,8 @@ SolidRegion read_solid_region(const Value& value) {
 // Names of the regions of a mesh, or their numbers where they have none.
 std::map<std::string, int> labels_of(const VolumeMesh& mesh) {
   std::map<std::string, int> labels;
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const int label = mesh.label_of(e);
-    const auto named = mesh.region_names.find(label);
-    labels[named == mesh.region_names.end() ? std::to_string(label) : named->second] = label;
+  for (const auto& [label, elements] : elements_of_regions(mesh)) {
+    labels[name_of_region(mesh, label)] = label;
   }
   return labels;
 }

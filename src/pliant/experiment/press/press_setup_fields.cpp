@@ -8,6 +8,7 @@
 
 #include "pliant/base/nearest_name.h"
 #include "pliant/base/number_text.h"
+#include "pliant/geometry/volume_regions.h"
 #include "pliant/io/vector_fields.h"
 
 namespace pliant {
@@ -33,13 +34,11 @@ std::vector<int> nodes_of_side(const VolumeMesh& mesh, const Eigen::Vector3d& ou
 
 std::vector<int> nodes_of_region(const VolumeMesh& mesh, const std::string& name) {
   std::set<int> nodes;
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const int label = mesh.label_of(e);
-    const auto named = mesh.region_names.find(label);
-    const std::string own =
-        named == mesh.region_names.end() ? std::to_string(label) : named->second;
-    if (own != name) continue;
-    for (const int node : mesh.nodes_of(e)) nodes.insert(node);
+  for (const auto& [label, elements] : elements_of_regions(mesh)) {
+    if (name_of_region(mesh, label) != name) continue;
+    for (const int e : elements) {
+      for (const int node : mesh.nodes_of(e)) nodes.insert(node);
+    }
   }
   return {nodes.begin(), nodes.end()};
 }

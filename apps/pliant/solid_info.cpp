@@ -10,6 +10,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/solid/solid_density.h"
@@ -140,6 +141,21 @@ void add_ellipticity(const Material& material, FileInfo& info) {
       fmt::join(lost, "; ")));
 }
 
+void add_samples(const Material& material, FileInfo& info) {
+  if (!is_heterogeneous(material)) return;
+  std::vector<std::string> differing;
+  for (const auto& [name, component] : material.samples.at.front().components) {
+    differing.push_back(name);
+  }
+  const std::size_t count = material.samples.at.size();
+  info.json["samples"] = {
+      {"count", count}, {"width", material.samples.width}, {"of", differing}};
+  info.lines.push_back(labelled(
+      "samples", fmt::format("{} places with Gaussians of {}; {} above and below: their mean", count,
+                             format_quantity(material.samples.width, Dimension::length, kDigits),
+                             fmt::join(differing, ", "))));
+}
+
 }  // namespace
 
 void add_solid(const Material& material, FileInfo& info) {
@@ -155,6 +171,7 @@ void add_solid(const Material& material, FileInfo& info) {
     }
   }
   info.json["components"] = std::move(components);
+  add_samples(material, info);
   add_limits(material, info);
   const double least = least_curvature_at_rest(material);
   info.json["least_curvature_at_rest_Pa"] = least;

@@ -54,7 +54,9 @@ inline SolidField field_of(const std::vector<double>& factors) {
     material.density = 1000 * factors[k];
     field.samples.push_back({{0.05 + 0.1 * static_cast<double>(k), 0.05, 0.05}, material});
   }
-  field.width = spacing_of_neighbours(field.samples);
+  std::vector<Eigen::Vector3d> places;
+  for (const MaterialSample& sample : field.samples) places.push_back(sample.place);
+  field.width = spacing_of_neighbours(places);
   return field;
 }
 

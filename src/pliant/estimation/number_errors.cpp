@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "pliant/material/material_samples.h"
+
 namespace pliant {
 namespace {
 
@@ -16,12 +18,14 @@ NumberError error_of(const ParameterEstimate& p) {
   return {p.std_error, p.limit, p.determination, p.told_by};
 }
 
+/// @param name  by which the numbers of the component are called
 std::map<std::string, NumberError> errors_of(const std::vector<ParameterEstimate>& parameters,
-                                             const std::string& component) {
+                                             const std::string& component,
+                                             const std::string& name) {
   std::map<std::string, NumberError> errors;
   for (const ParameterEstimate& p : parameters) {
-    if (p.owner != component || p.fixed) continue;
-    errors[p.name.substr(component.size() + 1)] = error_of(p);
+    if (p.owner != component || p.fixed || !p.name.starts_with(name + ".")) continue;
+    errors[p.name.substr(name.size() + 1)] = error_of(p);
   }
   return errors;
 }
@@ -32,7 +36,13 @@ void state_errors(const std::vector<ParameterEstimate>& parameters, bool isotrop
                   Material& material) {
   for (auto& [name, component] : material.components) {
     if (component.status != ComponentStatus::measured) continue;
-    component.errors = errors_of(parameters, isotropic ? shared_component(name) : name);
+    const std::string owner = isotropic ? shared_component(name) : name;
+    component.errors = errors_of(parameters, owner, owner);
+  }
+  for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
+    for (auto& [name, component] : material.samples.at[k].components) {
+      component.errors = errors_of(parameters, name, name_in_sample(k, name));
+    }
   }
   for (EnergyLimit& limit : material.limits) {
     const std::string name = limit_name(limit.of);

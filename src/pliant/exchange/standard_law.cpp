@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/density/rubber_energies.h"
 
@@ -361,6 +362,10 @@ StandardLaw standard_law(const Material& material, const std::string& file) {
   if (material.kind != MaterialKind::solid) {
     throw InputError({file, 0, "kind"}, "is a cloth: other tools have no law of its components",
                      "a material of kind solid");
+  }
+  if (is_heterogeneous(material)) {
+    throw InputError({file, 0, "samples"}, "make the solid heterogeneous, which is no standard law",
+                     "a material that is the same everywhere");
   }
   StandardLaw law = Recogniser(material, file).law();
   law.lost = what_is_lost(material);

@@ -74,6 +74,12 @@ class Experiment {
   /// What each row counts in a fit: 1, or 0 where it is left out.
   virtual Eigen::ArrayXd weights() const;
 
+  /// How far a prediction is off, in sentences, where rows are of different kinds.
+  virtual std::vector<std::string> differences(const Eigen::VectorXd& predicted) const {
+    static_cast<void>(predicted);
+    return {};
+  }
+
   /// Predicts with materials of one form.
   /// @param material  whose laws keep their form while their numbers change; it has all components
   ///                  that the experiment asks for

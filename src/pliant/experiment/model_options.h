@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "pliant/experiment/experiment_spec.h"
 #include "pliant/material/material.h"
 
@@ -16,6 +18,16 @@ struct ComponentModel {
   std::optional<CurveKind> stiffness;
   std::optional<FrictionChoice> friction;
   std::vector<const AddendKind*> addends = {};
+};
+
+/// Where a heterogeneous solid has samples, and of what: one of `places`, `grid` and `spread`.
+struct SampleOptions {
+  std::vector<Eigen::Vector3d> places = {};  ///< by hand (m)
+  Eigen::Vector3i grid{0, 0, 0};             ///< at the middles of so many cells of the body's box
+  int spread = 0;                            ///< so many nodes of the body, each far from the others
+  std::optional<double> width = {};          ///< m; absent: the mean distance of neighbours
+  std::vector<std::string> of = {};          ///< components that differ; empty: all
+  Location where = {};
 };
 
 struct ModelOptions {
@@ -34,6 +46,7 @@ struct ModelOptions {
   std::map<std::string, ComponentModel> components;
   /// Of solids: components whose energies together have a limit.
   std::vector<std::vector<std::string>> limits;
+  std::optional<SampleOptions> samples;  ///< of solids; absent: the same everywhere
 };
 
 /// Whether a model has springs, which lie along weft and warp.

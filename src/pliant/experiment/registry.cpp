@@ -10,6 +10,7 @@
 #include "pliant/experiment/drape/drape_type.h"
 #include "pliant/experiment/hanging/hanging_weights_type.h"
 #include "pliant/experiment/homogeneous/homogeneous_type.h"
+#include "pliant/experiment/moved_body/moved_body_type.h"
 #include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/experiment/press/press_type.h"
 #include "pliant/experiment/rolled/rolled_strip_type.h"
@@ -31,7 +32,7 @@ std::span<const TestType* const> test_types() {
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
       &bending_length_type(),  &buckling_bend_type(),  &session_type(),
       &drape_type(),           &homogeneous_type(),    &press_type(),
-      &indentation_type(),
+      &indentation_type(),     &moved_body_type(),
   };
   return types;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,7 @@
 namespace pliant {
 
 struct TestType;
+struct VolumeMesh;
 
 /// Keys and values of a mapping, as documents write them.
 using WrittenFields = std::vector<std::pair<std::string, std::string>>;
@@ -24,6 +26,10 @@ struct TestSpec {
   virtual bool is_only_sheet() const { return false; }
   /// Whether the volume of a solid may change in it: then something must resist that.
   virtual bool volume_may_change() const { return false; }
+  /// The body at rest, where the test is of a whole one.
+  virtual const VolumeMesh* body() const { return nullptr; }
+  /// Files with more of what was measured than the rows: meshes, positions.
+  virtual std::vector<std::filesystem::path> files() const { return {}; }
 };
 
 }  // namespace pliant

@@ -123,6 +123,21 @@ Eigen::VectorXd node_areas(const Eigen::Matrix3Xd& positions, const Eigen::Matri
   return areas;
 }
 
+double extent_of(const VolumeMesh& mesh) {
+  return (mesh.positions.rowwise().maxCoeff() - mesh.positions.rowwise().minCoeff()).norm();
+}
+
+double mean_surface_edge(const VolumeMesh& mesh) {
+  double sum = 0;
+  const Eigen::Matrix3Xi triangles = boundary_surface(mesh).triangles;
+  for (const auto& t : triangles.colwise()) {
+    for (int i = 0; i < 3; ++i) {
+      sum += (mesh.positions.col(t(i)) - mesh.positions.col(t((i + 1) % 3))).norm();
+    }
+  }
+  return sum / static_cast<double>(triangles.size());
+}
+
 std::vector<int> nodes_at(const VolumeMesh& mesh, int axis, double value) {
   constexpr double kRounding = 1e-9;
   const double tolerance = kRounding * mesh.positions.cwiseAbs().maxCoeff();

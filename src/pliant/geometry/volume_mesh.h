@@ -54,6 +54,12 @@ BoundarySurface boundary_surface(const VolumeMesh& mesh);
 /// (m^2).
 Eigen::VectorXd node_areas(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles);
 
+/// The diagonal of the box around a mesh (m).
+double extent_of(const VolumeMesh& mesh);
+
+/// The mean length of the edges of the surface (m), each counted once a triangle.
+double mean_surface_edge(const VolumeMesh& mesh);
+
 /// The nodes at which a coordinate has a value, up to rounding.
 std::vector<int> nodes_at(const VolumeMesh& mesh, int axis, double value);
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "pliant/material/component_law.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/number_error.h"
@@ -66,6 +68,19 @@ struct EnergyLimit {
 /// A limit among the parameters of a material: "J.limit", "trace+J.limit".
 std::string limit_name(const std::vector<std::string>& components);
 
+/// What a heterogeneous solid is made of at a place of its body at rest.
+struct SampledComponents {
+  Eigen::Vector3d place;  ///< m
+  std::map<std::string, MaterialComponent> components;
+};
+
+/// How a solid differs from place to place ([T] 4.2.4): at each point the energies of its samples
+/// add, each times a Gaussian of its distance, all weights of sum 1.
+struct MaterialSamples {
+  std::vector<SampledComponents> at;  ///< empty: the solid is the same everywhere
+  double width = 0;                   ///< standard deviation of the Gaussians (m)
+};
+
 /// A material: the content of a material/1 file (docs/formats/material.md).
 struct Material {
   std::string name;
@@ -80,6 +95,9 @@ struct Material {
   std::map<std::string, std::string> info;
   std::map<std::string, std::string> provenance;
   MaterialKind kind = MaterialKind::cloth;
+  /// Of a heterogeneous solid, whose `components` are the means of its samples'; these differ from
+  /// them in numbers alone, remember nothing and have no limits.
+  MaterialSamples samples = {};
 };
 
 /// Whether a component is one of bending (its curve is a function of |strain| and has other units).

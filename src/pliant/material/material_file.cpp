@@ -9,8 +9,10 @@
 
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
+#include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/limit_fields.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
@@ -192,15 +194,61 @@ void require_no_memory(const std::string& name, const Value& node,
             "such laws on another metric: green.xx, I1-bar, ...");
 }
 
-void read_components(Fields& fields, Material& material) {
-  Fields components = fields.require("components").fields();
-  for (const std::string& name : component_names(material.kind)) {
-    if (auto component = components.optional(name)) {
-      material.components[name] = read_component(*component, is_even(name));
-      require_no_memory(name, *component, material.components[name]);
+std::map<std::string, MaterialComponent> read_components(const Value& node, MaterialKind kind) {
+  Fields fields = node.fields();
+  std::map<std::string, MaterialComponent> components;
+  for (const std::string& name : component_names(kind)) {
+    if (auto component = fields.optional(name)) {
+      components[name] = read_component(*component, is_even(name));
+      require_no_memory(name, *component, components[name]);
     }
   }
-  components.finish();
+  fields.finish();
+  return components;
+}
+
+void require_alike(const Value& node, const SampledComponents& sample,
+                   const SampledComponents& first) {
+  for (const auto& [name, component] : sample.components) {
+    if (!component.stiffness) node.fail(quoted_value(name) + " has no numbers", "a stiffness");
+    if (law_of(component).remembers()) {
+      node.fail(quoted_value(name) + " has friction or another law that remembers",
+                "samples of elastic components");
+    }
+  }
+  const bool alike = std::ranges::equal(
+      sample.components, first.components, [](const auto& one, const auto& other) {
+        return one.first == other.first && are_alike(one.second, other.second);
+      });
+  if (!alike) {
+    node.fail("differs from the first sample in more than numbers",
+              "samples of the same components, curves and addends");
+  }
+}
+
+/// The samples of a solid, and the means of what they differ in.
+void read_samples(const Value& node, Material& material) {
+  Fields fields = node.fields();
+  material.samples.width = positive(fields.require("width"));
+  const Value list = fields.require("at");
+  for (const Value& item : list.items()) {
+    Fields sample = item.fields();
+    SampledComponents& own = material.samples.at.emplace_back();
+    own.place = read_vector(sample.require("place"));
+    const Value components = sample.require("components");
+    own.components = read_components(components, material.kind);
+    require_alike(components, own, material.samples.at.front());
+    sample.finish();
+  }
+  fields.finish();
+  if (material.samples.at.empty()) list.fail("is empty", "at least one sample");
+  for (const auto& [name, component] : material.samples.at.front().components) {
+    if (!material.components.contains(name)) continue;
+    list.fail("has " + quoted_value(name) + ", which stands under `components` too",
+              "each component once: under `components` where it is the same everywhere");
+  }
+  if (!material.limits.empty()) node.fail("stands beside `limits`", "one of them");
+  take_means(material);
 }
 
 /// The tree of a material file; a file that is no JSON at all may be a scene named by mistake.
@@ -274,6 +322,25 @@ Json component_json(const MaterialComponent& component) {
   return json;
 }
 
+Json components_json(const std::map<std::string, MaterialComponent>& components,
+                     const Material& material) {
+  Json json = Json::object();
+  for (const std::string& name : component_names(material.kind)) {
+    const auto found = components.find(name);
+    if (found != components.end()) json[name] = component_json(found->second);
+  }
+  return json;
+}
+
+Json samples_json(const Material& material) {
+  Json json{{"width", material.samples.width}, {"at", Json::array()}};
+  for (const SampledComponents& sample : material.samples.at) {
+    json["at"].push_back({{"place", {sample.place.x(), sample.place.y(), sample.place.z()}},
+                          {"components", components_json(sample.components, material)}});
+  }
+  return json;
+}
+
 }  // namespace
 
 Material read_material(const std::filesystem::path& path) {
@@ -290,8 +357,11 @@ Material material_of(const Document& document) {
   if (kind == name_of(MaterialKind::solid)) material.kind = MaterialKind::solid;
   if (auto density = fields.optional("density")) material.density = positive(*density);
   if (material.kind == MaterialKind::cloth) read_sheet(fields, material);
-  read_components(fields, material);
+  material.components = read_components(fields.require("components"), material.kind);
   if (auto limits = fields.optional("limits")) material.limits = read_limits(*limits, material);
+  if (material.kind == MaterialKind::solid) {
+    if (auto samples = fields.optional("samples")) read_samples(*samples, material);
+  }
   if (auto damping = fields.optional("damping")) {
     Fields inner = damping->fields();
     material.damping_fraction = not_negative(inner.require("fraction"));
@@ -314,11 +384,10 @@ std::string material_text(const Material& material) {
     json["bending_of"] = material.bending_of;
     if (!material.bending_mesh.empty()) json["bending_mesh"] = material.bending_mesh;
   }
-  Json& components = json["components"] = Json::object();
-  for (const std::string& name : component_names(material.kind)) {
-    const auto found = material.components.find(name);
-    if (found != material.components.end()) components[name] = component_json(found->second);
-  }
+  std::map<std::string, MaterialComponent> shared = material.components;
+  std::erase_if(shared, [&](const auto& own) { return differs_in(material, own.first); });
+  json["components"] = components_json(shared, material);
+  if (is_heterogeneous(material)) json["samples"] = samples_json(material);
   if (!material.limits.empty()) json["limits"] = limits_json(material.limits);
   if (material.damping_fraction) json["damping"] = {{"fraction", *material.damping_fraction}};
   if (!material.info.empty()) json["info"] = material.info;

@@ -30,7 +30,8 @@ struct SolidLaw {
 /// on the volumes of elements and nodes; all else acts on points.
 SolidLaw solid_law(const Material& material, const DensityOptions& options = {});
 
-/// Stiffness of a law at rest: the tangent dS/dE on the six strains, volumes included (Pa).
+/// Stiffness of a law at rest: the tangent dS/dE on the six strains, volumes included (Pa); of a
+/// heterogeneous one the mean of its samples.
 Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law);
 
 /// What a solid adds to a system.

@@ -3,25 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "pliant/base/assert.h"
 #include "pliant/material/density/blended_density.h"
+#include "pliant/material/material_samples.h"
+#include "pliant/material/positive_stiffness.h"
 
 namespace pliant {
 namespace {
-
-bool are_alike(const ScalarCurve& a, const ScalarCurve& b) {
-  return a.kind() == b.kind() && a.knots() == b.knots() && a.even() == b.even();
-}
-
-bool are_alike(const MaterialComponent& a, const MaterialComponent& b) {
-  if (a.stiffness.has_value() != b.stiffness.has_value()) return false;
-  if (a.stiffness && !are_alike(*a.stiffness, *b.stiffness)) return false;
-  return std::ranges::equal(a.addends, b.addends, [](const Addend& one, const Addend& other) {
-    return &one.kind() == &other.kind();
-  });
-}
 
 bool are_alike(const Material& a, const Material& b) {
   return std::ranges::equal(a.components, b.components, [](const auto& one, const auto& other) {
@@ -34,8 +22,7 @@ Eigen::Index points_of(const SolidLaw& law) { return law.of_points->parameters()
 void append_names(const SolidLaw& law, std::size_t sample, Eigen::Index first, Eigen::Index count,
                   std::vector<std::string>& names) {
   for (Eigen::Index p = first; p < first + count; ++p) {
-    names.push_back(
-        fmt::format("samples[{}].{}", sample, law.parameters[static_cast<std::size_t>(p)]));
+    names.push_back(name_in_sample(sample, law.parameters[static_cast<std::size_t>(p)]));
   }
 }
 
@@ -64,23 +51,33 @@ double SolidField::density_at(const Eigen::Vector3d& place) const {
   return density;
 }
 
-double spacing_of_neighbours(const std::vector<MaterialSample>& samples) {
-  if (samples.size() < 2) return 0;
+double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places) {
+  if (places.size() < 2) return 0;
   double sum = 0;
-  for (const MaterialSample& own : samples) {
+  for (const Eigen::Vector3d& own : places) {
     double nearest = INFINITY;
-    for (const MaterialSample& other : samples) {
-      if (&other != &own) nearest = std::min(nearest, (other.place - own.place).norm());
+    for (const Eigen::Vector3d& other : places) {
+      if (&other != &own) nearest = std::min(nearest, (other - own).norm());
     }
     sum += nearest;
   }
-  return sum / static_cast<double>(samples.size());
+  return sum / static_cast<double>(places.size());
 }
 
 bool are_alike(const std::vector<MaterialSample>& samples) {
   return std::ranges::all_of(samples, [&](const MaterialSample& sample) {
     return are_alike(samples.front().material, sample.material);
   });
+}
+
+SolidField solid_field(const Material& material) {
+  SolidField field;
+  field.width = material.samples.width;
+  for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
+    field.samples.push_back(
+        {material.samples.at[k].place, held_beyond_range(material_at(material, k))});
+  }
+  return field;
 }
 
 SolidLaw solid_law(const SolidField& field, const DensityOptions& options) {

@@ -2,7 +2,9 @@
 #include <iterator>
 
 #include "pliant/material/solid/solid_density.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_field.h"
 
 namespace pliant {
 namespace {
@@ -10,14 +12,22 @@ namespace {
 constexpr const char* kVolume = "J";
 
 // The response of a law where it is at rest and remembers nothing.
-Response response_at_rest(const ParametricDensity& law, int strains) {
-  const Eigen::Array<double, kLanes, Eigen::Dynamic> zeros =
-      Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, strains + law.history_size());
+Response response_at_rest(const ParametricDensity& law, int strains, Eigen::Index of_samples) {
+  using Lanes = Eigen::Array<double, kLanes, Eigen::Dynamic>;
+  const Lanes zeros = Lanes::Zero(kLanes, strains + law.history_size());
+  const Lanes weights =
+      Lanes::Constant(kLanes, of_samples, 1 / std::max(static_cast<double>(of_samples), 1.0));
   const LaneView strain(zeros.data(), kLanes, strains);
   Response response(strains);
-  law.add({strain, strain, strain, LaneView(zeros.data(), kLanes, law.history_size())}, {},
-          response);
+  law.add({strain, strain, strain, LaneView(zeros.data(), kLanes, law.history_size()),
+           LaneView(weights.data(), kLanes, of_samples)},
+          {}, response);
   return response;
+}
+
+// How many samples a law has; 0 where it is the same everywhere.
+Eigen::Index samples_of(const SolidLaw& law) {
+  return law.weights ? law.weights(Eigen::Vector3d::Zero()).size() : 0;
 }
 
 // A limit of the volume and of other components together is one of the points.
@@ -30,6 +40,7 @@ bool has_limit_with_others(const Material& material) {
 }  // namespace
 
 SolidLaw solid_law(const Material& material, const DensityOptions& options) {
+  if (is_heterogeneous(material)) return solid_law(solid_field(material), options);
   Material of_points = material;
   const bool has_volume = !has_limit_with_others(material) &&
                           of_points.components.erase(kVolume) > 0 &&
@@ -53,12 +64,13 @@ SolidLaw solid_law(const Material& material, const DensityOptions& options) {
 }
 
 Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law) {
-  const Response of_points = response_at_rest(*law.of_points, 6);
+  const Eigen::Index samples = samples_of(law);
+  const Response of_points = response_at_rest(*law.of_points, 6, samples);
   Eigen::Matrix<double, 6, 6> stiffness;
   for (int k = 0; k < 36; ++k) stiffness(k) = of_points.tangent(0, k);
   if (law.of_volume) {
     // J - 1 is the trace of E there.
-    stiffness.topLeftCorner<3, 3>().array() += response_at_rest(*law.of_volume, 1).tangent(0, 0);
+    stiffness.topLeftCorner<3, 3>().array() += response_at_rest(*law.of_volume, 1, samples).tangent(0, 0);
   }
   return stiffness;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "pliant/material/material_samples.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/scene/solid_samples.h"
 
@@ -26,9 +27,15 @@ void require_usable(const SceneMaterial& given, const Scene& scene) {
       "components that together do: of volume and of shear");
 }
 
+SolidPiece::Region region_of(const Material& material) {
+  SolidPiece::Region region{held_beyond_range(material), {}};
+  if (is_heterogeneous(material)) region.field = solid_field(material);
+  return region;
+}
+
 std::vector<SolidPiece::Region> regions_of(const SceneSolid& solid, const VolumeMesh& mesh,
                                            const Scene& scene) {
-  std::vector<SolidPiece::Region> regions{{held_beyond_range(solid.material.material), {}}};
+  std::vector<SolidPiece::Region> regions{region_of(solid.material.material)};
   require_usable(solid.material, scene);
   if (!solid.samples.empty()) {
     for (const SceneSample& sample : solid.samples) require_usable(sample.material, scene);
@@ -36,7 +43,7 @@ std::vector<SolidPiece::Region> regions_of(const SceneSolid& solid, const Volume
   }
   for (const SolidRegion& region : solid.regions) {
     require_usable(region.material, scene);
-    regions.push_back({held_beyond_range(region.material.material), {}});
+    regions.push_back(region_of(region.material.material));
   }
   const std::vector<int> material_of = material_of_elements(solid, mesh);
   for (size_t e = 0; e < material_of.size(); ++e) {

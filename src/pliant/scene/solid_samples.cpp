@@ -1,46 +1,15 @@
 #include "pliant/scene/solid_samples.h"
 
 #include <algorithm>
-#include <array>
-
-#include <Eigen/LU>
 
 #include "pliant/base/errors.h"
+#include "pliant/geometry/inside_volume.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/positive_stiffness.h"
 
 namespace pliant {
 namespace {
-
-constexpr double kOnTheSurface = 1e-6;  // of an element's size
-
-bool is_in_tetrahedron(const std::array<Eigen::Vector3d, 4>& x, const Eigen::Vector3d& place) {
-  Eigen::Matrix3d edges;
-  for (int i = 0; i < 3; ++i) edges.col(i) = x[static_cast<size_t>(i) + 1] - x[0];
-  const Eigen::Vector3d shares = edges.partialPivLu().solve(place - x[0]);
-  return shares.minCoeff() >= -kOnTheSurface && shares.sum() <= 1 + kOnTheSurface;
-}
-
-/// Six tetrahedra about the diagonal from node 0 to node 6 make a hexahedron.
-constexpr int kOfHexahedron[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
-                                     {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
-
-bool is_inside(const VolumeMesh& mesh, const Eigen::Vector3d& place) {
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const std::vector<int> nodes = mesh.nodes_of(e);
-    const auto within = [&](const int(&corners)[4]) {
-      std::array<Eigen::Vector3d, 4> x;
-      for (size_t i = 0; i < 4; ++i) {
-        x[i] = mesh.positions.col(nodes[static_cast<size_t>(corners[i])]);
-      }
-      return is_in_tetrahedron(x, place);
-    };
-    constexpr int kWhole[4] = {0, 1, 2, 3};
-    if (nodes.size() == 4 ? within(kWhole) : std::ranges::any_of(kOfHexahedron, within))
-      return true;
-  }
-  return false;
-}
 
 void require_blendable(const SceneSample& sample, const SceneSample& first) {
   const Material& material = sample.material.material;
@@ -50,6 +19,10 @@ void require_blendable(const SceneSample& sample, const SceneSample& first) {
                      quoted_value(name) + " of " + quoted_value(material.name) +
                          " has friction or another law that remembers",
                      "samples of elastic materials");
+  }
+  if (is_heterogeneous(material)) {
+    throw InputError(sample.where, quoted_value(material.name) + " has samples itself",
+                     "samples of materials that are the same everywhere");
   }
   if (!material.limits.empty()) {
     throw InputError(sample.where, quoted_value(material.name) + " has limits of energy",
@@ -77,7 +50,9 @@ SolidField solid_field(const SceneSolid& solid, const VolumeMesh& mesh) {
     }
     field.samples.push_back({sample.at, held_beyond_range(sample.material.material)});
   }
-  field.width = solid.width.value_or(spacing_of_neighbours(field.samples));
+  std::vector<Eigen::Vector3d> places;
+  for (const MaterialSample& sample : field.samples) places.push_back(sample.place);
+  field.width = solid.width.value_or(spacing_of_neighbours(places));
   return field;
 }
 

@@ -15,7 +15,9 @@ std::vector<DataFile> data_of(const Study& study) {
   const std::filesystem::path folder = std::filesystem::path(study.file).parent_path();
   std::vector<DataFile> data;
   for (const ExperimentSpec& spec : study.experiments) {
-    for (const std::filesystem::path& file : spec.data.files) {
+    std::vector<std::filesystem::path> files = spec.data.files;
+    std::ranges::move(spec.test->files(), std::back_inserter(files));
+    for (const std::filesystem::path& file : files) {
       data.push_back(
           {spec.name, file.lexically_proximate(folder).generic_string(), sha256_of_path(file)});
     }

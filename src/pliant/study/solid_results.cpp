@@ -11,6 +11,7 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
 #include "pliant/experiment/stored_rows.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
@@ -97,6 +98,7 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   result.strain_range = {low, high};
   describe_rows(experiment, result);
   measure_errors(experiment, result);
+  std::ranges::move(experiment.differences(result.predicted), std::back_inserter(result.handled));
   result.noise = result.rms;
   return result;
 }
@@ -107,11 +109,13 @@ void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult
     const auto law = law_of(material, name);
     if (!law) continue;
     const auto& range = material.components.at(name).range;
-    const ErrorOfLaw errors = fit ? errors_of_law(fit->uncertainty, first) : ErrorOfLaw{};
+    const bool differs = differs_in(material, name);  // the curve is then that of the mean
+    const ErrorOfLaw errors =
+        fit && !differs ? errors_of_law(fit->uncertainty, first) : ErrorOfLaw{};
     if (range && range->second > 0) {
       result.curves.push_back(component_curve(name, *law, range->second, errors));
     }
-    first += law->parameter_count();
+    first += law->parameter_count() * (differs ? std::ssize(material.samples.at) : 1);
   }
 }
 
@@ -132,6 +136,7 @@ void add_solid_fit(const SolidFit& fit, StudyResult& result) {
   }
   std::ranges::copy(fit.stages, std::back_inserter(result.stages));
   std::ranges::copy(fit.questions, std::back_inserter(result.questions));
+  std::ranges::copy(fit.notes, std::back_inserter(result.warnings));
   add_starts(fit.starts, result);
   warn_of_undetermined(fit, result);
   add_solid_curves(fit.material, &fit, result);

@@ -12,6 +12,8 @@
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/solid_material.h"
+#include "pliant/material/material_samples.h"
+#include "pliant/study/body_samples.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/solid_results.h"
 #include "pliant/study/study_experiments.h"
@@ -85,15 +87,31 @@ void refuse_options_of_cloth(const Study& study) {
   }
 }
 
-void require_limited(const Study& study, const std::map<std::string, ComponentModel>& components) {
+/// What limits and samples are of has to be in the model.
+void require_components(const Study& study,
+                        const std::map<std::string, ComponentModel>& components) {
+  const auto require = [&](const std::string& name, const char* field) {
+    if (components.contains(name)) return;
+    std::vector<std::string> names;
+    for (const auto& [component, model] : components) names.push_back(component);
+    throw InputError({study.file, 0, field}, quoted_value(name) + " is no component of the model",
+                     list_of_names(names));
+  };
   for (const std::vector<std::string>& limit : study.model.limits) {
-    for (const std::string& name : limit) {
-      if (components.contains(name)) continue;
-      std::vector<std::string> names;
-      for (const auto& [component, model] : components) names.push_back(component);
-      throw InputError({study.file, 0, "model.limits"},
-                       quoted_value(name) + " is no component of the model", list_of_names(names));
-    }
+    for (const std::string& name : limit) require(name, "model.limits");
+  }
+  if (!study.model.samples) return;
+  for (const std::string& name : study.model.samples->of) require(name, "model.samples.of");
+}
+
+void refuse_samples_in_pieces(const Study& study, const Material& material) {
+  if (!is_heterogeneous(material)) return;
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (spec.test->body()) continue;
+    throw InputError(spec.where,
+                     "is of a piece that is the same everywhere, and the material " +
+                         quoted_value(material.name) + " differs from place to place",
+                     "a material without samples");
   }
 }
 
@@ -130,11 +148,12 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
   StudyResult result = describe(study);
   const SolidExperiments experiments = read_solids(study, result);
   const auto components = solid_components(study.model, is_compressible(study));
-  require_limited(study, components);
   require_volume(study, std::ranges::any_of(components, [](const auto& component) {
                    return !is_isochoric(component.first);
                  }));
-  const SolidFit fit = fit_solid(study, components, fitted(study, experiments), context);
+  require_components(study, components);
+  const SolidFit fit = fit_solid(study, components, body_samples(study),
+                                 fitted(study, experiments), context);
   result.assumptions = assumptions_of(study, experiments);
   add_solid_fit(fit, result);
   std::size_t part = 0;
@@ -164,6 +183,7 @@ StudyResult evaluate_solid_study(const Study& study, const Material& material,
         "a material of kind `solid`");
   }
   require_volume(study, resists_volume(material));
+  refuse_samples_in_pieces(study, material);
   Study predicted = study;
   for (ExperimentSpec& spec : predicted.experiments) spec.role = ExperimentRole::validate;
   StudyResult result = describe(predicted);

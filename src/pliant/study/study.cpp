@@ -11,6 +11,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/io/vector_fields.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
@@ -176,6 +177,39 @@ std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
   return limits;
 }
 
+/// `{at, grid, spread, width, of}`, one of the first three.
+SampleOptions read_samples(const Value& node) {
+  Fields fields = node.fields();
+  SampleOptions samples;
+  samples.where = node.location();
+  int ways = 0;
+  if (auto v = fields.optional("at")) {
+    ++ways;
+    for (const Value& place : v->items()) samples.places.push_back(read_vector(place));
+    if (samples.places.empty()) v->fail("is empty", "at least one [x, y, z] in metres");
+  }
+  if (auto v = fields.optional("grid")) {
+    ++ways;
+    const std::vector<Value> cells = v->items();
+    if (cells.size() != 3) v->fail("has no three numbers", "cells along x, y and z: [4, 2, 2]");
+    for (int i = 0; i < 3; ++i) samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
+  }
+  if (auto v = fields.optional("spread")) {
+    ++ways;
+    samples.spread = v->integer(1, 10000);
+  }
+  if (ways != 1) node.fail("says where the samples are in no way, or in several", "one of `at`, `grid` and `spread`");
+  if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
+  if (auto v = fields.optional("of")) {
+    const std::vector<std::string_view> names(solid_component_names().begin(),
+                                              solid_component_names().end());
+    for (const Value& component : v->items()) samples.of.push_back(component.choice(names));
+    if (samples.of.empty()) v->fail("is empty", "at least one component");
+  }
+  fields.finish();
+  return samples;
+}
+
 /// The model of a solid: a law by its name, or components with theirs.
 ModelOptions read_solid_model(Fields& fields) {
   ModelOptions model;
@@ -195,6 +229,10 @@ ModelOptions read_solid_model(Fields& fields) {
     }
   }
   if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v);
+  if (auto v = fields.optional("samples")) {
+    model.samples = read_samples(*v);
+    if (!model.limits.empty()) v->fail("stands beside `limits`", "one of both");
+  }
   fields.finish();
   return model;
 }

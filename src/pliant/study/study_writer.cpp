@@ -2,6 +2,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/body_fields.h"
 #include "pliant/experiment/test_type.h"
 #include "pliant/study/study.h"
 
@@ -93,6 +94,20 @@ void write_components(const ModelOptions& model, YAML::Node& node) {
   }
 }
 
+YAML::Node samples_node(const SampleOptions& samples) {
+  YAML::Node node;
+  for (const Eigen::Vector3d& place : samples.places) {
+    node["at"].push_back(YAML::Load(vector_text(place)));
+  }
+  if (samples.grid.x() > 0) {
+    node["grid"] = std::vector<int>(samples.grid.begin(), samples.grid.end());
+  }
+  if (samples.spread > 0) node["spread"] = samples.spread;
+  if (samples.width) node["width"] = exact_quantity(*samples.width, Dimension::length);
+  if (!samples.of.empty()) node["of"] = samples.of;
+  return node;
+}
+
 YAML::Node model_node(const ModelOptions& model) {
   YAML::Node node;
   node["kind"] = std::string(name_of(model.kind));
@@ -104,6 +119,7 @@ YAML::Node model_node(const ModelOptions& model) {
       inner["of"] = limit;
       node["limits"].push_back(inner);
     }
+    if (model.samples) node["samples"] = samples_node(*model.samples);
     return node;
   }
   node["membrane"] = std::string(name_of(model.membrane));

@@ -10,6 +10,7 @@
 #include "pliant/estimation/solid/solid_growth.h"
 #include "pliant/estimation/solid/solid_starts.h"
 #include "pliant/estimation/solid/true_stress.h"
+#include "pliant/estimation/statistics/model_growth.h"
 
 namespace pliant {
 namespace {
@@ -61,10 +62,41 @@ void refuse_unseen(const FitSettings& settings, const Problem& problem) {
   }
 }
 
+bool differs(const SampleOptions& options, const std::string& component) {
+  return options.of.empty() || std::ranges::find(options.of, component) != options.of.end();
+}
+
+/// Gives the fitted solid samples and lets these differ.
+void add_samples(const SampleOptions& options, const MaterialSamples& samples,
+                 SolidProblem& problem, GrownSolid& grown, SolidFit& fit) {
+  Material& material = grown.material;
+  const double before = rms_of(grown.solution, problem.rows());
+  const auto count_before = static_cast<int>(grown.solution.parameters.size());
+  material.samples = samples;
+  for (SampledComponents& sample : material.samples.at) {
+    for (const auto& [name, component] : material.components) {
+      if (differs(options, name)) sample.components[name] = component;
+    }
+  }
+  grown.solution = problem.solve(material);
+  const double rms = rms_of(grown.solution, problem.rows());
+  fit.stages.push_back({"solid", fmt::format("{} samples", samples.at.size()), kUnit, rms,
+                        /*accepted=*/true});
+  const FittedModel simple{before, count_before, 0, static_cast<double>(problem.rows())};
+  FittedModel rich = simple;
+  rich.rms = rms;
+  rich.parameters = static_cast<int>(grown.solution.parameters.size());
+  if (is_worth(simple, rich)) return;
+  fit.notes.emplace_back(
+      "the samples explain no more than one material everywhere: the data do not show that the "
+      "body is heterogeneous");
+}
+
 }  // namespace
 
 SolidFit fit_solid(const FitSettings& settings,
                    const std::map<std::string, ComponentModel>& components,
+                   const MaterialSamples& samples,
                    const std::vector<const Experiment*>& experiments, const RunContext& context) {
   SolidFit fit;
   SolidProblem problem(settings, experiments, context);
@@ -84,6 +116,7 @@ SolidFit fit_solid(const FitSettings& settings,
     fit.stages.push_back(
         {"solid", "law", kUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
   }
+  if (!samples.at.empty()) add_samples(*settings.model.samples, samples, problem, grown, fit);
   const Problem own = problem.problem(grown.material);
   fit.unknowns = own.unknowns();
   fit.values = grown.solution.parameters;
@@ -94,6 +127,10 @@ SolidFit fit_solid(const FitSettings& settings,
   for (auto& [name, component] : grown.material.components) {
     const MetricData& data = problem.data_of(name);
     component.range = {std::min(data.low(), 0.0), data.high()};
+    for (SampledComponents& sample : grown.material.samples.at) {
+      const auto of_sample = sample.components.find(name);
+      if (of_sample != sample.components.end()) of_sample->second.range = component.range;
+    }
   }
   fit.material = std::move(grown.material);
   fit.questions = true_stress_questions(settings, fit.material, experiments, context);

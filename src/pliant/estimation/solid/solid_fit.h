@@ -27,13 +27,16 @@ struct SolidFit {
 };
 
 /// Fits the laws of a solid's components to experiments by bounded least squares, from all
-/// combinations of where the numbers of its laws begin; spline energies grow control points.
+/// combinations of where the numbers of its laws begin; spline energies grow control points. A
+/// heterogeneous solid begins at the one that is the same everywhere.
+/// @param samples       places and width, without components; none: the same everywhere
 /// @param components    of the model (`solid_components`)
 /// @param experiments   role fit; they outlive the fit
 /// @throws InputError where an experiment shows nothing of the material, or a component nothing in
 ///         the experiments; SolverError without any prediction
 SolidFit fit_solid(const FitSettings& settings,
                    const std::map<std::string, ComponentModel>& components,
+                   const MaterialSamples& samples,
                    const std::vector<const Experiment*>& experiments, const RunContext& context);
 
 }  // namespace pliant

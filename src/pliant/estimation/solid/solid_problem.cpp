@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pliant/material/addend/rubber_addends.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/standard_solids.h"
 
@@ -25,6 +26,39 @@ void keep_positive(const std::string& component, const ComponentLaw& law,
   const bool is_line = law.parameter_count() == 1 && law.addends.size() == 1 &&
                        &law.addends.front().kind() == &linear_addend();
   if (is_line) unknowns.front().lower = 0;
+}
+
+/// Appends the unknowns of a component: of a heterogeneous solid one of each sample, or one that
+/// all samples share where they do not differ in it.
+void append_unknowns(const Material& material, const std::string& component,
+                     const std::vector<Unknown>& own, std::vector<Unknown>& unknowns) {
+  const std::size_t samples = material.samples.at.size();
+  if (samples == 0) {
+    std::ranges::copy(own, std::back_inserter(unknowns));
+    return;
+  }
+  if (!differs_in(material, component)) {
+    for (Unknown unknown : own) {
+      const std::string name = unknown.parameters.front();
+      unknown.parameters.clear();
+      for (std::size_t k = 0; k < samples; ++k) {
+        unknown.parameters.push_back(name_in_sample(k, name));
+      }
+      unknowns.push_back(std::move(unknown));
+    }
+    return;
+  }
+  for (std::size_t k = 0; k < samples; ++k) {
+    const Eigen::VectorXd values =
+        law_of(material.samples.at[k].components.at(component)).parameters();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      Unknown unknown = own[i];
+      unknown.name = name_in_sample(k, unknown.name);
+      unknown.parameters = {name_in_sample(k, unknown.parameters.front())};
+      unknown.start = values(static_cast<Eigen::Index>(i));
+      unknowns.push_back(std::move(unknown));
+    }
+  }
 }
 
 Unknown unknown_of(const EnergyLimit& limit) {
@@ -100,7 +134,7 @@ Problem SolidProblem::problem(const Material& material) {
     if (!law) continue;
     std::vector<Unknown> own = unknowns_of(*law, {name}, data_of(name).scale);
     keep_positive(name, *law, own);
-    std::ranges::move(own, std::back_inserter(unknowns));
+    append_unknowns(material, name, own, unknowns);
   }
   for (const EnergyLimit& limit : material.limits) unknowns.push_back(unknown_of(limit));
   apply_options(settings_.fit, unknowns);
@@ -119,13 +153,21 @@ LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOp
 
 void set_numbers(const Eigen::VectorXd& numbers, Material& material) {
   Eigen::Index next = 0;
+  const auto set = [&](const ComponentLaw& law, MaterialComponent& component) {
+    const Eigen::Index count = law.parameter_count();
+    set_law(component, law.with_parameters(numbers.segment(next, count)));
+    next += count;
+  };
   for (const std::string& name : solid_component_names()) {
     const auto law = law_of(material, name);
     if (!law) continue;
-    const Eigen::Index count = law->parameter_count();
-    set_law(material.components.at(name), law->with_parameters(numbers.segment(next, count)));
-    next += count;
+    if (!differs_in(material, name)) {
+      set(*law, material.components.at(name));
+      continue;
+    }
+    for (SampledComponents& sample : material.samples.at) set(*law, sample.components.at(name));
   }
+  if (is_heterogeneous(material)) take_means(material);
   for (EnergyLimit& limit : material.limits) limit.energy = numbers(next++);
 }
 

@@ -110,9 +110,14 @@ void add_component(const std::string& name, const MaterialComponent& component,
   }
 }
 
-void refuse_memory_of_stretches(const FitSettings& settings, const std::string& name,
-                                const MaterialComponent& component) {
-  if (!find_principal_metric(name) || !law_of(component).remembers()) return;
+void refuse_memory(const FitSettings& settings, const std::string& name,
+                   const MaterialComponent& component) {
+  if (!law_of(component).remembers()) return;
+  if (settings.model.samples) {
+    refuse(settings, name, "has friction or another law that remembers, and the model has samples",
+           "elastic components, or a model without samples");
+  }
+  if (!find_principal_metric(name)) return;
   refuse(settings, name, "has friction or another law that remembers",
          "such laws on another metric than principal stretches: green.xx, I1-bar, ...");
 }
@@ -138,7 +143,7 @@ std::vector<Material> solid_starts(const FitSettings& settings,
       add_component(name, first_component(name, model, scale), combinations(model.addends, scale),
                     starts, more);
     }
-    refuse_memory_of_stretches(settings, name, more.front().components.at(name));
+    refuse_memory(settings, name, more.front().components.at(name));
     starts = std::move(more);
   }
   return starts;

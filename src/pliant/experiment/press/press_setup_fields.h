@@ -15,7 +15,4 @@ namespace pliant {
 /// @throws InputError, also for an indenter that passes beside the body
 void read_press_setup(Fields& fields, PressSetup& setup, std::string& fixed);
 
-/// The vector as documents write it: "[0, 0, -1]".
-std::string vector_text(const Eigen::Vector3d& vector);
-
 }  // namespace pliant

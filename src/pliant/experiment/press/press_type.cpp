@@ -12,10 +12,8 @@
 #include "pliant/experiment/press/press_setup_fields.h"
 #include "pliant/experiment/solid_material.h"
 #include "pliant/experiment/virtual_table.h"
-#include "pliant/geometry/mesh_file_fields.h"
 #include "pliant/geometry/volume_file.h"
 #include "pliant/geometry/volume_source.h"
-#include "pliant/io/named_file.h"
 
 namespace pliant {
 namespace {
@@ -23,11 +21,7 @@ namespace {
 std::shared_ptr<const TestSpec> read_spec(const TestType& kind, Fields& fields) {
   auto spec = std::make_shared<PressSpec>();
   spec->kind = &kind;
-  spec->mesh_file = read_named_file(fields.require("mesh"), "a file of a volume mesh");
-  const double unit = read_file_unit(fields);
-  spec->unit = fields.require("unit").text();
-  spec->up = read_file_up(fields).value_or("z");
-  spec->setup.mesh = read_volume_mesh(spec->mesh_file, {unit, spec->up});
+  spec->setup.mesh = read_body_mesh(fields, spec->mesh_file);
   read_press_setup(fields, spec->setup, spec->fixed);
   return spec;
 }
@@ -103,8 +97,7 @@ const TestType& indentation_type() {
 }
 
 WrittenFields PressSpec::fields() const {
-  WrittenFields fields{
-      {"mesh", std::filesystem::absolute(mesh_file).generic_string()}, {"unit", unit}, {"up", up}};
+  WrittenFields fields = written(mesh_file);
   std::ranges::move(setup_fields(setup, fixed), std::back_inserter(fields));
   return fields;
 }

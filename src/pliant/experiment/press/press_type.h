@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "pliant/experiment/body_fields.h"
 #include "pliant/experiment/press/pressed_body.h"
 #include "pliant/experiment/test_type.h"
 
@@ -19,13 +20,14 @@ const TestType& indentation_type();
 struct PressSpec : TestSpec {
   const TestType* kind = nullptr;
   PressSetup setup;
-  std::filesystem::path mesh_file;
-  std::string unit, up;  ///< of the file, as they are written
-  std::string fixed;     ///< what is held, as it is written
+  BodyFile mesh_file;
+  std::string fixed;  ///< what is held, as it is written
 
   const TestType& type() const override { return *kind; }
   WrittenFields fields() const override;
   bool volume_may_change() const override { return true; }
+  const VolumeMesh* body() const override { return &setup.mesh; }
+  std::vector<std::filesystem::path> files() const override { return {mesh_file.path}; }
 };
 
 /// An indenter that goes in step by step and, where it cycles, back out.

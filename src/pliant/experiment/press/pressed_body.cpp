@@ -31,21 +31,6 @@ std::vector<int> nodes_to_touch(const PressSetup& setup) {
   return nodes;
 }
 
-double extent_of(const VolumeMesh& mesh) {
-  return (mesh.positions.rowwise().maxCoeff() - mesh.positions.rowwise().minCoeff()).norm();
-}
-
-double surface_edge(const PressSetup& setup) {
-  double sum = 0;
-  const Eigen::Matrix3Xi triangles = boundary_surface(setup.mesh).triangles;
-  for (const auto& t : triangles.colwise()) {
-    for (int i = 0; i < 3; ++i) {
-      sum += (setup.mesh.positions.col(t(i)) - setup.mesh.positions.col(t((i + 1) % 3))).norm();
-    }
-  }
-  return sum / static_cast<double>(triangles.size());
-}
-
 std::optional<double> first_touch(const PressSetup& setup) {
   std::optional<double> first;
   for (const int node : nodes_to_touch(setup)) {
@@ -66,7 +51,7 @@ std::optional<double> first_touch(const PressSetup& setup) {
 PressedBody::PressedBody(const PressSetup& setup, const SolidLaw& law, double pressure)
     : setup_(setup),
       triangles_(boundary_surface(setup.mesh).triangles),
-      edge_(surface_edge(setup)),
+      edge_(mean_surface_edge(setup.mesh)),
       thickness_(kThickness * edge_),
       fading_(kFading * edge_),
       tolerance_(kTolerance * stiffness_at_rest(law).cwiseAbs().maxCoeff() * edge_ * edge_),

@@ -23,12 +23,6 @@ struct PressSetup {
 /// Nodes of a mesh that an indenter can touch: those of its surface that are not held.
 std::vector<int> nodes_to_touch(const PressSetup& setup);
 
-/// The diagonal of the box around a mesh (m).
-double extent_of(const VolumeMesh& mesh);
-
-/// The mean length of the edges of the surface that can be touched (m).
-double surface_edge(const PressSetup& setup);
-
 /// How far the indenter's surface is along its direction where it first touches a node at rest (m):
 /// of a plane from the origin, of a sphere's centre from `through`.
 /// @return nothing where a sphere passes beside the body

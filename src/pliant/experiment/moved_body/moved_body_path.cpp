@@ -1,0 +1,76 @@
+#include "pliant/experiment/moved_body/moved_body_path.h"
+
+#include <utility>
+
+#include "pliant/base/assert.h"
+#include "pliant/solver/equilibrium_derivatives.h"
+#include "pliant/solver/within_limits.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kMostHalvings = 8;
+
+}  // namespace
+
+MovedBodyPath::MovedBodyPath(const HeldBody& body, BodyOptions options)
+    : body_(body),
+      options_(std::move(options)),
+      workspace_(body.system()),
+      state_(body.system().initial_state(options_.parameters)),
+      history_by_(Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by))) {}
+
+std::optional<Configuration> MovedBodyPath::equilibrium(Configuration guess,
+                                                        const Eigen::Vector3d& shift) {
+  const Controls controls = body_.controls(shift);
+  body_.system().coordinates().apply(controls, guess);
+  const NewtonOptions newton{.tolerance = body_.tolerance(), .stop = options_.stop};
+  const NewtonSummary found =
+      minimize_within_limits(body_.system(), {state_, options_.parameters, controls}, newton,
+                             workspace_, guess);
+  return found.converged ? std::optional(std::move(guess)) : std::nullopt;
+}
+
+std::optional<BodyPoint> MovedBodyPath::go_to(const Eigen::Vector3d& shift,
+                                              const Eigen::Matrix3Xd* guess) {
+  if (guess) {
+    Configuration near = state_.configuration;
+    near.positions = *guess;
+    if (const auto found = equilibrium(std::move(near), shift)) return accept(*found, shift);
+  }
+  return step(shift, 0);
+}
+
+std::optional<BodyPoint> MovedBodyPath::step(const Eigen::Vector3d& shift, int halvings) {
+  if (const auto found = equilibrium(state_.configuration, shift)) return accept(*found, shift);
+  if (halvings == kMostHalvings) return std::nullopt;
+  if (!step((shift_ + shift) / 2, halvings + 1)) return std::nullopt;
+  return step(shift, halvings + 1);
+}
+
+BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& shift) {
+  const System& system = body_.system();
+  const Controls controls = body_.controls(shift);
+  const Conditions under{state_, options_.parameters, controls};
+  const Objective objective(system, under);
+  BodyPoint point{at.positions, {}, {}, {}};
+  point.force = body_.force(objective.gradient(at));
+  if (!options_.by.empty()) {
+    Eigen::Matrix3Xd gradient;
+    const bool factorized = factorize_at(objective, at, gradient, workspace_).has_value();
+    PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
+    EquilibriumDerivatives by =
+        differentiate_equilibrium(objective, at, options_.by, history_by_, *workspace_.solver);
+    point.positions_by = std::move(by.positions);
+    point.forces_by = std::move(by.forces);
+    system.advance_sensitivity(at, under, options_.by, point.positions_by, history_by_);
+  }
+  State next = state_;
+  system.advance_history(at, under, next.history);
+  next.configuration = at;
+  std::swap(state_, next);
+  shift_ = shift;
+  return point;
+}
+
+}  // namespace pliant

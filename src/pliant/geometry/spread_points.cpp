@@ -1,0 +1,24 @@
+#include "pliant/geometry/spread_points.h"
+
+#include "pliant/base/assert.h"
+
+namespace pliant {
+
+std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count) {
+  PLIANT_ASSERT(count > 0 && count <= points.cols(), "so many points are there");
+  const auto squares_from = [&](const Eigen::Vector3d& place) -> Eigen::RowVectorXd {
+    return (points.colwise() - place).colwise().squaredNorm();
+  };
+  int next = 0;
+  squares_from(points.rowwise().mean()).minCoeff(&next);
+  std::vector<int> taken{next};
+  Eigen::RowVectorXd nearest = squares_from(points.col(next));
+  while (static_cast<int>(taken.size()) < count) {
+    nearest.maxCoeff(&next);
+    taken.push_back(next);
+    nearest = nearest.cwiseMin(squares_from(points.col(next)));
+  }
+  return taken;
+}
+
+}  // namespace pliant

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+/// Points of a set that lie far from each other: the one nearest to the middle, then ever again the
+/// one that is farthest from those that were taken; of several the first.
+/// @param count  at most as many as there are
+/// @return their places in the set, in the order in which they were taken
+std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count);
+
+}  // namespace pliant

@@ -1,0 +1,58 @@
+#include "pliant/material/material_samples.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace pliant {
+namespace {
+
+bool are_alike(const ScalarCurve& a, const ScalarCurve& b) {
+  return a.kind() == b.kind() && a.knots() == b.knots() && a.even() == b.even();
+}
+
+}  // namespace
+
+bool is_heterogeneous(const Material& material) { return !material.samples.at.empty(); }
+
+bool differs_in(const Material& material, const std::string& component) {
+  return is_heterogeneous(material) && material.samples.at.front().components.contains(component);
+}
+
+bool are_alike(const MaterialComponent& a, const MaterialComponent& b) {
+  if (a.stiffness.has_value() != b.stiffness.has_value()) return false;
+  if (a.stiffness && !are_alike(*a.stiffness, *b.stiffness)) return false;
+  return std::ranges::equal(a.addends, b.addends, [](const Addend& one, const Addend& other) {
+    return &one.kind() == &other.kind();
+  });
+}
+
+std::string name_in_sample(std::size_t sample, const std::string& number) {
+  return fmt::format("samples[{}].{}", sample, number);
+}
+
+Material material_at(const Material& material, std::size_t sample) {
+  Material at = material;
+  for (const auto& [name, component] : material.samples.at[sample].components) {
+    at.components[name] = component;
+  }
+  at.samples = {};
+  return at;
+}
+
+void take_means(Material& material) {
+  const std::vector<SampledComponents>& samples = material.samples.at;
+  for (const auto& [name, first] : samples.front().components) {
+    MaterialComponent mean = first;
+    mean.errors.clear();
+    const ComponentLaw law = law_of(first);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(law.parameter_count());
+    for (const SampledComponents& sample : samples) {
+      sum += law_of(sample.components.at(name)).parameters();
+    }
+    set_law(mean, law.with_parameters(sum / static_cast<double>(samples.size())));
+    material.components[name] = mean;
+  }
+}
+
+}  // namespace pliant

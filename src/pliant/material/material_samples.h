@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "pliant/material/material.h"
+
+namespace pliant {
+
+/// Whether a solid differs from place to place.
+bool is_heterogeneous(const Material& material);
+
+/// Whether it differs in a component.
+bool differs_in(const Material& material, const std::string& component);
+
+/// Whether two components differ in their numbers alone.
+bool are_alike(const MaterialComponent& a, const MaterialComponent& b);
+
+/// A number of one of its samples: "samples[2].J.k".
+std::string name_in_sample(std::size_t sample, const std::string& number);
+
+/// What a heterogeneous solid is at one of its samples: a solid that is the same everywhere.
+Material material_at(const Material& material, std::size_t sample);
+
+/// Gives a heterogeneous solid the components that its samples differ in: their means.
+void take_means(Material& material);
+
+}  // namespace pliant

@@ -1,0 +1,97 @@
+#include "pliant/study/body_samples.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/geometry/inside_volume.h"
+#include "pliant/geometry/spread_points.h"
+#include "pliant/mechanics/solid_field.h"
+
+namespace pliant {
+namespace {
+
+/// The body that places are on: that of the first experiment that is fitted.
+const VolumeMesh& body_of(const Study& study) {
+  const VolumeMesh* first = nullptr;
+  for (const ExperimentSpec& spec : study.experiments) {
+    const VolumeMesh* body = spec.test->body();
+    if (!body) {
+      throw InputError(spec.where,
+                       quoted_value(spec.name) +
+                           " is of a piece that is the same everywhere, and the model has samples",
+                       "tests of whole bodies: press, indentation, moved-body");
+    }
+    if (!first && spec.role == ExperimentRole::fit) first = body;
+  }
+  if (first) return *first;
+  throw InputError(study.model.samples->where, "has no experiment to be fitted",
+                   "at least one of a body");
+}
+
+std::vector<Eigen::Vector3d> places_on_grid(const Eigen::Vector3i& cells, const VolumeMesh& body) {
+  const Eigen::Vector3d low = body.positions.rowwise().minCoeff();
+  const Eigen::Vector3d size = body.positions.rowwise().maxCoeff() - low;
+  std::vector<Eigen::Vector3d> places;
+  for (int z = 0; z < cells.z(); ++z) {
+    for (int y = 0; y < cells.y(); ++y) {
+      for (int x = 0; x < cells.x(); ++x) {
+        const Eigen::Array3d share = (Eigen::Array3d(x, y, z) + 0.5) / cells.cast<double>().array();
+        const Eigen::Vector3d place = low + (size.array() * share).matrix();
+        if (is_inside(body, place)) places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
+
+std::vector<Eigen::Vector3d> places_of(const SampleOptions& options, const VolumeMesh& body) {
+  if (!options.places.empty()) return options.places;
+  if (options.spread == 0) return places_on_grid(options.grid, body);
+  if (options.spread > body.node_count()) {
+    throw InputError(options.where, fmt::format("asks for {} places", options.spread),
+                     fmt::format("at most the {} nodes of the body", body.node_count()));
+  }
+  std::vector<Eigen::Vector3d> places;
+  for (const int node : spread_points(body.positions, options.spread)) {
+    places.emplace_back(body.positions.col(node));
+  }
+  return places;
+}
+
+void require_places(const std::vector<Eigen::Vector3d>& places, const SampleOptions& options,
+                    const VolumeMesh& body) {
+  if (places.empty()) {
+    throw InputError(options.where, "has no place within the body", "a finer grid");
+  }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!is_inside(body, places[k])) {
+      throw InputError(options.where, fmt::format("sample {} lies outside the body", k),
+                       "places within the mesh, in its coordinates after `unit` and `up`");
+    }
+    if (std::find(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k), places[k]) !=
+        places.begin() + static_cast<std::ptrdiff_t>(k)) {
+      throw InputError(options.where, fmt::format("sample {} is a second one at its place", k),
+                       "each place once");
+    }
+  }
+}
+
+}  // namespace
+
+MaterialSamples body_samples(const Study& study) {
+  MaterialSamples samples;
+  if (!study.model.samples) return samples;
+  const SampleOptions& options = *study.model.samples;
+  const VolumeMesh& body = body_of(study);
+  const std::vector<Eigen::Vector3d> places = places_of(options, body);
+  require_places(places, options, body);
+  for (const Eigen::Vector3d& place : places) samples.at.push_back({place, {}});
+  const double extent =
+      (body.positions.rowwise().maxCoeff() - body.positions.rowwise().minCoeff()).norm();
+  samples.width = options.width.value_or(places.size() > 1 ? spacing_of_neighbours(places) : extent);
+  return samples;
+}
+
+}  // namespace pliant

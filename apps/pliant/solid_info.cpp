@@ -14,6 +14,7 @@
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/solid/solid_density.h"
+#include "pliant/study/body_samples.h"
 #include "pliant/study/solid_study.h"
 
 #include "apps/pliant/limits_info.h"
@@ -202,11 +203,12 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
     }
     const bool stress = about.quantity.kind == "stress";
     const Dimension measured = stress ? Dimension::stress : Dimension::force;
+    const std::string reach =
+        about.measures_readings()
+            ? "in units of their noise"
+            : "up to " + format_quantity(experiment->reference(), measured, kDigits);
     info.lines.push_back(
-        labelled("data",
-                 fmt::format("{} rows, up to {}", experiment->rows(),
-                             format_quantity(experiment->reference(), measured, kDigits)),
-                 1));
+        labelled("data", fmt::format("{} rows, {}", experiment->rows(), reach), 1));
     for (const std::string& text : about.handled) {
       info.lines.push_back(labelled("handled", text, 1));
     }
@@ -215,8 +217,11 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
         {{"name", spec.name},
          {"type", spec.type},
          {"rows", experiment->rows()},
-         {stress ? "peak_stress_Pa" : "peak_force_N", experiment->reference()},
          {"handled", about.handled}});
+    if (!about.measures_readings()) {
+      info.json["experiments"].back()[stress ? "peak_stress_Pa" : "peak_force_N"] =
+          experiment->reference();
+    }
   }
   std::vector<std::string> components;
   for (const auto& [name, model] : solid_components(study.model, is_compressible(study))) {
@@ -224,6 +229,13 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
   }
   const std::string law = study.model.components.empty() ? study.model.solid_law : "of its own";
   info.json["fit"] = {{"law", law}, {"components", components}};
+  if (study.model.samples) {
+    const MaterialSamples samples = body_samples(study);
+    info.json["fit"]["samples"] = samples.at.size();
+    info.lines.push_back(labelled(
+        "samples", fmt::format("{} places with Gaussians of {}", samples.at.size(),
+                               format_quantity(samples.width, Dimension::length, kDigits))));
+  }
   info.lines.push_back(
       labelled("fit", fmt::format("all together; law {}: {}", law, fmt::join(components, ", "))));
 }

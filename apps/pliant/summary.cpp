@@ -67,6 +67,7 @@ std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
                        format_quantity(e.peak_force, Dimension::stress, 3),
                        1 + e.strain_range.first, 1 + e.strain_range.second);
   }
+  if (e.quantity.kind == "reading") return "forces and positions";
   return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N",
                      strain_in_words(e.component, e.strain_range.second, measure));
@@ -81,6 +82,10 @@ std::string error_text(const ExperimentResult& e) {
   }
   if (e.r_squared) text += fmt::format(", R^2 {:.4f}", *e.r_squared);
   if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
+  if (e.quantity.kind == "reading") {
+    text = fmt::format("{:.3g} times the stated noise, {:.2f} % of the largest", e.rms,
+                       e.rms_percent);
+  }
   if (e.elastic_percent && e.quantity.kind != "length") {
     text += fmt::format(" (best elastic curve: {:.2f} %)", *e.elastic_percent);
   }

@@ -126,7 +126,8 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
   // Readers of scenes and sessions ask whether such files are there, and no more.
-  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"}) {
+  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh", "shifts.csv",
+                           "marks.csv"}) {
     write(name, "");
   }
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
@@ -155,7 +156,9 @@ std::vector<NamedDocument> full_documents() {
           named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml")),
           named("study of a solid", read_yaml(kDocuments / "solid_study.yaml")),
           named("lab of a solid", read_yaml(kDocuments / "solid_lab.yaml")),
-          named("material of a solid", read_json(kDocuments / "rubber.json"))};
+          named("study of a sampled solid", read_yaml(kDocuments / "sampled_study.yaml")),
+          named("material of a solid", read_json(kDocuments / "rubber.json")),
+          named("material of a sampled solid", read_json(kDocuments / "phantom.json"))};
 }
 
 std::vector<NamedDocument> shipped_documents() {

@@ -2,12 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-
-#include "pliant/geometry/hexahedron_shape.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/standard_solids.h"
-#include "pliant/mechanics/solid_field.h"
 
 #include "io/input_error_of.h"
 #include "solids/bodies.h"
@@ -130,107 +126,6 @@ TEST(MovedBodyStudy, RefusesSamplesThatCannotBe) {
                       "samples: {spread: 4}")
                   .problem(),
               HasSubstr("remembers"));
-}
-
-/// A block of 80 x 40 x 40 mm with a ball ten times as stiff in it: C10 at the middles of the cells
-/// of a grid.
-class Inclusion {
- public:
-  explicit Inclusion(const Eigen::Array3i& cells) : cells_(cells) {
-    const Eigen::Array3d cell = size_ / cells.cast<double>();
-    for (int z = 0; z < cells.z(); ++z) {
-      for (int y = 0; y < cells.y(); ++y) {
-        for (int x = 0; x < cells.x(); ++x) {
-          places_.emplace_back(((Eigen::Array3d(x, y, z) + 0.5) * cell).matrix());
-        }
-      }
-    }
-  }
-
-  const std::vector<Eigen::Vector3d>& places() const { return places_; }
-
-  static double number(const Eigen::Vector3d& place) {
-    return (place - Eigen::Vector3d(0.05, 0.01, 0.01)).norm() < 0.014 ? 50e3 : 5e3;
-  }
-
-  Material material() const {
-    Material material = neo_hookean_solid(5e3, 50e3);
-    material.samples.width = 0.1 * size_.x() / cells_.x();  // each cell has its own number
-    for (const Eigen::Vector3d& place : places_) {
-      SampledComponents sample{place, {}};
-      sample.components["I1-bar"] =
-          neo_hookean_solid(number(place), 50e3).components.at("I1-bar");
-      material.samples.at.push_back(sample);
-    }
-    take_means(material);
-    return material;
-  }
-
-  /// Pulled, and pushed to both sides; marks with a noise of 0.1 mm.
-  VirtualMovedBody body(const std::array<int, 3>& study_cells) const {
-    VirtualMovedBody test;
-    test.name = "block";
-    test.setup.mesh = block_of_hexahedra(size_.matrix(), {cells_.x(), cells_.y(), cells_.z()});
-    test.setup.held = nodes_at(test.setup.mesh, 0, 0);
-    test.setup.moved = nodes_at(test.setup.mesh, 0, size_.x());
-    test.study_mesh = block_of_hexahedra(size_.matrix(), study_cells);
-    test.fixed = "-x";
-    test.moved = "+x";
-    test.shifts = {{0.008, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {0, -0.007, 0.007}};
-    test.marks = 300;
-    test.length_noise = 1e-4;
-    test.force_noise = 5e-3;
-    return test;
-  }
-
- private:
-  Eigen::Array3d size_{0.08, 0.04, 0.04};
-  Eigen::Array3i cells_;
-  std::vector<Eigen::Vector3d> places_;
-};
-
-/// Numbers of samples blended at places, a row each.
-Eigen::MatrixXd weights_at(const MaterialSamples& samples,
-                           const std::vector<Eigen::Vector3d>& places) {
-  SolidField field;
-  for (const SampledComponents& sample : samples.at) field.samples.push_back({sample.place, {}});
-  field.width = samples.width;
-  Eigen::MatrixXd weights(std::ssize(places), std::ssize(samples.at));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    weights.row(static_cast<Eigen::Index>(i)) = field.weights_at(places[i]).transpose();
-  }
-  return weights;
-}
-
-TEST(SlowInclusion, IsSeenFromOutside) {
-  const Inclusion inclusion({16, 8, 8});
-  const LabFolder folder = measured(inclusion.material(), inclusion.body({10, 5, 5}));
-  const StudyResult result = fit_study(
-      solid_study(folder, "law: neo-hookean, samples: {grid: [4, 2, 2], width: 8 mm, of: [I1-bar]}"), {}, {});
-  const MaterialSamples& samples = result.material.samples;
-  ASSERT_EQ(samples.at.size(), 16U);
-  const Eigen::MatrixXd weights = weights_at(samples, inclusion.places());
-  Eigen::VectorXd truth(std::ssize(inclusion.places())), found(16);
-  for (std::size_t i = 0; i < inclusion.places().size(); ++i) {
-    truth(static_cast<Eigen::Index>(i)) = Inclusion::number(inclusion.places()[i]);
-  }
-  for (std::size_t k = 0; k < 16; ++k) {
-    found(static_cast<Eigen::Index>(k)) =
-        value_of(result, fmt::format("samples[{}].I1-bar.linear.c", k));
-  }
-  const Eigen::VectorXd best = weights.colPivHouseholderQr().solve(truth);
-  const double off = (weights * found - truth).norm() / truth.norm();
-  const double least = (weights * best - truth).norm() / truth.norm();
-  const double none = (Eigen::VectorXd::Constant(truth.size(), truth.mean()) - truth).norm() / truth.norm();
-  fmt::print("off by {:.3f}, the best that 16 samples can {:.3f}, one material {:.3f}; {:.1f} s\n", off,
-             least, none, result.seconds);
-  for (std::size_t k = 0; k < 16; ++k) {
-    fmt::print("{:.0f} ({:.0f}) +- {:.0f}\n", found(static_cast<Eigen::Index>(k)), best(static_cast<Eigen::Index>(k)),
-               std::ranges::find(result.parameters, fmt::format("samples[{}].I1-bar.linear.c", k), &ParameterEstimate::name)->std_error.value_or(NAN));
-  }
-  for (const auto& text : result.experiments.front().handled) fmt::print("{}\n", text);
-  for (const auto& text : result.warnings) fmt::print("{}\n", text);
-  EXPECT_LT(off, 1.3 * least);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ std::string_view reference_of(const ExperimentResult& e) {
   if (facts_of_test(e.type).bends_by_weight) return "the mean overhang";
   if (facts_of_test(e.type).has_unknown_zero) return "the span of the force";
   if (e.quantity.kind == "distance") return e.sheet ? "the sheet's side" : "the strip's length";
+  if (e.quantity.kind == "reading") return "the largest reading";
   return e.quantity.kind == "length" ? "the range of the lengths" : "the peak";
 }
 

@@ -37,6 +37,8 @@ struct ExperimentInfo {
   std::vector<OwnColumn> columns;
   std::vector<double> time;  ///< s; empty unless measured
 
+  /// Whether rows are of different kinds, each in units of its noise.
+  bool measures_readings() const { return quantity.kind == "reading"; }
   /// Whether what is measured is a length or a distance, and not a force.
   bool measures_length() const { return quantity.kind == "length" || quantity.kind == "distance"; }
   /// What the study states of the noise of what is measured (SI).

@@ -9,6 +9,8 @@ Eigen::Map<const Eigen::Matrix3Xd> by_points(const Eigen::MatrixXd& all, Eigen::
   return {all.col(column).data(), 3, all.rows() / 3};
 }
 
+}  // namespace
+
 // Central differences along each motion: the Hessian has no rows for points that are moved from
 // outside. The motion is scaled to a small part of the distance between neighbours, so that strains
 // change by about 1e-6, far less than friction takes to turn around; at a limit of energy, of which
@@ -33,8 +35,6 @@ Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at
   }
   return changes;
 }
-
-}  // namespace
 
 std::optional<Curvature> factorize_at(const Objective& objective, const Configuration& at,
                                       Eigen::Matrix3Xd& gradient, Workspace& workspace) {
@@ -65,11 +65,7 @@ EquilibriumDerivatives differentiate_equilibrium(const Objective& objective,
   for (Eigen::Index k = 0; k < columns; ++k) {
     result.positions.col(k) = coordinates.motion(at, rates.col(k)).reshaped();
   }
-  if (with_forces) {
-    result.forces += forces_along(objective, at, result.positions);
-  } else {
-    result.forces.resize(0, columns);
-  }
+  if (with_forces) result.forces += forces_along(objective, at, result.positions);
   return result;
 }
 

@@ -72,17 +72,18 @@ std::string sheet_folder(const ExperimentResult& e) { return "sheets/" + e.name;
 Json experiment_json(const ExperimentResult& e) {
   const bool distance = e.quantity.kind == "distance";
   const bool length = e.quantity.kind == "length" || distance;
-  const bool stress = e.quantity.kind == "stress";
+  const bool stress = e.quantity.kind == "stress", reading = e.quantity.kind == "reading";
   Json json{{"name", e.name},
             {"type", e.type},
             {"direction", e.direction},
             {"component", e.component},
             {"role", e.role == ExperimentRole::fit ? "fit" : "validate"},
             {"quantity", e.quantity.name},
-            {"rms_force_N", length || stress ? Json(nullptr) : number(e.rms)},
-            {"peak_force_N", distance || stress ? Json(nullptr) : number(e.peak_force)},
+            {"rms_force_N", length || stress || reading ? Json(nullptr) : number(e.rms)},
+            {"peak_force_N", distance || stress || reading ? Json(nullptr) : number(e.peak_force)},
             {"rms_stress_Pa", stress ? number(e.rms) : Json(nullptr)},
             {"peak_stress_Pa", stress ? number(e.peak_force) : Json(nullptr)},
+            {"rms_in_sd", reading ? number(e.rms) : Json(nullptr)},
             {"rms_percent_of_peak", distance ? Json(nullptr) : number(e.rms_percent)},
             {"rms_percent_of_length", distance ? number(e.rms_percent) : Json(nullptr)},
             {"rms_position_mm", length ? number(e.rms * 1e3) : Json(nullptr)},

@@ -32,6 +32,12 @@ Controls HeldBody::controls(const Eigen::Vector3d& shift) const {
   return controls;
 }
 
+Eigen::MatrixXd HeldBody::moves() const {
+  Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(3 * system_.points(), 3);
+  for (const int node : setup_.moved) moves.middleRows(3 * node, 3).setIdentity();
+  return moves;
+}
+
 Eigen::Vector3d HeldBody::force(const Eigen::Matrix3Xd& gradient) const {
   return gradient(Eigen::all, setup_.moved).rowwise().sum();
 }

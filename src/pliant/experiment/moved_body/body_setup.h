@@ -27,6 +27,8 @@ class HeldBody {
   double tolerance() const { return tolerance_; }
   /// What is moved by some way (m) from where it is at rest.
   Controls controls(const Eigen::Vector3d& shift) const;
+  /// Motions of all nodes in which what is moved goes along x, y and z: 3 nodes x 3.
+  Eigen::MatrixXd moves() const;
   /// The force that moves the body, from forces on all nodes (N).
   Eigen::Vector3d force(const Eigen::Matrix3Xd& gradient) const;
 

@@ -56,13 +56,7 @@ BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& 
   BodyPoint point{at.positions, {}, {}, {}};
   point.force = body_.force(objective.gradient(at));
   if (!options_.by.empty()) {
-    Eigen::Matrix3Xd gradient;
-    const bool factorized = factorize_at(objective, at, gradient, workspace_).has_value();
-    PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
-    EquilibriumDerivatives by =
-        differentiate_equilibrium(objective, at, options_.by, history_by_, *workspace_.solver);
-    point.positions_by = std::move(by.positions);
-    point.forces_by = std::move(by.forces);
+    differentiate(objective, at, point);
     system.advance_sensitivity(at, under, options_.by, point.positions_by, history_by_);
   }
   State next = state_;
@@ -71,6 +65,30 @@ BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& 
   std::swap(state_, next);
   shift_ = shift;
   return point;
+}
+
+// With the energy E at nodes x and moves s of what is led, equilibrium is E_x = 0 and the force E_s.
+// So that dx/dp = -H^-1 E_xp, and the force changes by E_sp - E_sx H^-1 E_xp = u^T (E_xp, E_sp): u is
+// how all nodes go as s does, three solutions in place of one a parameter.
+void MovedBodyPath::differentiate(const Objective& objective, const Configuration& at,
+                                  BodyPoint& point) {
+  Eigen::Matrix3Xd gradient;
+  const bool factorized = factorize_at(objective, at, gradient, workspace_).has_value();
+  PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
+  EquilibriumDerivatives by =
+      differentiate_equilibrium(objective, at, options_.by, history_by_, *workspace_.solver,
+                                /*with_forces=*/false);
+  const Coordinates& coordinates = body_.system().coordinates();
+  Eigen::MatrixXd motions = body_.moves();
+  const Eigen::MatrixXd forces = forces_along(objective, at, motions);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Eigen::Map<const Eigen::Matrix3Xd> along(forces.col(axis).data(), 3, at.positions.cols());
+    const Eigen::VectorXd answer =
+        workspace_.solver->solve_all(-coordinates.reduce(at, along)).col(0);
+    motions.col(axis) += coordinates.motion(at, answer).reshaped();
+  }
+  point.force_by = motions.transpose() * by.forces;
+  point.positions_by = std::move(by.positions);
 }
 
 }  // namespace pliant

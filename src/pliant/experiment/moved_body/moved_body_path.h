@@ -5,6 +5,7 @@
 
 #include "pliant/base/progress.h"
 #include "pliant/experiment/moved_body/body_setup.h"
+#include "pliant/solver/objective.h"
 #include "pliant/solver/workspace.h"
 
 namespace pliant {
@@ -13,7 +14,8 @@ namespace pliant {
 struct BodyPoint {
   Eigen::Matrix3Xd positions;               ///< of the nodes (m)
   Eigen::Vector3d force{0, 0, 0};           ///< that moves it (N)
-  Eigen::MatrixXd positions_by, forces_by;  ///< 3 nodes x chosen parameters; of all nodes
+  Eigen::MatrixXd positions_by;             ///< 3 nodes x chosen parameters
+  Eigen::MatrixXd force_by;                 ///< 3 x chosen parameters
 };
 
 struct BodyOptions {
@@ -37,6 +39,7 @@ class MovedBodyPath {
   std::optional<Configuration> equilibrium(Configuration guess, const Eigen::Vector3d& shift);
   std::optional<BodyPoint> step(const Eigen::Vector3d& shift, int halvings);
   BodyPoint accept(const Configuration& at, const Eigen::Vector3d& shift);
+  void differentiate(const Objective& objective, const Configuration& at, BodyPoint& point);
 
   const HeldBody& body_;
   BodyOptions options_;

@@ -48,10 +48,7 @@ PredictedFrame MovedBodyPredictor::rows_of(const Frame& frame, const BodyPoint& 
         experiment_.readings()[static_cast<std::size_t>(frame.first + row)];
     if (reading.mark < 0) {
       rows.value(row) = point.force(reading.axis) / reading.noise;
-      if (by == 0) continue;
-      for (const int node : experiment_.setup().moved) {
-        rows.by.row(row) += point.forces_by.row(3 * node + reading.axis) / reading.noise;
-      }
+      if (by > 0) rows.by.row(row) = point.force_by.row(reading.axis) / reading.noise;
       continue;
     }
     const SurfacePlace& place =

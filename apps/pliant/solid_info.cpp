@@ -10,9 +10,9 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/material/material_samples.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/study/body_samples.h"
 #include "pliant/study/solid_study.h"
@@ -149,12 +149,12 @@ void add_samples(const Material& material, FileInfo& info) {
     differing.push_back(name);
   }
   const std::size_t count = material.samples.at.size();
-  info.json["samples"] = {
-      {"count", count}, {"width", material.samples.width}, {"of", differing}};
-  info.lines.push_back(labelled(
-      "samples", fmt::format("{} places with Gaussians of {}; {} above and below: their mean", count,
-                             format_quantity(material.samples.width, Dimension::length, kDigits),
-                             fmt::join(differing, ", "))));
+  info.json["samples"] = {{"count", count}, {"width", material.samples.width}, {"of", differing}};
+  info.lines.push_back(
+      labelled("samples",
+               fmt::format("{} places with Gaussians of {}; {} above and below: their mean", count,
+                           format_quantity(material.samples.width, Dimension::length, kDigits),
+                           fmt::join(differing, ", "))));
 }
 
 }  // namespace
@@ -213,11 +213,10 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
       info.lines.push_back(labelled("handled", text, 1));
     }
     for (const std::string& text : about.warnings) info.warnings.push_back(spec.name + ": " + text);
-    info.json["experiments"].push_back(
-        {{"name", spec.name},
-         {"type", spec.type},
-         {"rows", experiment->rows()},
-         {"handled", about.handled}});
+    info.json["experiments"].push_back({{"name", spec.name},
+                                        {"type", spec.type},
+                                        {"rows", experiment->rows()},
+                                        {"handled", about.handled}});
     if (!about.measures_readings()) {
       info.json["experiments"].back()[stress ? "peak_stress_Pa" : "peak_force_N"] =
           experiment->reference();

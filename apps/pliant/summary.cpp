@@ -83,8 +83,8 @@ std::string error_text(const ExperimentResult& e) {
   if (e.r_squared) text += fmt::format(", R^2 {:.4f}", *e.r_squared);
   if (e.quantity.kind == "length") text = fmt::format("{:.3g} mm", e.rms * 1e3);
   if (e.quantity.kind == "reading") {
-    text = fmt::format("{:.3g} times the stated noise, {:.2f} % of the largest", e.rms,
-                       e.rms_percent);
+    text =
+        fmt::format("{:.3g} times the stated noise, {:.2f} % of the largest", e.rms, e.rms_percent);
   }
   if (e.elastic_percent && e.quantity.kind != "length") {
     text += fmt::format(" (best elastic curve: {:.2f} %)", *e.elastic_percent);

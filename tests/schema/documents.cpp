@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
 const fs::path kSource = PLIANT_SOURCE_DIR, kDocuments = kSource / "tests/schema/documents";
 
 NamedDocument named(const std::string& name, const Document& document) {
@@ -126,10 +125,8 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
   // Readers of scenes and sessions ask whether such files are there, and no more.
-  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh", "shifts.csv",
-                           "marks.csv"}) {
+  for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"})
     write(name, "");
-  }
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];

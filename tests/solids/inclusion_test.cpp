@@ -10,10 +10,10 @@
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/standard_solids.h"
-#include "pliant/mechanics/solid_field.h"
 #include "pliant/study/body_samples.h"
 
 #include "solids/solid_labs.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -61,8 +61,7 @@ class StiffPlace {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const double c = numbers_(static_cast<Eigen::Index>(i));
       material.samples.at.push_back(
-          {places_[i],
-           {{"I1-bar", neo_hookean_solid(c, 10 * kSoft).components.at("I1-bar")}}});
+          {places_[i], {{"I1-bar", neo_hookean_solid(c, 10 * kSoft).components.at("I1-bar")}}});
     }
     take_means(material);
     return material;
@@ -87,12 +86,9 @@ class StiffPlace {
 
   /// What samples weigh at the places, a row each.
   Eigen::MatrixXd weights(const MaterialSamples& samples) const {
-    SolidField field;
-    field.width = samples.width;
-    for (const SampledComponents& sample : samples.at) field.samples.push_back({sample.place, {}});
     Eigen::MatrixXd weights(std::ssize(places_), std::ssize(samples.at));
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      weights.row(static_cast<Eigen::Index>(i)) = field.weights_at(places_[i]).transpose();
+      weights.row(static_cast<Eigen::Index>(i)) = weights_at(samples, places_[i]).transpose();
     }
     return weights;
   }
@@ -158,7 +154,7 @@ TEST(SlowInclusion, IsSeenFromOutside) {
   const Seen seen = see(kSoftEdged);
   EXPECT_LT(seen.field, 1.3 * seen.best);
   EXPECT_LT(seen.field, 0.4 * seen.one);
-  if (std::getenv("PLIANT_ALL_INCLUSIONS")) see(kBall);
+  if (test::makes_figures()) see(kBall);
 }
 
 // [T] 4.3 takes differences: an equilibrium of all frames for each number, here each from where the

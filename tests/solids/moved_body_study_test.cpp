@@ -22,8 +22,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kSampled = "law: neo-hookean, samples: {grid: [2, 1, 1], of: [I1-bar]}";
 
-LabFolder measured(const Material& material, const VirtualMovedBody& body,
-                   std::uint64_t seed = 1) {
+LabFolder measured(const Material& material, const VirtualMovedBody& body, std::uint64_t seed = 1) {
   return LabFolder(test::measurements_of(test::lab_of(material, {body}), seed));
 }
 

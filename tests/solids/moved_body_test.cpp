@@ -1,7 +1,8 @@
+#include "pliant/experiment/moved_body/moved_body.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/experiment/moved_body/moved_body.h"
 #include "pliant/experiment/stored_rows.h"
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/material/material_file.h"
@@ -53,9 +54,9 @@ TEST(MovedBody, IsDifferentiatedByTheNumbersOfItsSamples) {
   const LabFolder folder = measured(material, test::moved_block());
   const auto experiment = experiment_of(test::solid_study(folder, "law: neo-hookean"));
   const auto predictor = experiment->predictor(material);
-  EXPECT_THAT(predictor->parameters(), ::testing::UnorderedElementsAre(
-                                           "samples[0].I1-bar.linear.c", "samples[0].J.k",
-                                           "samples[1].I1-bar.linear.c", "samples[1].J.k"));
+  EXPECT_THAT(predictor->parameters(),
+              ::testing::UnorderedElementsAre("samples[0].I1-bar.linear.c", "samples[0].J.k",
+                                              "samples[1].I1-bar.linear.c", "samples[1].J.k"));
   const Eigen::VectorXd values = predictor->values();
   const std::vector<int> all{0, 1, 2, 3};
   const Eigen::MatrixXd by = predicted(*experiment, *predictor, values, all).rows().by;
@@ -64,10 +65,9 @@ TEST(MovedBody, IsDifferentiatedByTheNumbersOfItsSamples) {
     Eigen::VectorXd more = values, less = values;
     more(p) += change;
     less(p) -= change;
-    const Eigen::VectorXd difference =
-        (predicted(*experiment, *predictor, more, {}).rows().value -
-         predicted(*experiment, *predictor, less, {}).rows().value) /
-        (2 * change);
+    const Eigen::VectorXd difference = (predicted(*experiment, *predictor, more, {}).rows().value -
+                                        predicted(*experiment, *predictor, less, {}).rows().value) /
+                                       (2 * change);
     EXPECT_LT((by.col(p) - difference).norm(), 1e-4 * difference.norm()) << p;
   }
 }
@@ -121,8 +121,9 @@ InputError refusal(const std::string& what, const std::string& by) {
 
 TEST(HeterogeneousMaterial, HasSamplesThatDifferInNumbersAlone) {
   EXPECT_THAT(refusal("\"I1-bar\": {", "\"I2-bar\": {").problem(), HasSubstr("more than numbers"));
-  EXPECT_THAT(refusal("\"components\": {\n    \"J\"", "\"components\": {\n    \"I1-bar\": {\"stiffness\": "
-                                                  "{\"curve\": \"constant\", \"value\": 1}}, \"J\"")
+  EXPECT_THAT(refusal("\"components\": {\n    \"J\"",
+                      "\"components\": {\n    \"I1-bar\": {\"stiffness\": "
+                      "{\"curve\": \"constant\", \"value\": 1}}, \"J\"")
                   .problem(),
               HasSubstr("under `components` too"));
   EXPECT_THAT(refusal("\"width\": 0.015", "\"width\": 0").problem(), HasSubstr("not positive"));

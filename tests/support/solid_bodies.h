@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pliant/geometry/block_mesh.h"
+#include "pliant/geometry/spread_points.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/mechanics/solid_field.h"
 #include "pliant/solver/static_solver.h"

@@ -9,7 +9,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t kMaxWordSize = 200;  // longer words are no slips of a known name
-constexpr std::size_t kMaxNamesShown = 16;
+constexpr std::size_t kMaxNamesShown = 24;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

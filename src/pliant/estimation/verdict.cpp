@@ -84,6 +84,8 @@ std::string_view reference(const Experiments& experiments) {
       count([](const auto* e) { return e->quantity.name.starts_with("overhang"); });
   if (overhangs == all) return "the mean overhang";
   if (overhangs > 0) return "peak force, range of lengths or overhang";
+  const auto readings = count([](const auto* e) { return e->quantity.kind == "reading"; });
+  if (readings == all) return "the largest reading";
   const auto lengths = count([](const auto* e) { return e->quantity.kind == "length"; });
   const auto spans = count([](const auto* e) { return facts_of_test(e->type).has_unknown_zero; });
   if (spans == all) return "the span of the force";

@@ -10,9 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/material/material_samples.h"
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/density/rubber_energies.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {

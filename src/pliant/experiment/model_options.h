@@ -24,9 +24,9 @@ struct ComponentModel {
 struct SampleOptions {
   std::vector<Eigen::Vector3d> places = {};  ///< by hand (m)
   Eigen::Vector3i grid{0, 0, 0};             ///< at the middles of so many cells of the body's box
-  int spread = 0;                            ///< so many nodes of the body, each far from the others
-  std::optional<double> width = {};          ///< m; absent: the mean distance of neighbours
-  std::vector<std::string> of = {};          ///< components that differ; empty: all
+  int spread = 0;                    ///< so many nodes of the body, each far from the others
+  std::optional<double> width = {};  ///< m; absent: the mean distance of neighbours
+  std::vector<std::string> of = {};  ///< components that differ; empty: all
   Location where = {};
 };
 

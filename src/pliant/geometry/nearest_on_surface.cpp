@@ -26,9 +26,8 @@ Eigen::Vector3d nearest_on_edge(const Corners& x, int i, int j, const Eigen::Vec
 Eigen::Vector3d foot(const Corners& x, const Eigen::Vector3d& place) {
   Eigen::Matrix<double, 3, 2> edges;
   edges << x.col(1) - x.col(0), x.col(2) - x.col(0);
-  const Eigen::Vector2d along = (edges.transpose() * edges)
-                                    .partialPivLu()
-                                    .solve(edges.transpose() * (place - x.col(0)));
+  const Eigen::Vector2d along =
+      (edges.transpose() * edges).partialPivLu().solve(edges.transpose() * (place - x.col(0)));
   return {1 - along.sum(), along(0), along(1)};
 }
 

@@ -6,9 +6,9 @@ namespace pliant {
 
 /// A place on a surface of triangles.
 struct SurfacePlace {
-  Eigen::Vector3i nodes{0, 0, 0};                   ///< of its triangle
+  Eigen::Vector3i nodes{0, 0, 0};                    ///< of its triangle
   Eigen::Vector3d shares = Eigen::Vector3d::Zero();  ///< of these, each in [0, 1], of sum 1
-  double distance = 0;                              ///< from the place that was asked for (m)
+  double distance = 0;                               ///< from the place that was asked for (m)
 
   Eigen::Vector3d at(const Eigen::Matrix3Xd& positions) const {
     return positions(Eigen::all, nodes) * shares;

@@ -1,5 +1,8 @@
 #include "pliant/geometry/spread_points.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "pliant/base/assert.h"
 
 namespace pliant {
@@ -19,6 +22,19 @@ std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count) {
     nearest = nearest.cwiseMin(squares_from(points.col(next)));
   }
   return taken;
+}
+
+double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places) {
+  if (places.size() < 2) return 0;
+  double sum = 0;
+  for (const Eigen::Vector3d& own : places) {
+    double nearest = INFINITY;
+    for (const Eigen::Vector3d& other : places) {
+      if (&other != &own) nearest = std::min(nearest, (other - own).norm());
+    }
+    sum += nearest;
+  }
+  return sum / static_cast<double>(places.size());
 }
 
 }  // namespace pliant

@@ -12,4 +12,7 @@ namespace pliant {
 /// @return their places in the set, in the order in which they were taken
 std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count);
 
+/// The mean distance of places to their nearest neighbour; 0 of a single one.
+double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places);
+
 }  // namespace pliant

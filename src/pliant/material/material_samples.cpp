@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/math/gaussian_weights.h"
+
 namespace pliant {
 namespace {
 
@@ -25,6 +27,14 @@ bool are_alike(const MaterialComponent& a, const MaterialComponent& b) {
   return std::ranges::equal(a.addends, b.addends, [](const Addend& one, const Addend& other) {
     return &one.kind() == &other.kind();
   });
+}
+
+Eigen::VectorXd weights_at(const MaterialSamples& samples, const Eigen::Vector3d& place) {
+  Eigen::VectorXd squares(std::ssize(samples.at));
+  for (Eigen::Index k = 0; k < squares.size(); ++k) {
+    squares(k) = (place - samples.at[static_cast<std::size_t>(k)].place).squaredNorm();
+  }
+  return gaussian_weights(squares, samples.width);
 }
 
 std::string name_in_sample(std::size_t sample, const std::string& number) {

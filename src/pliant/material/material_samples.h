@@ -16,6 +16,9 @@ bool differs_in(const Material& material, const std::string& component);
 /// Whether two components differ in their numbers alone.
 bool are_alike(const MaterialComponent& a, const MaterialComponent& b);
 
+/// What each sample weighs at a place of the body at rest, in sum 1.
+Eigen::VectorXd weights_at(const MaterialSamples& samples, const Eigen::Vector3d& place);
+
 /// A number of one of its samples: "samples[2].J.k".
 std::string name_in_sample(std::size_t sample, const std::string& number);
 

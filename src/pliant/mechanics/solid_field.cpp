@@ -7,6 +7,7 @@
 #include "pliant/material/density/blended_density.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/positive_stiffness.h"
+#include "pliant/math/gaussian_weights.h"
 
 namespace pliant {
 namespace {
@@ -33,13 +34,7 @@ Eigen::VectorXd SolidField::weights_at(const Eigen::Vector3d& place) const {
   for (Eigen::Index k = 0; k < squares.size(); ++k) {
     squares(k) = (place - samples[static_cast<std::size_t>(k)].place).squaredNorm();
   }
-  // Those far away count nothing, rather than next to nothing.
-  constexpr double kNothing = 1e-9;
-  const double least = squares.minCoeff();
-  Eigen::VectorXd weights = (-(squares.array() - least) / (2 * width * width)).exp().matrix();
-  if (samples.size() == 1) weights.setOnes();
-  weights = (weights.array() < kNothing).select(0, weights);
-  return weights / weights.sum();
+  return gaussian_weights(squares, width);
 }
 
 double SolidField::density_at(const Eigen::Vector3d& place) const {
@@ -49,19 +44,6 @@ double SolidField::density_at(const Eigen::Vector3d& place) const {
     density += weights(k) * samples[static_cast<std::size_t>(k)].material.density;
   }
   return density;
-}
-
-double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places) {
-  if (places.size() < 2) return 0;
-  double sum = 0;
-  for (const Eigen::Vector3d& own : places) {
-    double nearest = INFINITY;
-    for (const Eigen::Vector3d& other : places) {
-      if (&other != &own) nearest = std::min(nearest, (other - own).norm());
-    }
-    sum += nearest;
-  }
-  return sum / static_cast<double>(places.size());
 }
 
 bool are_alike(const std::vector<MaterialSample>& samples) {

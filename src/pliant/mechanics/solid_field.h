@@ -29,9 +29,6 @@ struct SolidField {
 /// That of a heterogeneous solid.
 SolidField solid_field(const Material& material);
 
-/// The mean distance of places to their nearest neighbour; 0 of a single one.
-double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places);
-
 /// Whether materials differ in their numbers alone.
 bool are_alike(const std::vector<MaterialSample>& samples);
 

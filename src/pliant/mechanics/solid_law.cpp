@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "pliant/material/solid/solid_density.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/solid/solid_density.h"
 #include "pliant/mechanics/solid.h"
 #include "pliant/mechanics/solid_field.h"
 
@@ -70,7 +70,8 @@ Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law) {
   for (int k = 0; k < 36; ++k) stiffness(k) = of_points.tangent(0, k);
   if (law.of_volume) {
     // J - 1 is the trace of E there.
-    stiffness.topLeftCorner<3, 3>().array() += response_at_rest(*law.of_volume, 1, samples).tangent(0, 0);
+    stiffness.topLeftCorner<3, 3>().array() +=
+        response_at_rest(*law.of_volume, 1, samples).tangent(0, 0);
   }
   return stiffness;
 }

@@ -28,6 +28,7 @@ std::size_t row_budget(std::size_t experiments) {
 
 std::string_view reference_of(const ResultExperiment& e) {
   if (e.measures_overhangs()) return "mean overhang";
+  if (e.measures_readings()) return "the largest reading";
   if (e.measures_lengths()) return "range of the lengths";
   return facts_of_test(e.type).has_unknown_zero ? "the span of the force" : "peak";
 }
@@ -92,7 +93,9 @@ std::string residuals(const ResultExperiment& e, const Prediction& prediction, s
   std::string html;
   for (const ResidualAbscissa abscissa : {ResidualAbscissa::strain, ResidualAbscissa::time}) {
     // Overhangs at one angle all belong to the same strain.
-    if (abscissa == ResidualAbscissa::strain && e.measures_overhangs()) continue;
+    if (abscissa == ResidualAbscissa::strain && (e.measures_overhangs() || e.measures_readings())) {
+      continue;
+    }
     Figure figure = residual_figure(e, prediction, abscissa, membrane, budget);
     figure.print_size = kResidualSize;
     const std::string order = prediction.time.empty() ? "in the order measured" : "against time";
@@ -115,7 +118,7 @@ std::string loop_part(const ResultExperiment& e, const Prediction& prediction, s
                       std::optional<MembraneMeasure> membrane, FigureSheet& figures) {
   LoopFigure loop = loop_figure(e, prediction, {.budget = budget, .membrane = membrane});
   loop.figure.print_size = kLoopSize;
-  std::string drawn = e.measures_overhangs() ? "Readings" : "Loops";
+  std::string drawn = e.measures_overhangs() || e.measures_readings() ? "Readings" : "Loops";
   if (loop.drawn < loop.total) {
     drawn += fmt::format(" ({} of {} points drawn)", loop.drawn, loop.total);
   }

@@ -64,8 +64,22 @@ LoopCoordinates overhang_against_reading(const ResultExperiment& e, const Predic
           false};
 }
 
+/// Forces and positions have nothing in common along x but what the material says of them.
+LoopCoordinates measured_against_predicted(const Prediction& p) {
+  return {{"Material, in units of the noise", ""},
+          {"Measured", ""},
+          p.predicted,
+          p.predicted,
+          p.elastic,
+          p.measured,
+          p.predicted,
+          p.elastic,
+          false};
+}
+
 LoopCoordinates coordinates(const ResultExperiment& e, const Prediction& p,
                             std::optional<MembraneMeasure> membrane) {
+  if (e.measures_readings()) return measured_against_predicted(p);
   if (e.measures_overhangs()) return overhang_against_reading(e, p);
   const bool lengths = e.quantity.starts_with("length") && !p.driver.empty();
   return lengths ? length_against_load(e, p) : quantity_against_strain(e, p, membrane);

@@ -45,6 +45,8 @@ struct ResultExperiment {
 
   bool measures_sheets() const { return !sheet_folder.empty(); }
   bool measures_lengths() const { return quantity.starts_with("length"); }
+  /// Rows of different kinds, each in units of its noise.
+  bool measures_readings() const { return quantity == "reading"; }
   bool measures_overhangs() const { return quantity.starts_with("overhang"); }
 
   std::optional<double> rms_force, peak_force;  ///< N, or N/m for shear

@@ -4,6 +4,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/geometry/inside_volume.h"
+#include "pliant/geometry/spread_points.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/positive_stiffness.h"

@@ -16,8 +16,8 @@ struct EquilibriumDerivatives {
   Eigen::MatrixXd forces;     ///< total: dF/dx dx/dp + dF/dp ([T] Eq. 3.8); or dF/dp alone
 };
 
-/// How forces change as points move: H times each motion (3 points x motions), points that are moved
-/// from outside included.
+/// How forces change as points move: H times each motion (3 points x motions), points that are
+/// moved from outside included.
 Eigen::MatrixXd forces_along(const Objective& objective, const Configuration& at,
                              const Eigen::MatrixXd& motions);
 

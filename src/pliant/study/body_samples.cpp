@@ -7,27 +7,18 @@
 #include "pliant/base/errors.h"
 #include "pliant/geometry/inside_volume.h"
 #include "pliant/geometry/spread_points.h"
-#include "pliant/mechanics/solid_field.h"
 
 namespace pliant {
 namespace {
 
-/// The body that places are on: that of the first experiment that is fitted.
-const VolumeMesh& body_of(const Study& study) {
-  const VolumeMesh* first = nullptr;
+void require_bodies(const Study& study) {
   for (const ExperimentSpec& spec : study.experiments) {
-    const VolumeMesh* body = spec.test->body();
-    if (!body) {
-      throw InputError(spec.where,
-                       quoted_value(spec.name) +
-                           " is of a piece that is the same everywhere, and the model has samples",
-                       "tests of whole bodies: press, indentation, moved-body");
-    }
-    if (!first && spec.role == ExperimentRole::fit) first = body;
+    if (spec.test->body()) continue;
+    throw InputError(spec.where,
+                     quoted_value(spec.name) +
+                         " is of a piece that is the same everywhere, and the model has samples",
+                     "tests of whole bodies, of which a study names the mesh");
   }
-  if (first) return *first;
-  throw InputError(study.model.samples->where, "has no experiment to be fitted",
-                   "at least one of a body");
 }
 
 std::vector<Eigen::Vector3d> places_on_grid(const Eigen::Vector3i& cells, const VolumeMesh& body) {
@@ -80,17 +71,30 @@ void require_places(const std::vector<Eigen::Vector3d>& places, const SampleOpti
 
 }  // namespace
 
+const VolumeMesh* body_of_samples(const Study& study) {
+  for (const ExperimentSpec& spec : study.experiments) {
+    if (spec.role == ExperimentRole::fit) return spec.test->body();
+  }
+  return nullptr;
+}
+
 MaterialSamples body_samples(const Study& study) {
   MaterialSamples samples;
   if (!study.model.samples) return samples;
   const SampleOptions& options = *study.model.samples;
-  const VolumeMesh& body = body_of(study);
+  require_bodies(study);
+  const VolumeMesh* first = body_of_samples(study);
+  if (!first) {
+    throw InputError(options.where, "has no experiment to be fitted", "at least one of a body");
+  }
+  const VolumeMesh& body = *first;
   const std::vector<Eigen::Vector3d> places = places_of(options, body);
   require_places(places, options, body);
   for (const Eigen::Vector3d& place : places) samples.at.push_back({place, {}});
   const double extent =
       (body.positions.rowwise().maxCoeff() - body.positions.rowwise().minCoeff()).norm();
-  samples.width = options.width.value_or(places.size() > 1 ? spacing_of_neighbours(places) : extent);
+  samples.width =
+      options.width.value_or(places.size() > 1 ? spacing_of_neighbours(places) : extent);
   return samples;
 }
 

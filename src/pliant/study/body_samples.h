@@ -11,4 +11,7 @@ namespace pliant {
 ///         one's, for two at one place, and for more than it has nodes
 MaterialSamples body_samples(const Study& study);
 
+/// The body of the first experiment that is fitted, at rest; null where it is of a piece.
+const VolumeMesh* body_of_samples(const Study& study);
+
 }  // namespace pliant

@@ -8,6 +8,7 @@
 
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/material_file.h"
+#include "pliant/study/body_map.h"
 #include "pliant/study/frame_measure_table.h"
 #include "pliant/study/shape_table.h"
 #include "pliant/study/whole_sheet_files.h"
@@ -411,6 +412,7 @@ std::vector<std::pair<std::string, std::string>> fit_files(const StudyResult& re
   files.emplace_back("fit.json", summary_text(result, facts, true));
   files.emplace_back("parameters.csv", parameters_csv(result));
   add_tables(result, files);
+  if (result.body) files.emplace_back("body.vtu", body_map(result));
   return files;
 }
 

@@ -11,10 +11,10 @@
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/registry.h"
-#include "pliant/io/vector_fields.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
+#include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/limit_fields.h"
 #include "pliant/measurement/data_source.h"
@@ -192,13 +192,16 @@ SampleOptions read_samples(const Value& node) {
     ++ways;
     const std::vector<Value> cells = v->items();
     if (cells.size() != 3) v->fail("has no three numbers", "cells along x, y and z: [4, 2, 2]");
-    for (int i = 0; i < 3; ++i) samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
+    for (int i = 0; i < 3; ++i)
+      samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
   }
   if (auto v = fields.optional("spread")) {
     ++ways;
     samples.spread = v->integer(1, 10000);
   }
-  if (ways != 1) node.fail("says where the samples are in no way, or in several", "one of `at`, `grid` and `spread`");
+  if (ways != 1)
+    node.fail("says where the samples are in no way, or in several",
+              "one of `at`, `grid` and `spread`");
   if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("of")) {
     const std::vector<std::string_view> names(solid_component_names().begin(),

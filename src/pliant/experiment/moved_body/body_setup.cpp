@@ -7,9 +7,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;  // of stiffness times an element's mean side, squared
 
-double mean_side(const VolumeMesh& mesh) {
-  return std::cbrt(element_volumes(mesh).mean());
-}
+double mean_side(const VolumeMesh& mesh) { return std::cbrt(element_volumes(mesh).mean()); }
 
 }  // namespace
 

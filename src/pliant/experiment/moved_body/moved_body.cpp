@@ -14,8 +14,8 @@ namespace pliant {
 namespace {
 
 constexpr std::array kAxes{"x", "y", "z"};
-constexpr double kOffSurface = 0.5;     // of an edge: farther away is not on the body
-constexpr double kSomeStress = 1e4;     // Pa; where no force tells it
+constexpr double kOffSurface = 0.5;  // of an edge: farther away is not on the body
+constexpr double kSomeStress = 1e4;  // Pa; where no force tells it
 
 /// The area of the surface that some nodes have to themselves; of edges and single nodes that of a
 /// tenth of the body.
@@ -23,8 +23,8 @@ double area_of(const VolumeMesh& mesh, const std::vector<int>& nodes) {
   double area = 0;
   const Eigen::Matrix3Xi triangles = boundary_surface(mesh).triangles;
   for (const auto& t : triangles.colwise()) {
-    const bool all = std::ranges::all_of(
-        t, [&](int node) { return std::ranges::binary_search(nodes, node); });
+    const bool all =
+        std::ranges::all_of(t, [&](int node) { return std::ranges::binary_search(nodes, node); });
     if (!all) continue;
     const Eigen::Vector3d a = mesh.positions.col(t(0));
     const Eigen::Vector3d to_b = mesh.positions.col(t(1)) - a, to_c = mesh.positions.col(t(2)) - a;
@@ -170,8 +170,8 @@ void MovedBodyTest::take_rows(const std::vector<Row>& rows) {
     const BodyReading& reading = sorted[i].reading;
     readings_.push_back(reading);
     measured_(static_cast<Eigen::Index>(i)) = sorted[i].value / reading.noise;
-    if (frames_.empty() || readings_[static_cast<std::size_t>(frames_.back().first)].frame !=
-                               reading.frame) {
+    if (frames_.empty() ||
+        readings_[static_cast<std::size_t>(frames_.back().first)].frame != reading.frame) {
       frames_.push_back({static_cast<int>(i), 0, 0});
     }
     ++frames_.back().count;
@@ -210,9 +210,8 @@ std::vector<std::vector<int>> MovedBodyTest::series() const {
   for (std::size_t row = 0; row < readings_.size(); ++row) {
     const BodyReading& reading = readings_[row];
     const auto axis = static_cast<std::size_t>(reading.axis);
-    std::vector<int>& own = reading.mark < 0
-                                ? forces[axis]
-                                : marks[3 * static_cast<std::size_t>(reading.frame) + axis];
+    std::vector<int>& own =
+        reading.mark < 0 ? forces[axis] : marks[3 * static_cast<std::size_t>(reading.frame) + axis];
     own.push_back(static_cast<int>(row));
   }
   std::ranges::copy(forces, std::back_inserter(marks));

@@ -25,9 +25,8 @@ std::optional<Configuration> MovedBodyPath::equilibrium(Configuration guess,
   const Controls controls = body_.controls(shift);
   body_.system().coordinates().apply(controls, guess);
   const NewtonOptions newton{.tolerance = body_.tolerance(), .stop = options_.stop};
-  const NewtonSummary found =
-      minimize_within_limits(body_.system(), {state_, options_.parameters, controls}, newton,
-                             workspace_, guess);
+  const NewtonSummary found = minimize_within_limits(
+      body_.system(), {state_, options_.parameters, controls}, newton, workspace_, guess);
   return found.converged ? std::optional(std::move(guess)) : std::nullopt;
 }
 
@@ -67,9 +66,9 @@ BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& 
   return point;
 }
 
-// With the energy E at nodes x and moves s of what is led, equilibrium is E_x = 0 and the force E_s.
-// So that dx/dp = -H^-1 E_xp, and the force changes by E_sp - E_sx H^-1 E_xp = u^T (E_xp, E_sp): u is
-// how all nodes go as s does, three solutions in place of one a parameter.
+// With the energy E at nodes x and moves s of what is led, equilibrium is E_x = 0 and the force
+// E_s. So that dx/dp = -H^-1 E_xp, and the force changes by E_sp - E_sx H^-1 E_xp = u^T (E_xp,
+// E_sp): u is how all nodes go as s does, three solutions in place of one a parameter.
 void MovedBodyPath::differentiate(const Objective& objective, const Configuration& at,
                                   BodyPoint& point) {
   Eigen::Matrix3Xd gradient;

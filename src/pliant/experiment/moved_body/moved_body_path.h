@@ -12,10 +12,10 @@ namespace pliant {
 
 /// An equilibrium of a body that is moved.
 struct BodyPoint {
-  Eigen::Matrix3Xd positions;               ///< of the nodes (m)
-  Eigen::Vector3d force{0, 0, 0};           ///< that moves it (N)
-  Eigen::MatrixXd positions_by;             ///< 3 nodes x chosen parameters
-  Eigen::MatrixXd force_by;                 ///< 3 x chosen parameters
+  Eigen::Matrix3Xd positions;      ///< of the nodes (m)
+  Eigen::Vector3d force{0, 0, 0};  ///< that moves it (N)
+  Eigen::MatrixXd positions_by;    ///< 3 nodes x chosen parameters
+  Eigen::MatrixXd force_by;        ///< 3 x chosen parameters
 };
 
 struct BodyOptions {

@@ -51,10 +51,8 @@ PredictedFrame MovedBodyPredictor::rows_of(const Frame& frame, const BodyPoint& 
       if (by > 0) rows.by.row(row) = point.force_by.row(reading.axis) / reading.noise;
       continue;
     }
-    const SurfacePlace& place =
-        experiment_.marks()[static_cast<std::size_t>(reading.mark)].place;
-    rows.value(row) =
-        (place.at(point.positions) - place.at(rest))(reading.axis) / reading.noise;
+    const SurfacePlace& place = experiment_.marks()[static_cast<std::size_t>(reading.mark)].place;
+    rows.value(row) = (place.at(point.positions) - place.at(rest))(reading.axis) / reading.noise;
     for (int i = 0; i < 3 && by > 0; ++i) {
       rows.by.row(row) += place.shares(i) / reading.noise *
                           point.positions_by.row(3 * place.nodes(i) + reading.axis);

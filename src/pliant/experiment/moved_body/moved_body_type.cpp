@@ -23,8 +23,9 @@ namespace {
 constexpr double kExact = 1e-6;
 
 constexpr TestFacts kFacts{.measures_solids = true,
-                           .assumption = "what is fixed does not give way, and what is moved keeps "
-                                         "its shape",
+                           .assumption =
+                               "what is fixed does not give way, and what is moved keeps "
+                               "its shape",
                            .unfitted = "a body at rest before its first row"};
 
 /// Nodes of the surface that are neither held nor moved.
@@ -114,15 +115,14 @@ const TestType& moved_body_type() {
       .read = read_spec,
       .make_solid = make,
       .read_virtual = read_lab,
-      .is_table =
-          [](const TableColumns& columns) {
-            const auto any = [&](const char* what, Dimension dimension) {
-              return std::ranges::any_of(std::array{"x", "y", "z"}, [&](const char* axis) {
-                return columns.has(fmt::format("{}_{}", what, axis), dimension);
-              });
-            };
-            return any("shift", Dimension::length) && any("force", Dimension::force);
-          }};
+      .is_table = [](const TableColumns& columns) {
+        const auto any = [&](const char* what, Dimension dimension) {
+          return std::ranges::any_of(std::array{"x", "y", "z"}, [&](const char* axis) {
+            return columns.has(fmt::format("{}_{}", what, axis), dimension);
+          });
+        };
+        return any("shift", Dimension::length) && any("force", Dimension::force);
+      }};
   return type;
 }
 
@@ -131,7 +131,8 @@ WrittenFields MovedBodySpec::fields() const {
   fields.emplace_back("fixed", fixed);
   fields.emplace_back("moved", moved);
   if (points) {
-    fields.emplace_back("points", std::filesystem::absolute(points->files.front()).generic_string());
+    fields.emplace_back("points",
+                        std::filesystem::absolute(points->files.front()).generic_string());
   }
   return fields;
 }
@@ -167,10 +168,10 @@ VirtualData VirtualMovedBody::measure(const VirtualSpecimen& specimen,
       nodes.push_back(surface[static_cast<std::size_t>(i)]);
     }
   }
-  std::array<ReadColumn, 3> shift{ReadColumn{"shift_x_mm", {}, 1e3}, {"shift_y_mm", {}, 1e3},
-                                  {"shift_z_mm", {}, 1e3}};
-  std::array<ReadColumn, 3> force{ReadColumn{"force_x_N", {}}, {"force_y_N", {}},
-                                  {"force_z_N", {}}};
+  std::array<ReadColumn, 3> shift{
+      ReadColumn{"shift_x_mm", {}, 1e3}, {"shift_y_mm", {}, 1e3}, {"shift_z_mm", {}, 1e3}};
+  std::array<ReadColumn, 3> force{
+      ReadColumn{"force_x_N", {}}, {"force_y_N", {}}, {"force_z_N", {}}};
   ReadColumn frame{"frame", {}}, point{"point", {}};
   std::array<ReadColumn, 3> at{ReadColumn{"x_mm", {}, 1e3}, {"y_mm", {}, 1e3}, {"z_mm", {}, 1e3}};
   const auto see = [&](int number, const Eigen::Matrix3Xd& positions, double noise) {
@@ -219,11 +220,10 @@ WrittenFields VirtualMovedBody::study_fields() const {
   double way = 0;
   for (const Eigen::Vector3d& shift : shifts) way = std::max(way, shift.norm());
   fields.emplace_back(
-      "noise",
-      fmt::format("{{force: {}, length: {}}}",
-                  exact_quantity(force_noise > 0 ? force_noise : kExact, Dimension::force),
-                  exact_quantity(length_noise > 0 ? length_noise : kExact * way,
-                                 Dimension::length)));
+      "noise", fmt::format("{{force: {}, length: {}}}",
+                           exact_quantity(force_noise > 0 ? force_noise : kExact, Dimension::force),
+                           exact_quantity(length_noise > 0 ? length_noise : kExact * way,
+                                          Dimension::length)));
   return fields;
 }
 
@@ -236,10 +236,14 @@ WrittenFields VirtualMovedBody::description() const {
 }
 
 nlohmann::ordered_json VirtualMovedBody::facts() const {
-  return {{"nodes", setup.mesh.node_count()}, {"elements", setup.mesh.element_count()},
-          {"fixed", fixed},                   {"moved", moved},
-          {"frames", shifts.size()},          {"marks", marks},
-          {"force_noise", force_noise},       {"length_noise", length_noise}};
+  return {{"nodes", setup.mesh.node_count()},
+          {"elements", setup.mesh.element_count()},
+          {"fixed", fixed},
+          {"moved", moved},
+          {"frames", shifts.size()},
+          {"marks", marks},
+          {"force_noise", force_noise},
+          {"length_noise", length_noise}};
 }
 
 }  // namespace pliant

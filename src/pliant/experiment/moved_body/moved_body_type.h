@@ -33,11 +33,11 @@ struct MovedBodySpec : TestSpec {
 /// A body that is moved from place to place, its marks followed by cameras.
 struct VirtualMovedBody : VirtualTest {
   BodySetup setup;
-  std::string fixed, moved;             ///< as they are written
+  std::string fixed, moved;              ///< as they are written
   std::optional<VolumeMesh> study_mesh;  ///< that the study gets in place of the own
-  std::vector<Eigen::Vector3d> shifts;  ///< of what is moved, one a frame (m)
-  int marks = 100;                      ///< of the surface that is free
-  double force_noise = 0;               ///< standard deviations (N, m)
+  std::vector<Eigen::Vector3d> shifts;   ///< of what is moved, one a frame (m)
+  int marks = 100;                       ///< of the surface that is free
+  double force_noise = 0;                ///< standard deviations (N, m)
   double length_noise = 0;
 
   const TestType& type() const override { return moved_body_type(); }

@@ -15,6 +15,8 @@ namespace {
 constexpr double kStep = 0.25;      // of an edge
 constexpr double kFarthest = 0.95;  // of the body's extent
 constexpr int kMostHalvings = 6;
+constexpr int kFewIterations = 20;
+constexpr double kNear = 1e-6;  // of an area and of an edge: the rest is linear
 
 double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
@@ -26,9 +28,12 @@ Eigen::RowVectorXd dot_each(const Eigen::Matrix3Xd& a, const Eigen::MatrixXd& ea
 }  // namespace
 
 PressPath::PressPath(const PressedBody& body, PressOptions options)
+    : PressPath(body, std::move(options), Workspace(body.system())) {}
+
+PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace)
     : body_(body),
       options_(std::move(options)),
-      workspace_(body.system()),
+      workspace_(std::move(workspace)),
       travel_(body.clear_travel()) {
   const Controls controls = body.controls(travel_);
   State rest = body.system().initial_state(options_.parameters);
@@ -39,15 +44,32 @@ PressPath::PressPath(const PressedBody& body, PressOptions options)
   history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
 }
 
-// From where the last step ended, what is in the indenter's way moved on with it.
+PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace,
+                     PressStand from)
+    : body_(body),
+      options_(std::move(options)),
+      workspace_(std::move(workspace)),
+      state_(std::move(from.state)),
+      travel_(from.point.travel),
+      point_(std::move(from.point)) {
+  PLIANT_ASSERT(!body.remembers(), "a law that remembers comes from rest");
+  history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
+}
+
+// From where the last step ended.
 std::optional<PressPath::Trial> PressPath::trial(double travel) {
+  return trial_near(state_.configuration, travel, NewtonOptions{}.max_iterations);
+}
+
+// What is in the indenter's way since the last step is moved on with it.
+std::optional<PressPath::Trial> PressPath::trial_near(Configuration guess, double travel,
+                                                      int max_iterations) {
   const Controls controls = body_.controls(travel);
-  const auto moved = body_.system().made_way(state_.configuration.positions,
-                                             {state_, options_.parameters, controls});
+  const auto moved =
+      body_.system().made_way(guess.positions, {state_, options_.parameters, controls});
   if (!moved) return std::nullopt;
-  Configuration guess = state_.configuration;
   guess.positions += *moved;
-  return trial_from(std::move(guess), travel);
+  return trial_from(std::move(guess), travel, max_iterations);
 }
 
 // Begins where the area before was found to be passed: there but for what friction remembers since.
@@ -58,12 +80,17 @@ std::optional<PressPath::Trial> PressPath::trial_of_stop(double travel) {
   return trial(travel);
 }
 
-std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, double travel) {
+std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, double travel,
+                                                      int max_iterations) {
   const Controls controls = body_.controls(travel);
-  const NewtonOptions newton{.tolerance = body_.tolerance(), .stop = options_.stop};
+  const NewtonOptions newton{
+      .tolerance = body_.tolerance(), .max_iterations = max_iterations, .stop = options_.stop};
   const NewtonSummary found = minimize_within_limits(
       body_.system(), {state_, options_.parameters, controls}, newton, workspace_, guess);
+  counts_.iterations += found.iterations;
+  counts_.factors += found.factorizations;
   if (!found.converged) return std::nullopt;
+  ++counts_.equilibria;
   const double area = body_.area(guess.positions, travel).value;
   return Trial{travel, std::move(guess), area};
 }
@@ -106,6 +133,7 @@ std::optional<PressPoint> PressPath::go_to_travel(double travel) {
 }
 
 std::optional<PressPoint> PressPath::go_to_area(double area) {
+  if (auto found = go_by_secants(area)) return found;
   const double farthest = kFarthest * body_.extent();
   Trial here{travel_, state_.configuration, body_.area(positions(), travel_).value};
   const int way = area > here.area ? 1 : -1;
@@ -134,7 +162,6 @@ std::optional<PressPoint> PressPath::go_to_area(double area) {
 std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low, Trial high) {
   if (low.area == area) return low;
   if (high.area == area) return high;
-  constexpr double kNear = 1e-6;  // of the area, and of an edge
   std::uintmax_t most = 40;
   bool all_found = true;
   const auto beyond = [&](double travel) {
@@ -152,18 +179,72 @@ std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low,
   return area - low.area < high.area - area ? low : high;
 }
 
-PressPoint PressPath::accept(const Trial& trial, std::optional<double> area) {
+std::optional<PressPoint> PressPath::settle_at_travel(const Eigen::VectorXd& change) {
+  Configuration guess = state_.configuration;
+  if (change.size() > 0) guess.positions.reshaped() += point_.motion.positions_by * change;
+  const auto found = trial_near(std::move(guess), travel_, kFewIterations);
+  return found ? std::optional(accept(*found)) : std::nullopt;
+}
+
+std::optional<PressPoint> PressPath::settle_at_area(const Eigen::VectorXd& change) {
+  Configuration guess = state_.configuration;
+  double travel = travel_;
+  if (change.size() > 0) {
+    guess.positions.reshaped() += point_.motion.positions_by * change;
+    travel += point_.motion.travel_by * change;
+  }
+  const double area = point_.area;
+  const auto found = trial_by_secants(area, std::move(guess), travel);
+  return found ? std::optional(accept(*found, area)) : std::nullopt;
+}
+
+// From an area that was set before, where nothing hangs on the way.
+std::optional<PressPoint> PressPath::go_by_secants(double area) {
+  const PressMotion& motion = point_.motion;
+  if (body_.remembers() || motion.area_by_travel == 0) return std::nullopt;
+  const double way = (area - point_.area) / motion.area_by_travel;
+  if (!(std::abs(way) < kStep * body_.edge())) return std::nullopt;
+  Configuration guess = state_.configuration;
+  guess.positions += way * motion.positions_by_travel;
+  const auto found = trial_by_secants(area, std::move(guess), travel_ + way);
+  return found ? std::optional(accept(*found, area)) : std::nullopt;
+}
+
+// The first by the derivative where the path stands.
+std::optional<PressPath::Trial> PressPath::trial_by_secants(double area, Configuration guess,
+                                                            double travel) {
+  constexpr int kMost = 8;
+  Eigen::Matrix3Xd by_travel = point_.motion.positions_by_travel;
+  double area_by_travel = point_.motion.area_by_travel;
+  auto here = trial_near(std::move(guess), travel, kFewIterations);
+  for (int secants = 0; here; ++secants) {
+    const double lacks = area - here->area, way = lacks / area_by_travel;
+    if (std::abs(lacks) < kNear * area) return here;
+    if (secants == kMost || !(std::abs(way) < kStep * body_.edge())) return std::nullopt;
+    guess = here->at;
+    guess.positions += way * by_travel;
+    auto next = trial_near(std::move(guess), here->travel + way, kFewIterations);
+    if (!next) return std::nullopt;
+    by_travel = (next->at.positions - here->at.positions) / way;
+    area_by_travel = (next->area - here->area) / way;
+    here = std::move(next);
+  }
+  return std::nullopt;
+}
+
+const PressPoint& PressPath::accept(const Trial& trial, std::optional<double> area) {
   const Controls controls = body_.controls(trial.travel);
   const Evaluation of_contact{trial.at, body_.system().history_of(body_.contact(), state_), nullptr,
                               controls};
-  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}};
+  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}, {}};
   if (!options_.by.empty() || area) differentiate(trial, area, point);
   State next = state_;
   body_.system().advance_history(trial.at, {state_, options_.parameters, controls}, next.history);
   next.configuration = trial.at;
   std::swap(state_, next);
   travel_ = trial.travel;
-  return point;
+  point_ = std::move(point);
+  return point_;
 }
 
 void PressPath::differentiate(const Trial& trial, const std::optional<double>& area,
@@ -173,6 +254,7 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
   const Conditions under{state_, options_.parameters, controls};
   const Objective objective(system, under);
   Eigen::Matrix3Xd gradient;
+  ++counts_.factors;
   const bool factorized = factorize_at(objective, trial.at, gradient, workspace_).has_value();
   PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
   Eigen::MatrixXd positions_by =
@@ -185,6 +267,7 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
   // changes with the points.
   const Eigen::Matrix3Xd by_travel = body_.change_by_travel(of_contact);
   point.force_by = dot_each(by_travel, positions_by);
+  point.motion.travel_by = Eigen::RowVectorXd::Zero(positions_by.cols());
   if (area) {
     const SmoothedArea touching = body_.area(trial.at.positions, trial.travel);
     const Coordinates& coordinates = system.coordinates();
@@ -200,8 +283,10 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
     point.force += force_by_travel * (*area - trial.area) / area_by_travel;
     point.area = *area;
     positions_by += positions_by_travel.reshaped() * travel_by;
+    point.motion = {{}, travel_by, positions_by_travel, area_by_travel};
   }
   system.advance_sensitivity(trial.at, under, options_.by, positions_by, history_by_);
+  point.motion.positions_by = std::move(positions_by);
 }
 
 }  // namespace pliant

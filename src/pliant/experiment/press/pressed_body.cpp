@@ -20,6 +20,10 @@ ObstacleShape indenter_of(const PressSetup& setup, double thickness) {
   return HalfSpace{way - thickness * setup.direction, setup.direction};
 }
 
+bool has_history(const std::shared_ptr<const ParametricDensity>& law) {
+  return law && law->history_size() > 0;
+}
+
 }  // namespace
 
 std::vector<int> nodes_to_touch(const PressSetup& setup) {
@@ -66,6 +70,7 @@ std::optional<double> first_touch(const PressSetup& setup) {
 PressedBody::PressedBody(const PressSetup& setup, const SolidLaw& law, double pressure)
     : setup_(setup),
       triangles_(boundary_surface(setup.mesh).triangles),
+      remembers_(has_history(law.of_points) || has_history(law.of_volume)),
       edge_(surface_edge(setup)),
       thickness_(kThickness * edge_),
       fading_(kFading * edge_),

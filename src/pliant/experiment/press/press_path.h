@@ -12,10 +12,10 @@ namespace pliant {
 
 /// How an equilibrium moves: the body's points (3 points, column-major) and the indenter.
 struct PressMotion {
-  Eigen::MatrixXd positions_by;          ///< by the chosen parameters, at what was set
-  Eigen::RowVectorXd travel_by;          ///< the same; zero where the travel was set
-  Eigen::Matrix3Xd positions_by_travel;  ///< of areas alone
-  double area_by_travel = 0;             ///< m; of areas alone
+  Eigen::MatrixXd positions_by;  ///< by the chosen parameters, at what was set
+  Eigen::RowVectorXd travel_by;  ///< the same; zero where the travel was set
+  Eigen::Matrix3Xd positions_by_travel;
+  double area_by_travel = 0;  ///< m; of areas alone
 };
 
 /// An equilibrium of a pressed body.
@@ -24,7 +24,7 @@ struct PressPoint {
   double force = 0;             ///< N
   double area = 0;              ///< that touches, smoothed (m^2)
   Eigen::RowVectorXd force_by;  ///< by the chosen parameters
-  PressMotion motion;           ///< where derivatives were wanted, and at areas
+  PressMotion motion;           ///< where derivatives were wanted, at areas and with limits
 };
 
 /// An equilibrium where a path stands, with what is remembered there.
@@ -78,17 +78,21 @@ class PressPath {
   std::optional<Trial> trial(double travel);
   std::optional<Trial> trial_near(Configuration guess, double travel, int max_iterations);
   std::optional<Trial> trial_of_stop(double travel);
-  std::optional<Trial> trial_from(Configuration guess, double travel,
-                                  int max_iterations = NewtonOptions{}.max_iterations);
+  std::optional<Trial> trial_from(Configuration guess, double travel, int max_iterations);
+  int most_iterations() const;
+  int few_iterations() const;
+  int most_halvings() const;
   std::optional<Trial> trial_between(const Trial& low, const Trial& high, double travel);
   std::optional<Trial> trial_of_area(double area, Trial low, Trial high);
   std::optional<Trial> trial_by_secants(double area, Configuration guess, double travel);
   std::optional<PressPoint> go_by_secants(double area);
+  std::optional<PressPoint> go_by_short_steps(double area);
   std::optional<PressPoint> step(double travel, int halvings);
   bool walk(double travel);
   double next_stop(int way) const;
-  const PressPoint& accept(const Trial& trial, std::optional<double> area = {});
-  void differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
+  std::optional<PressPoint> accept(const Trial& trial, std::optional<double> area = {});
+  /// @return whether the Hessian there, or its convex stand-in, is positive definite
+  bool differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
 
   const PressedBody& body_;
   PressOptions options_;

@@ -102,7 +102,14 @@ std::optional<PressPredictor::Rows> PressPredictor::settled(const Asked& asked) 
 const PressPredictor::Rows& PressPredictor::rows(const Asked& asked) {
   constexpr std::size_t kMost = 4;
   auto beside = settled(asked);
-  found_ = beside ? std::move(*beside) : walked(asked);
+  // A walk along limits is long, and what is not found beside numbers that are is mostly beyond.
+  const bool walks = solved_.empty() || !body_.system().is_limited();
+  found_ = Rows{};
+  if (beside) {
+    found_ = std::move(*beside);
+  } else if (walks) {
+    found_ = walked(asked);
+  }
   if (!are_all(found_) || body_.remembers()) return found_;
   solved_.push_front({asked.values, asked.by, std::move(found_)});
   if (solved_.size() > kMost) solved_.pop_back();
@@ -135,7 +142,7 @@ std::vector<double> PressPredictor::strains(const std::string& component,
       std::ranges::copy(volume_strains(mesh, positions), std::back_inserter(strains));
       continue;
     }
-    for (const GreenStrainVector& strain : element_strains(mesh, positions)) {
+    for (const GreenStrainVector& strain : point_strains(mesh, positions)) {
       for (const double value : metric_values(component, strain)) strains.push_back(value);
     }
   }

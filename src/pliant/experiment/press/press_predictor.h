@@ -24,7 +24,8 @@ class PressPredictor : public Predictor {
 
   bool predict(const Eigen::VectorXd& values, const std::vector<int>& by, const Workers& workers,
                FrameSink& frames) override;
-  /// Of any metric of the strain, whether the material has it or not, in all elements.
+  /// Of any metric of the strain, whether the material has it or not, at all points of elements; of
+  /// J that of nodes and hexahedra.
   std::vector<double> strains(const std::string& component, const Eigen::VectorXd& values,
                               const Workers& workers) override;
   std::vector<int> lost_frames(const Eigen::VectorXd& values, const Workers& workers) override;

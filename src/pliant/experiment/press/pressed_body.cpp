@@ -11,6 +11,7 @@ namespace {
 constexpr double kThickness = 2e-4;  // of an edge
 constexpr double kFading = 0.02;     // of an edge
 constexpr double kTolerance = 1e-8;  // of stiffness times an edge's square
+constexpr double kCoarser = 100;     // at limits, which multiply the rounding of forces
 
 ObstacleShape indenter_of(const PressSetup& setup, double thickness) {
   const std::optional<double> touch = first_touch(setup);
@@ -86,6 +87,7 @@ PressedBody::PressedBody(const PressSetup& setup, const SolidLaw& law, double pr
                                         thickness_, CoulombFriction{}, /*body=*/0);
   system_.add(contact_);
   system_.finish();
+  if (system_.is_limited()) tolerance_ *= kCoarser;
 }
 
 Controls PressedBody::controls(double travel) const {

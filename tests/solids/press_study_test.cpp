@@ -4,6 +4,7 @@
 
 #include "pliant/experiment/press/press_type.h"
 #include "pliant/geometry/block_mesh.h"
+#include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/solid/standard_solids.h"
 
 #include "io/input_error_of.h"
@@ -53,6 +54,40 @@ TEST(SlowPressStudy, FindsTheNumbersOfASolidFromAreasAndDepths) {
   EXPECT_NEAR(shear, 15e3, 0.005 * 15e3);
   EXPECT_NEAR(bulk, 300e3, 0.03 * 300e3);
   for (const ExperimentResult& one : result.experiments) EXPECT_LT(one.rms_percent, 0.1);
+}
+
+/// How a law is fitted to five depths of a block.
+StudyResult fit_of_block(const Material& material, double depth, const std::string& model,
+                         const std::string& more) {
+  VirtualPress press = pressed_block(indentation_type());
+  press.samples = 6;
+  press.depths = {depth};
+  const LabFolder folder = measured(material, {press});
+  StudyResult result = fit_study(solid_study(folder, model, more), {}, {});
+  fmt::print("{}: {:.3g} % of the largest force\n", model, result.experiments.front().rms_percent);
+  return result;
+}
+
+TEST(SlowPressStudy, FindsALimitOfEnergy) {
+  Material material = neo_hookean_solid(15e3, 300e3);
+  material.limits = {{{"I1-bar"}, 700}};
+  const std::string law = "law: neo-hookean", known = "fit: {fix: {J.k: 300000}}\n";
+  EXPECT_GT(fit_of_block(material, 1.5e-3, law, known).experiments.front().rms_percent, 10);
+  const StudyResult result =
+      fit_of_block(material, 1.5e-3, law + ", limits: [{of: [I1-bar]}]", known);
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 15);
+  EXPECT_NEAR(value_of(result, "I1-bar.limit"), 700, 1);
+}
+
+// As [T] Fig. 4.6 does of a fingerpad: 3 % with a limit, which the law alone is far from.
+TEST(SlowPressStudy, FollowsAStiffeningBodyByALimitThatItsLawNeeds) {
+  Material material = neo_hookean_solid(1, 200e3);
+  material.components["I1-bar"].addends = {Addend(exponential_addend(), Eigen::Vector2d(2000, 8))};
+  const std::string law = "law: stvk";
+  EXPECT_GT(fit_of_block(material, 2.5e-3, law, "").experiments.front().rms_percent, 6);
+  const StudyResult limited =
+      fit_of_block(material, 2.5e-3, law + ", limits: [{of: [trace, trace-of-square]}]", "");
+  EXPECT_LT(limited.experiments.front().rms_percent, 3);
 }
 
 /// What is wrong with a study of depths one line of which was replaced.

@@ -93,7 +93,7 @@ void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
     const Memory memory = memory_of(i, from);
     double share = free_share_of(begin, end, limits.kept);
     limits.obstructed |= share < 1;
-    if (memory.normal_force > 0) {
+    if (largest_friction(memory) > 0) {
       share = std::min(share, share_to_standstill(memory, begin, end));
     }
     limits.shares(point) = std::min(limits.shares(point), share);

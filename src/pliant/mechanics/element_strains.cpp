@@ -1,12 +1,14 @@
 #include "pliant/mechanics/element_strains.h"
 
+#include <numeric>
+
 #include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/trilinear_hexahedron.h"
 
 namespace pliant {
 
-std::vector<GreenStrainVector> element_strains(const VolumeMesh& mesh,
-                                               const Eigen::Matrix3Xd& positions) {
+std::vector<GreenStrainVector> point_strains(const VolumeMesh& mesh,
+                                             const Eigen::Matrix3Xd& positions) {
   std::vector<GreenStrainVector> strains;
   for (const auto& nodes : mesh.tetrahedra.colwise()) {
     const LinearTetrahedron::Positions rest = mesh.positions(Eigen::all, nodes);
@@ -16,11 +18,23 @@ std::vector<GreenStrainVector> element_strains(const VolumeMesh& mesh,
   for (const auto& nodes : mesh.hexahedra.colwise()) {
     const TrilinearHexahedron::Positions rest = mesh.positions(Eigen::all, nodes);
     const TrilinearHexahedron::Positions now = positions(Eigen::all, nodes);
-    GreenStrainVector mean = GreenStrainVector::Zero();
     for (const HexahedronPoint& point : hexahedron_points(rest)) {
-      mean += TrilinearHexahedron::strain(point.rest, now) / 8;
+      strains.push_back(TrilinearHexahedron::strain(point.rest, now));
     }
-    strains.push_back(mean);
+  }
+  return strains;
+}
+
+std::vector<GreenStrainVector> element_strains(const VolumeMesh& mesh,
+                                               const Eigen::Matrix3Xd& positions) {
+  constexpr int kPoints = 8;  // of a hexahedron
+  const std::vector<GreenStrainVector> points = point_strains(mesh, positions);
+  const auto tetrahedra = points.begin() + mesh.tetrahedron_count();
+  std::vector<GreenStrainVector> strains(points.begin(), tetrahedra);
+  for (auto point = tetrahedra; point != points.end(); point += kPoints) {
+    strains.push_back(
+        std::accumulate(point, point + kPoints, GreenStrainVector(GreenStrainVector::Zero())) /
+        kPoints);
   }
   return strains;
 }

@@ -88,7 +88,10 @@ SolidProblem::SolidProblem(const FitSettings& settings, std::vector<const Experi
                            const RunContext& context)
     : settings_(settings), experiments_(std::move(experiments)), context_(context) {
   double reach = 0, peak = 0;
-  for (const Experiment* experiment : experiments_) peak = std::max(peak, experiment->stress());
+  for (const Experiment* experiment : experiments_) {
+    peak = std::max(peak, experiment->stress());
+    probes_.push_back(experiment->predictor(probe(experiment->stress())));
+  }
   for (const double strain : strains_of("fibre.x")) reach = std::max(reach, std::abs(strain));
   energy_ = peak * reach;
 }
@@ -99,10 +102,9 @@ int SolidProblem::rows() const {
   return static_cast<int>(rows);
 }
 
-std::vector<double> SolidProblem::strains_of(const std::string& metric) const {
+std::vector<double> SolidProblem::strains_of(const std::string& metric) {
   std::vector<double> all;
-  for (const Experiment* experiment : experiments_) {
-    const auto predictor = experiment->predictor(probe(experiment->stress()));
+  for (const auto& predictor : probes_) {
     const std::vector<double> own = predictor->strains(metric, predictor->values(), {});
     all.insert(all.end(), own.begin(), own.end());
   }

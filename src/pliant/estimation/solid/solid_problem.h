@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,12 +50,13 @@ class SolidProblem {
   LeastSquaresSummary solve(Material& material, const LeastSquaresOptions& options = {});
 
  private:
-  std::vector<double> strains_of(const std::string& metric) const;
+  std::vector<double> strains_of(const std::string& metric);
 
   const FitSettings& settings_;
   std::vector<const Experiment*> experiments_;
   RunContext context_;
-  double energy_ = 0;  // largest of the data, roughly
+  double energy_ = 0;                               // largest of the data, roughly
+  std::vector<std::unique_ptr<Predictor>> probes_;  // of the experiments
   std::map<std::string, MetricData> data_;
 };
 

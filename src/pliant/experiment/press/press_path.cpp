@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kStep = 0.25;      // of an edge
 constexpr double kFarthest = 0.95;  // of the body's extent
-constexpr int kMostHalvings = 6;
+constexpr int kFewIterations = 20;
+constexpr double kNear = 1e-6;  // of an area and of an edge: the rest is linear
 
 double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
@@ -26,9 +27,12 @@ Eigen::RowVectorXd dot_each(const Eigen::Matrix3Xd& a, const Eigen::MatrixXd& ea
 }  // namespace
 
 PressPath::PressPath(const PressedBody& body, PressOptions options)
+    : PressPath(body, std::move(options), Workspace(body.system())) {}
+
+PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace)
     : body_(body),
       options_(std::move(options)),
-      workspace_(body.system()),
+      workspace_(std::move(workspace)),
       travel_(body.clear_travel()) {
   const Controls controls = body.controls(travel_);
   State rest = body.system().initial_state(options_.parameters);
@@ -39,41 +43,81 @@ PressPath::PressPath(const PressedBody& body, PressOptions options)
   history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
 }
 
-// From where the last step ended, what is in the indenter's way moved on with it.
+PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace,
+                     PressStand from)
+    : body_(body),
+      options_(std::move(options)),
+      workspace_(std::move(workspace)),
+      state_(std::move(from.state)),
+      travel_(from.point.travel),
+      point_(std::move(from.point)) {
+  PLIANT_ASSERT(!body.remembers(), "a law that remembers comes from rest");
+  history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
+}
+
+// From where the last step ended, at a limit of energy first moved on as the body does: points that
+// the indenter alone moves on are beyond the limit.
 std::optional<PressPath::Trial> PressPath::trial(double travel) {
+  const Eigen::Matrix3Xd& by_travel = point_.motion.positions_by_travel;
+  if (body_.system().is_limited() && by_travel.size() > 0) {
+    Configuration guess = state_.configuration;
+    guess.positions += (travel - travel_) * by_travel;
+    if (auto found = trial_near(std::move(guess), travel, few_iterations())) return found;
+  }
+  return trial_near(state_.configuration, travel, most_iterations());
+}
+
+// What is in the indenter's way since the last step is moved on with it.
+std::optional<PressPath::Trial> PressPath::trial_near(Configuration guess, double travel,
+                                                      int max_iterations) {
   const Controls controls = body_.controls(travel);
-  const auto moved = body_.system().made_way(state_.configuration.positions,
-                                             {state_, options_.parameters, controls});
+  const auto moved =
+      body_.system().made_way(guess.positions, {state_, options_.parameters, controls});
   if (!moved) return std::nullopt;
-  Configuration guess = state_.configuration;
   guess.positions += *moved;
-  return trial_from(std::move(guess), travel);
+  return trial_from(std::move(guess), travel, max_iterations);
 }
 
 // Begins where the area before was found to be passed: there but for what friction remembers since.
 std::optional<PressPath::Trial> PressPath::trial_of_stop(double travel) {
   if (ahead_.travel == travel && ahead_.at.positions.size() > 0) {
-    if (auto found = trial_from(ahead_.at, travel)) return found;
+    if (auto found = trial_from(ahead_.at, travel, most_iterations())) return found;
   }
   return trial(travel);
 }
 
-std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, double travel) {
+std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, double travel,
+                                                      int max_iterations) {
   const Controls controls = body_.controls(travel);
-  const NewtonOptions newton{.tolerance = body_.tolerance(), .stop = options_.stop};
+  const NewtonOptions newton{
+      .tolerance = body_.tolerance(), .max_iterations = max_iterations, .stop = options_.stop};
   const NewtonSummary found = minimize_within_limits(
       body_.system(), {state_, options_.parameters, controls}, newton, workspace_, guess);
+  counts_.iterations += found.iterations;
+  counts_.factors += found.factorizations;
   if (!found.converged) return std::nullopt;
+  ++counts_.equilibria;
   const double area = body_.area(guess.positions, travel).value;
   return Trial{travel, std::move(guess), area};
 }
+
+// A search at limits that takes long mostly ends nowhere: the body goes no further.
+int PressPath::most_iterations() const {
+  return body_.system().is_limited() ? 60 : NewtonOptions{}.max_iterations;
+}
+
+int PressPath::few_iterations() const {
+  return body_.system().is_limited() ? most_iterations() : kFewIterations;
+}
+
+int PressPath::most_halvings() const { return body_.system().is_limited() ? 2 : 6; }
 
 std::optional<PressPath::Trial> PressPath::trial_between(const Trial& low, const Trial& high,
                                                          double travel) {
   const double share = (travel - low.travel) / (high.travel - low.travel);
   Configuration guess = low.at;
   guess.positions += share * (high.at.positions - low.at.positions);
-  auto found = trial_from(std::move(guess), travel);
+  auto found = trial_from(std::move(guess), travel, most_iterations());
   return found ? found : trial(travel);
 }
 
@@ -87,7 +131,7 @@ double PressPath::next_stop(int way) const {
 
 std::optional<PressPoint> PressPath::step(double travel, int halvings) {
   if (const auto found = trial(travel)) return accept(*found);
-  if (halvings == kMostHalvings) return std::nullopt;
+  if (halvings == most_halvings()) return std::nullopt;
   if (!step((travel_ + travel) / 2, halvings + 1)) return std::nullopt;
   return step(travel, halvings + 1);
 }
@@ -106,13 +150,16 @@ std::optional<PressPoint> PressPath::go_to_travel(double travel) {
 }
 
 std::optional<PressPoint> PressPath::go_to_area(double area) {
+  const bool begun = !body_.remembers() && point_.motion.area_by_travel != 0;
+  if (begun && body_.system().is_limited()) return go_by_short_steps(area);
+  if (auto found = go_by_secants(area)) return found;
   const double farthest = kFarthest * body_.extent();
   Trial here{travel_, state_.configuration, body_.area(positions(), travel_).value};
   const int way = area > here.area ? 1 : -1;
   while (travel_ < farthest) {
     double stop = std::max(next_stop(way), body_.clear_travel());
     auto next = trial_of_stop(stop);
-    for (int halvings = 0; !next && halvings < kMostHalvings; ++halvings) {
+    for (int halvings = 0; !next && halvings < most_halvings(); ++halvings) {
       stop = (travel_ + stop) / 2;
       next = trial(stop);
     }
@@ -121,10 +168,10 @@ std::optional<PressPoint> PressPath::go_to_area(double area) {
       ahead_ = *next;
       const auto found = way > 0 ? trial_of_area(area, std::move(here), std::move(*next))
                                  : trial_of_area(area, std::move(*next), std::move(here));
-      return found ? std::optional(accept(*found, area)) : std::nullopt;
+      return found ? accept(*found, area) : std::nullopt;
     }
     if (stop == body_.clear_travel()) return std::nullopt;
-    accept(*next);
+    if (!accept(*next)) return std::nullopt;
     here = std::move(*next);
   }
   return std::nullopt;
@@ -134,7 +181,6 @@ std::optional<PressPoint> PressPath::go_to_area(double area) {
 std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low, Trial high) {
   if (low.area == area) return low;
   if (high.area == area) return high;
-  constexpr double kNear = 1e-6;  // of the area, and of an edge
   std::uintmax_t most = 40;
   bool all_found = true;
   const auto beyond = [&](double travel) {
@@ -152,29 +198,105 @@ std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low,
   return area - low.area < high.area - area ? low : high;
 }
 
-PressPoint PressPath::accept(const Trial& trial, std::optional<double> area) {
+std::optional<PressPoint> PressPath::settle_at_travel(const Eigen::VectorXd& change) {
+  Configuration guess = state_.configuration;
+  if (change.size() > 0) guess.positions.reshaped() += point_.motion.positions_by * change;
+  const auto found = trial_near(std::move(guess), travel_, few_iterations());
+  return found ? accept(*found) : std::nullopt;
+}
+
+std::optional<PressPoint> PressPath::settle_at_area(const Eigen::VectorXd& change) {
+  Configuration guess = state_.configuration;
+  double travel = travel_;
+  if (change.size() > 0) {
+    guess.positions.reshaped() += point_.motion.positions_by * change;
+    travel += point_.motion.travel_by * change;
+  }
+  const double area = point_.area;
+  const auto found = trial_by_secants(area, std::move(guess), travel);
+  return found ? accept(*found, area) : std::nullopt;
+}
+
+// From an area that was set before, where nothing hangs on the way.
+std::optional<PressPoint> PressPath::go_by_secants(double area) {
+  const PressMotion& motion = point_.motion;
+  if (body_.remembers() || motion.area_by_travel == 0) return std::nullopt;
+  const double way = (area - point_.area) / motion.area_by_travel;
+  if (!(std::abs(way) < kStep * body_.edge())) return std::nullopt;
+  Configuration guess = state_.configuration;
+  guess.positions += way * motion.positions_by_travel;
+  const auto found = trial_by_secants(area, std::move(guess), travel_ + way);
+  return found ? accept(*found, area) : std::nullopt;
+}
+
+// At limits of energy the body's motion carries no further than short steps.
+std::optional<PressPoint> PressPath::go_by_short_steps(double area) {
+  constexpr double kShort = 0.05;  // of an edge
+  constexpr int kMostSteps = 200, kMostHalvings = 3;
+  double most = kShort * body_.edge();
+  for (int steps = 0, halvings = 0; steps < kMostSteps; ++steps) {
+    const double way = (area - point_.area) / point_.motion.area_by_travel;
+    if (!std::isfinite(way)) return std::nullopt;
+    if (std::abs(way) <= most) {
+      if (auto found = go_by_secants(area)) return found;
+    } else if (const auto next = trial(travel_ + std::copysign(most, way))) {
+      if (!accept(*next, next->area)) return std::nullopt;
+      continue;
+    }
+    if (++halvings > kMostHalvings) return std::nullopt;
+    most /= 2;
+  }
+  return std::nullopt;
+}
+
+// The first by the derivative where the path stands.
+std::optional<PressPath::Trial> PressPath::trial_by_secants(double area, Configuration guess,
+                                                            double travel) {
+  constexpr int kMost = 8;
+  Eigen::Matrix3Xd by_travel = point_.motion.positions_by_travel;
+  double area_by_travel = point_.motion.area_by_travel;
+  auto here = trial_near(std::move(guess), travel, few_iterations());
+  for (int secants = 0; here; ++secants) {
+    const double lacks = area - here->area, way = lacks / area_by_travel;
+    if (std::abs(lacks) < kNear * area) return here;
+    if (secants == kMost || !(std::abs(way) < kStep * body_.edge())) return std::nullopt;
+    guess = here->at;
+    guess.positions += way * by_travel;
+    auto next = trial_near(std::move(guess), here->travel + way, few_iterations());
+    if (!next) return std::nullopt;
+    by_travel = (next->at.positions - here->at.positions) / way;
+    area_by_travel = (next->area - here->area) / way;
+    here = std::move(next);
+  }
+  return std::nullopt;
+}
+
+// An equilibrium that nothing can be said of but where it is does not count as found.
+std::optional<PressPoint> PressPath::accept(const Trial& trial, std::optional<double> area) {
   const Controls controls = body_.controls(trial.travel);
   const Evaluation of_contact{trial.at, body_.system().history_of(body_.contact(), state_), nullptr,
                               controls};
-  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}};
-  if (!options_.by.empty() || area) differentiate(trial, area, point);
+  PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}, {}};
+  const bool in_motion = !options_.by.empty() || area || body_.system().is_limited();
+  if (in_motion && !differentiate(trial, area, point)) return std::nullopt;
   State next = state_;
   body_.system().advance_history(trial.at, {state_, options_.parameters, controls}, next.history);
   next.configuration = trial.at;
   std::swap(state_, next);
   travel_ = trial.travel;
-  return point;
+  point_ = std::move(point);
+  return point_;
 }
 
-void PressPath::differentiate(const Trial& trial, const std::optional<double>& area,
+bool PressPath::differentiate(const Trial& trial, const std::optional<double>& area,
                               PressPoint& point) {
   const System& system = body_.system();
   const Controls controls = body_.controls(trial.travel);
   const Conditions under{state_, options_.parameters, controls};
   const Objective objective(system, under);
   Eigen::Matrix3Xd gradient;
-  const bool factorized = factorize_at(objective, trial.at, gradient, workspace_).has_value();
-  PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
+  ++counts_.factors;
+  if (!factorize_at(objective, trial.at, gradient, workspace_)) return false;
   Eigen::MatrixXd positions_by =
       differentiate_equilibrium(objective, trial.at, options_.by, history_by_, *workspace_.solver,
                                 /*with_forces=*/false)
@@ -185,11 +307,13 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
   // changes with the points.
   const Eigen::Matrix3Xd by_travel = body_.change_by_travel(of_contact);
   point.force_by = dot_each(by_travel, positions_by);
+  point.motion.travel_by = Eigen::RowVectorXd::Zero(positions_by.cols());
+  const Coordinates& coordinates = system.coordinates();
+  Eigen::Matrix3Xd& positions_by_travel = point.motion.positions_by_travel;
+  positions_by_travel = coordinates.motion(
+      trial.at, workspace_.solver->solve_all(-coordinates.reduce(trial.at, by_travel)).col(0));
   if (area) {
     const SmoothedArea touching = body_.area(trial.at.positions, trial.travel);
-    const Coordinates& coordinates = system.coordinates();
-    const Eigen::Matrix3Xd positions_by_travel = coordinates.motion(
-        trial.at, workspace_.solver->solve_all(-coordinates.reduce(trial.at, by_travel)).col(0));
     const double force_by_travel =
         dot(by_travel, positions_by_travel) - body_.direction().dot(by_travel.rowwise().sum());
     const double area_by_travel =
@@ -200,8 +324,12 @@ void PressPath::differentiate(const Trial& trial, const std::optional<double>& a
     point.force += force_by_travel * (*area - trial.area) / area_by_travel;
     point.area = *area;
     positions_by += positions_by_travel.reshaped() * travel_by;
+    point.motion.travel_by = travel_by;
+    point.motion.area_by_travel = area_by_travel;
   }
   system.advance_sensitivity(trial.at, under, options_.by, positions_by, history_by_);
+  point.motion.positions_by = std::move(positions_by);
+  return true;
 }
 
 }  // namespace pliant

@@ -5,9 +5,18 @@
 
 #include "pliant/base/progress.h"
 #include "pliant/experiment/press/pressed_body.h"
-#include "pliant/solver/workspace.h"
+#include "pliant/experiment/session/equilibrium_work.h"
+#include "pliant/solver/newton.h"
 
 namespace pliant {
+
+/// How an equilibrium moves: the body's points (3 points, column-major) and the indenter.
+struct PressMotion {
+  Eigen::MatrixXd positions_by;  ///< by the chosen parameters, at what was set
+  Eigen::RowVectorXd travel_by;  ///< the same; zero where the travel was set
+  Eigen::Matrix3Xd positions_by_travel;
+  double area_by_travel = 0;  ///< m; of areas alone
+};
 
 /// An equilibrium of a pressed body.
 struct PressPoint {
@@ -15,6 +24,13 @@ struct PressPoint {
   double force = 0;             ///< N
   double area = 0;              ///< that touches, smoothed (m^2)
   Eigen::RowVectorXd force_by;  ///< by the chosen parameters
+  PressMotion motion;           ///< where derivatives were wanted, at areas and with limits
+};
+
+/// An equilibrium where a path stands, with what is remembered there.
+struct PressStand {
+  PressPoint point;
+  State state;
 };
 
 struct PressOptions {
@@ -31,6 +47,9 @@ class PressPath {
  public:
   /// From the body at rest. `body` outlives it.
   PressPath(const PressedBody& body, PressOptions options);
+  PressPath(const PressedBody& body, PressOptions options, Workspace workspace);
+  /// From where another path of the body stands, whose law remembers nothing.
+  PressPath(const PressedBody& body, PressOptions options, Workspace workspace, PressStand from);
 
   /// @return nothing where no equilibrium is found; the path is then of no more use
   std::optional<PressPoint> go_to_travel(double travel);
@@ -38,7 +57,16 @@ class PressPath {
   /// the force at the given area by F_p - F_s A_p / A_s.
   std::optional<PressPoint> go_to_area(double area);
 
+  /// The equilibrium beside that of other parameters where the path was begun: what is set is the
+  /// same, and no steps lead there.
+  /// @param change  of the parameters that its motion is by; empty: it is not moved first
+  /// @return nothing where none is found in a few iterations; the path then stands where it did
+  std::optional<PressPoint> settle_at_travel(const Eigen::VectorXd& change);
+  std::optional<PressPoint> settle_at_area(const Eigen::VectorXd& change);
+
   const Eigen::Matrix3Xd& positions() const { return state_.configuration.positions; }
+  PressStand stand() const { return {point_, state_}; }
+  const EquilibriumCounts& counts() const { return counts_; }
 
  private:
   /// An equilibrium that is not accepted.
@@ -48,15 +76,23 @@ class PressPath {
     double area = 0;
   };
   std::optional<Trial> trial(double travel);
+  std::optional<Trial> trial_near(Configuration guess, double travel, int max_iterations);
   std::optional<Trial> trial_of_stop(double travel);
-  std::optional<Trial> trial_from(Configuration guess, double travel);
+  std::optional<Trial> trial_from(Configuration guess, double travel, int max_iterations);
+  int most_iterations() const;
+  int few_iterations() const;
+  int most_halvings() const;
   std::optional<Trial> trial_between(const Trial& low, const Trial& high, double travel);
   std::optional<Trial> trial_of_area(double area, Trial low, Trial high);
+  std::optional<Trial> trial_by_secants(double area, Configuration guess, double travel);
+  std::optional<PressPoint> go_by_secants(double area);
+  std::optional<PressPoint> go_by_short_steps(double area);
   std::optional<PressPoint> step(double travel, int halvings);
   bool walk(double travel);
   double next_stop(int way) const;
-  PressPoint accept(const Trial& trial, std::optional<double> area = {});
-  void differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
+  std::optional<PressPoint> accept(const Trial& trial, std::optional<double> area = {});
+  /// @return whether the Hessian there, or its convex stand-in, is positive definite
+  bool differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
 
   const PressedBody& body_;
   PressOptions options_;
@@ -64,6 +100,8 @@ class PressPath {
   State state_;
   Eigen::MatrixXd history_by_;
   double travel_;
+  PressPoint point_;  // where it stands
+  EquilibriumCounts counts_;
   Trial ahead_;  // of a stop beyond the last area
 };
 

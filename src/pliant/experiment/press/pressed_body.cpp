@@ -11,6 +11,7 @@ namespace {
 constexpr double kThickness = 2e-4;  // of an edge
 constexpr double kFading = 0.02;     // of an edge
 constexpr double kTolerance = 1e-8;  // of stiffness times an edge's square
+constexpr double kCoarser = 100;     // at limits, which multiply the rounding of forces
 
 ObstacleShape indenter_of(const PressSetup& setup, double thickness) {
   const std::optional<double> touch = first_touch(setup);
@@ -18,6 +19,10 @@ ObstacleShape indenter_of(const PressSetup& setup, double thickness) {
   const Eigen::Vector3d way = *touch * setup.direction;
   if (setup.radius) return Sphere{setup.through + way, *setup.radius - thickness};
   return HalfSpace{way - thickness * setup.direction, setup.direction};
+}
+
+bool has_history(const std::shared_ptr<const ParametricDensity>& law) {
+  return law && law->history_size() > 0;
 }
 
 }  // namespace
@@ -51,6 +56,7 @@ std::optional<double> first_touch(const PressSetup& setup) {
 PressedBody::PressedBody(const PressSetup& setup, const SolidLaw& law, double pressure)
     : setup_(setup),
       triangles_(boundary_surface(setup.mesh).triangles),
+      remembers_(has_history(law.of_points) || has_history(law.of_volume)),
       edge_(mean_surface_edge(setup.mesh)),
       thickness_(kThickness * edge_),
       fading_(kFading * edge_),
@@ -66,6 +72,7 @@ PressedBody::PressedBody(const PressSetup& setup, const SolidLaw& law, double pr
                                         thickness_, CoulombFriction{}, /*body=*/0);
   system_.add(contact_);
   system_.finish();
+  if (system_.is_limited()) tolerance_ *= kCoarser;
 }
 
 Controls PressedBody::controls(double travel) const {

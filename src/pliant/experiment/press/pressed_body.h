@@ -40,6 +40,8 @@ class PressedBody {
   PressedBody(const PressSetup& setup, const SolidLaw& law, double pressure);
 
   const System& system() const { return system_; }
+  /// Whether its law does.
+  bool remembers() const { return remembers_; }
   const Eigen::Vector3d& direction() const { return setup_.direction; }
   /// Length of an edge of the surface (m).
   double edge() const { return edge_; }
@@ -62,6 +64,7 @@ class PressedBody {
  private:
   const PressSetup& setup_;
   Eigen::Matrix3Xi triangles_;  // of the surface
+  bool remembers_;
   double edge_, thickness_, fading_, tolerance_;
   ObstacleShape indenter_;
   System system_;

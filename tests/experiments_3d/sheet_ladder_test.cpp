@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/study/study_fit.h"
 
 #include "support/five_sheet_tests.h"
@@ -36,15 +37,22 @@ const std::vector<Rung>& ladder() {
       {"nonlinear coupling",
        ", variant: linear-orthotropic, components: {coupling: {stiffness: hermite}, stretch.weft: "
        "{stiffness: hermite}, stretch.warp: {stiffness: hermite}, shear: {stiffness: hermite}}",
-       false}};
+       false},
+      {"cross-modal stiffening",
+       ", variant: linear-orthotropic, components: {coupling: {stiffness: hermite}, stretch.weft: "
+       "{stiffness: hermite}, stretch.warp: {stiffness: hermite}, shear: {stiffness: hermite}, "
+       "cross-modal: {stiffness: constant}}",
+       true}};
   return rungs;
 }
 
-/// Warp more than twice as stiff as weft, shear that stiffens, and a coupling of both stretches.
+/// Warp more than twice as stiff as weft, shear that stiffens, a coupling of both stretches, and
+/// cross-modal stiffening.
 Material known_cloth() {
   Material cloth = test::sheet_cloth(false);
   cloth.components["shear"].stiffness = ScalarCurve::hermite({0, 0.5}, {8, 40}, true);
   cloth.components[kCoupling].stiffness = ScalarCurve::constant(60);
+  cloth.components[kCrossModal].stiffness = ScalarCurve::constant(3e4);
   return cloth;
 }
 

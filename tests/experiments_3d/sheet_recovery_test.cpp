@@ -7,6 +7,7 @@
 
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/geometry/irregular_mesh.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/study/study.h"
 #include "pliant/study/study_fit.h"
 
@@ -67,6 +68,20 @@ TEST(SlowSheetRecovery, FindsWhatCouplesWeftAndWarp) {
   Material truth = test::sheet_cloth(false);
   truth.components[kCoupling].stiffness = ScalarCurve::constant(60);
   const FiveTests tests(truth, ", variant: linear-orthotropic, components: {coupling: {}}");
+  const StudyResult result = fit_study(tests.study(), {}, two_threads());
+  EXPECT_TRUE(result.converged);
+  for (const auto& [name, component] : truth.components) {
+    const double expected = component.stiffness->value(0);
+    EXPECT_NEAR(value_of(result, name, 0), expected, 5e-3 * expected) << name;
+  }
+}
+
+// What stiffens a sheet whichever way it is strained shows in stretch and shear together.
+TEST(SlowSheetRecovery, FindsWhatStiffensAcrossModes) {
+  Material truth = test::sheet_cloth(false);
+  truth.components[kCrossModal].stiffness = ScalarCurve::constant(3e4);
+  const FiveTests tests(truth, ", variant: linear-orthotropic, components: {cross-modal: {}}", 9,
+                        4);
   const StudyResult result = fit_study(tests.study(), {}, two_threads());
   EXPECT_TRUE(result.converged);
   for (const auto& [name, component] : truth.components) {

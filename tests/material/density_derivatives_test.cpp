@@ -14,6 +14,7 @@
 
 #include "pliant/base/random.h"
 #include "pliant/material/density/combined_strain.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/density/dahl_constant_slope.h"
 #include "pliant/material/density/dahl_friction.h"
@@ -275,6 +276,13 @@ const std::vector<RegisteredLaw>& registered_laws() {
              std::make_unique<StiffnessDensity>(0, ScalarCurve::constant(random.uniform(1, 9))));
          law->add_addend(std::make_unique<DahlFriction>(0, slow_dahl(random)));
          return std::make_unique<CombinedStrain>(Eigen::Vector3d(1, -0.7, 0), law);
+       }},
+      {"cross_modal_strain", "CrossModalStrain",
+       [](RandomStream& random) {
+         const auto law = std::make_shared<Sum>();
+         law->add_addend(
+             std::make_unique<StiffnessDensity>(0, ScalarCurve::affine(3, random.uniform(1, 9))));
+         return std::make_unique<CrossModalStrain>(law);
        }},
       {"sum", "Sum", draw_sum},
       {"sum", "SumWithLinearizedFriction",

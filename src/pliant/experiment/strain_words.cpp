@@ -5,6 +5,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/material/density/cross_modal_strain.h"
 
 namespace pliant {
 
@@ -16,6 +17,7 @@ std::string strain_in_words(std::string_view component, double strain, MembraneM
   }
   if (component == "shear") return "shear strain " + percent(strain);
   if (component == kCoupling) return "sum of both strains " + percent(strain);
+  if (component == kCrossModal) return "squares of principal strains " + percent(strain);
   const std::string extension = percent(extension_at(measure, strain)) + " extension";
   if (measure != MembraneMeasure::stvk) return extension;
   return fmt::format("{} (Green strain {})", extension, percent(strain));

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/material/density/cross_modal_strain.h"
+
 namespace pliant {
 namespace {
 
@@ -68,7 +70,7 @@ const std::vector<std::string>& sheet_component_names() {
 std::vector<std::string> fillable_components(const Material& material, const Material& filler) {
   std::vector<std::string> names;
   for (const std::string& name : cloth_component_names()) {
-    if (name == kCoupling) continue;
+    if (name == kCoupling || name == kCrossModal) continue;
     if (!is_known(material, name) && is_known(filler, name)) names.push_back(name);
   }
   return names;

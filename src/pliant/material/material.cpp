@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/assert.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/principal_metric.h"
 
@@ -62,8 +63,8 @@ bool is_even(std::string_view component) {
 
 const std::vector<std::string>& cloth_component_names() {
   static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "stretch.bias",
-                                              "shear",        kCoupling,      "bend.weft",
-                                              "bend.warp",    "bend.diagonal"};
+                                              "shear",        kCoupling,      kCrossModal,
+                                              "bend.weft",    "bend.warp",    "bend.diagonal"};
   return names;
 }
 

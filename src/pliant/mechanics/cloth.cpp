@@ -10,6 +10,7 @@
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/component_sum.h"
 #include "pliant/material/density/combined_strain.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
@@ -43,6 +44,11 @@ Law make_law(const Material& material, const std::vector<std::string>& component
   if (components == membrane_components() && is_known(material, kCoupling)) {
     sum.add(kCoupling, /*strain=*/0, options, [](std::shared_ptr<Sum> coupling) {
       return std::make_shared<CombinedStrain>(Eigen::Vector3d(1, 1, 0), std::move(coupling));
+    });
+  }
+  if (components == membrane_components() && is_known(material, kCrossModal)) {
+    sum.add(kCrossModal, /*strain=*/0, options, [](std::shared_ptr<Sum> cross_modal) {
+      return std::make_shared<CrossModalStrain>(std::move(cross_modal));
     });
   }
   NamedLaw named = std::move(sum).finish();
@@ -186,9 +192,10 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
                                            law(membrane_components()), cloth);
       break;
     case MembraneMeasure::spring:
-      if (is_known(material, kCoupling)) {
+      for (const char* component : {kCoupling, kCrossModal}) {
+        if (!is_known(material, component)) continue;
         cloth.warnings.push_back("springs of weft and warp are not coupled: the component `" +
-                                 std::string(kCoupling) + "` is left out");
+                                 std::string(component) + "` is left out");
       }
       add_springs(system, springs->along_u, first_point, false, law({"stretch.weft"}), cloth);
       add_springs(system, springs->along_v, first_point, false, law({"stretch.warp"}), cloth);

@@ -11,6 +11,7 @@
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/bending_strain.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -76,6 +77,8 @@ ShownStrain::ShownStrain(std::string_view component, std::optional<MembraneMeasu
     label_ = {"Shear strain", "%"};
   } else if (component == kCoupling) {
     label_ = {"Sum of both strains", "%"};
+  } else if (component == kCrossModal) {
+    label_ = {"Squares of both principal strains", "%"};
   } else if (component.empty() || units_of(component) == LawUnits::solid) {
     label_ = component.empty() ? QuantityLabel{"Strain", "%"}
                                : QuantityLabel{std::string(component), ""};

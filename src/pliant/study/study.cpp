@@ -16,6 +16,7 @@
 #include "pliant/io/result_name.h"
 #include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/limit_fields.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/blank_fields.h"
@@ -320,8 +321,8 @@ PlanStage read_plan_stage(const Value& node) {
   PlanStage stage;
   stage.where = node.location();
   const std::vector<std::string_view> known{"stretch.weft", "stretch.warp", "shear",
-                                            kCoupling,      "bend.weft",    "bend.warp",
-                                            "bend.diagonal"};
+                                            kCoupling,      kCrossModal,    "bend.weft",
+                                            "bend.warp",    "bend.diagonal"};
   const Value components = fields.require("components");
   for (const Value& item : components.items()) stage.components.push_back(item.choice(known));
   if (stage.components.empty()) components.fail("is empty", "at least one component");

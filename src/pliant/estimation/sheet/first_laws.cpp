@@ -8,6 +8,7 @@
 
 #include "pliant/estimation/addend_starts.h"
 #include "pliant/estimation/sheet/sheet_options.h"
+#include "pliant/material/density/cross_modal_strain.h"
 
 namespace pliant {
 namespace {
@@ -37,7 +38,9 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);
-  if (is_coupled(settings)) give(kCoupling, 1);
+  for (const char* component : {kCoupling, kCrossModal}) {
+    if (asks_for(settings, component)) give(component, 1);
+  }
   for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
     give(component, springs ? 0.1 : 3e-6);
   }
@@ -45,10 +48,10 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
   return material;
 }
 
-bool is_coupled(const FitSettings& settings) {
-  return settings.model.components.contains(kCoupling) ||
-         std::ranges::any_of(settings.fit.plan, [](const PlanStage& stage) {
-           return std::ranges::find(stage.components, kCoupling) != stage.components.end();
+bool asks_for(const FitSettings& settings, const std::string& component) {
+  return settings.model.components.contains(component) ||
+         std::ranges::any_of(settings.fit.plan, [&](const PlanStage& stage) {
+           return std::ranges::find(stage.components, component) != stage.components.end();
          });
 }
 

@@ -19,8 +19,9 @@ using KnownComponents = std::map<std::string, MaterialComponent>;
 /// @param known  components whose laws are known, and kept
 Material first_sheet_material(const FitSettings& settings, const KnownComponents& known = {});
 
-/// Whether a study asks for a law of both stretches together: in its model, or by its plan.
-bool is_coupled(const FitSettings& settings);
+/// Whether a study asks for a component that a sheet is whole without: in its model, or by its
+/// plan.
+bool asks_for(const FitSettings& settings, const std::string& component);
 
 /// Laws of one stiffness that a search for bending may begin at, stiff ones first: soft sheets
 /// fold, and take long. What bends diagonally is not far from what bends along the threads.

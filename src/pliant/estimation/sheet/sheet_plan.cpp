@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/estimation/sheet/first_laws.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
@@ -84,10 +85,13 @@ std::vector<SheetStage> plan_of_thesis(const FitSettings& settings, const Tests&
   };
   add_stretch(StageKind::grow);
   add({"shear"}, shear, StageKind::grow);
-  if (is_coupled(settings)) {
+  ComponentGroup of_triangles{"stretch.weft", "stretch.warp", "shear"};
+  for (const char* component : {kCoupling, kCrossModal}) {
+    if (!asks_for(settings, component)) continue;
     const Tests pulled = named(tests, {"stretch-weft", "stretch-warp", "shear", "bias-extension"});
-    add({kCoupling}, pulled, StageKind::grow);
-    add({"stretch.weft", "stretch.warp", "shear", kCoupling}, pulled, StageKind::again);
+    of_triangles.emplace_back(component);
+    add({component}, pulled, StageKind::grow);
+    add(of_triangles, pulled, StageKind::again);
   }
   add_bending(StageKind::constant);
   add(bends, bending, StageKind::again);

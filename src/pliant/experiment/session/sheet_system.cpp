@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/mechanics/point_forces.h"
 
@@ -64,6 +65,15 @@ std::vector<double> SheetSystem::strains(const std::string& component,
     std::ranges::transform(sums, this->strains("stretch.warp", positions), sums.begin(),
                            std::plus());
     return sums;
+  }
+  if (component == kCrossModal) {
+    std::vector<double> squares = this->strains("stretch.weft", positions);
+    const std::vector<double> warp = this->strains("stretch.warp", positions);
+    const std::vector<double> shear = this->strains("shear", positions);
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      squares[i] = squares[i] * squares[i] + warp[i] * warp[i] + shear[i] * shear[i] / 2;
+    }
+    return squares;
   }
   std::vector<double> strains;
   for (const ShownPotential& shown : shown_) {

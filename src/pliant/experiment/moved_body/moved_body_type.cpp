@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -103,6 +104,61 @@ std::string plain_table(const std::vector<ReadColumn>& columns) {
   return table_text(columns, none);
 }
 
+std::vector<int> marked_nodes(const BodySetup& setup, int marks) {
+  const std::vector<int> surface = free_surface(setup);
+  const int count = std::min(marks, static_cast<int>(surface.size()));
+  std::vector<int> nodes;
+  if (count == 0) return nodes;
+  for (const int i : spread_points(setup.mesh.positions(Eigen::all, surface), count)) {
+    nodes.push_back(surface[static_cast<std::size_t>(i)]);
+  }
+  return nodes;
+}
+
+/// What was set and what it took, frame by frame.
+class MovedTable {
+ public:
+  void add(const Eigen::Vector3d& shift, const Eigen::Vector3d& force, double noise,
+           RandomStream& random) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      columns_[axis].values.push_back(shift(i));
+      columns_[3 + axis].values.push_back(force(i) + noise * random.normal());
+    }
+  }
+
+  std::string text() const { return plain_table(columns_); }
+
+ private:
+  std::vector<ReadColumn> columns_{{"shift_x_mm", {}, 1e3}, {"shift_y_mm", {}, 1e3},
+                                   {"shift_z_mm", {}, 1e3}, {"force_x_N", {}},
+                                   {"force_y_N", {}},       {"force_z_N", {}}};
+};
+
+/// Where marks are seen, frame by frame.
+class MarkTable {
+ public:
+  explicit MarkTable(std::vector<int> nodes) : nodes_(std::move(nodes)) {}
+
+  void see(int frame, const Eigen::Matrix3Xd& positions, double noise, RandomStream& random) {
+    for (std::size_t mark = 0; mark < nodes_.size(); ++mark) {
+      columns_[0].values.push_back(frame);
+      columns_[1].values.push_back(static_cast<double>(mark + 1));
+      for (int axis = 0; axis < 3; ++axis) {
+        columns_[static_cast<std::size_t>(2 + axis)].values.push_back(
+            positions(axis, nodes_[mark]) + noise * random.normal());
+      }
+    }
+  }
+
+  std::string text() const { return plain_table(columns_); }
+
+ private:
+  std::vector<int> nodes_;
+  std::vector<ReadColumn> columns_{
+      {"frame", {}}, {"point", {}}, {"x_mm", {}, 1e3}, {"y_mm", {}, 1e3}, {"z_mm", {}, 1e3}};
+};
+
 }  // namespace
 
 const TestType& moved_body_type() {
@@ -159,32 +215,9 @@ VirtualData VirtualMovedBody::measure(const VirtualSpecimen& specimen,
   Eigen::VectorXd numbers =
       Eigen::Map<const Eigen::VectorXd>(list.values.data(), std::ssize(list.values));
   for (double& number : numbers) number *= 1 + specimen.variation * random.normal();
-  const std::vector<int> surface = free_surface(setup);
-  const Eigen::Matrix3Xd at_rest = setup.mesh.positions(Eigen::all, surface);
-  const int followed = std::min(marks, static_cast<int>(surface.size()));
-  std::vector<int> nodes;
-  if (followed > 0) {
-    for (const int i : spread_points(at_rest, followed)) {
-      nodes.push_back(surface[static_cast<std::size_t>(i)]);
-    }
-  }
-  std::array<ReadColumn, 3> shift{
-      ReadColumn{"shift_x_mm", {}, 1e3}, {"shift_y_mm", {}, 1e3}, {"shift_z_mm", {}, 1e3}};
-  std::array<ReadColumn, 3> force{
-      ReadColumn{"force_x_N", {}}, {"force_y_N", {}}, {"force_z_N", {}}};
-  ReadColumn frame{"frame", {}}, point{"point", {}};
-  std::array<ReadColumn, 3> at{ReadColumn{"x_mm", {}, 1e3}, {"y_mm", {}, 1e3}, {"z_mm", {}, 1e3}};
-  const auto see = [&](int number, const Eigen::Matrix3Xd& positions, double noise) {
-    for (std::size_t m = 0; m < nodes.size(); ++m) {
-      frame.values.push_back(number);
-      point.values.push_back(static_cast<double>(m + 1));
-      for (int axis = 0; axis < 3; ++axis) {
-        at[static_cast<std::size_t>(axis)].values.push_back(positions(axis, nodes[m]) +
-                                                            noise * random.normal());
-      }
-    }
-  };
-  see(0, setup.mesh.positions, /*noise=*/0);
+  MovedTable moved_table;
+  MarkTable mark_table(marked_nodes(setup, marks));
+  mark_table.see(0, setup.mesh.positions, /*noise=*/0, random);
   MovedBodyPath path(body, {body.system().with(numbers), {}, work.stop});
   for (std::size_t f = 0; f < shifts.size(); ++f) {
     const auto found = path.go_to(shifts[f]);
@@ -192,20 +225,12 @@ VirtualData VirtualMovedBody::measure(const VirtualSpecimen& specimen,
       throw SolverError(
           fmt::format("virtual experiment {}: the equilibrium of frame {}", name, f + 1), 0, 0);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<std::size_t>(axis);
-      shift[i].values.push_back(shifts[f](axis));
-      force[i].values.push_back(found->force(axis) + force_noise * random.normal());
-    }
-    see(static_cast<int>(f) + 1, found->positions, length_noise);
+    moved_table.add(shifts[f], found->force, force_noise, random);
+    mark_table.see(static_cast<int>(f) + 1, found->positions, length_noise, random);
     work.done(1);
   }
-  VirtualData data{{{specimen.name + ".csv",
-                     plain_table({shift[0], shift[1], shift[2], force[0], force[1], force[2]})}}};
-  if (!nodes.empty()) {
-    data.files.emplace_back(specimen.name + "-points.csv",
-                            plain_table({frame, point, at[0], at[1], at[2]}));
-  }
+  VirtualData data{{{specimen.name + ".csv", moved_table.text()}}};
+  if (marks > 0) data.files.emplace_back(specimen.name + "-points.csv", mark_table.text());
   data.files.emplace_back(name + ".msh",
                           volume_file_text(study_mesh.value_or(setup.mesh), name + ".msh"));
   return data;

@@ -197,36 +197,33 @@ std::unique_ptr<Density> closed_form(EnergyFunction energy, const std::vector<do
       2, energy, Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)));
 }
 
+std::unique_ptr<StiffnessDensity> stiff(int strain, const ScalarCurve& curve) {
+  return std::make_unique<StiffnessDensity>(strain, curve);
+}
+
 std::unique_ptr<Sum> draw_sum(RandomStream& random) {
   auto sum = std::make_unique<Sum>();
-  sum->add_addend(std::make_unique<StiffnessDensity>(0, wavy_stiffness(random)));
+  sum->add_addend(stiff(0, wavy_stiffness(random)));
   sum->add_addend(std::make_unique<DahlFriction>(2, slow_dahl_by_side(random)));
   sum->add_addend(std::make_unique<Damping>(1, random.uniform(0, 2)));
   sum->add_addend(std::make_unique<DahlFriction>(0, slow_dahl(random)));
-  sum->add_addend(std::make_unique<StiffnessDensity>(
-      1, ScalarCurve::affine(random.uniform(20, 80), random.uniform(0, 100))));
+  sum->add_addend(stiff(1, ScalarCurve::affine(random.uniform(20, 80), random.uniform(0, 100))));
   return sum;
 }
 
 const std::vector<RegisteredLaw>& registered_laws() {
   static const std::vector<RegisteredLaw> laws{
       {"stiffness_density", "ConstantStiffness",
-       [](RandomStream& random) {
-         return std::make_unique<StiffnessDensity>(1, ScalarCurve::constant(random.uniform(1, 9)));
-       }},
+       [](RandomStream& random) { return stiff(1, ScalarCurve::constant(random.uniform(1, 9))); }},
       {"stiffness_density", "AffineStiffness",
        [](RandomStream& random) {
-         return std::make_unique<StiffnessDensity>(
-             2, ScalarCurve::affine(random.uniform(1, 90), random.uniform(-50, 90)));
+         return stiff(2, ScalarCurve::affine(random.uniform(1, 90), random.uniform(-50, 90)));
        }},
       {"stiffness_density", "HermiteStiffness",
-       [](RandomStream& random) {
-         return std::make_unique<StiffnessDensity>(0, wavy_stiffness(random));
-       }},
+       [](RandomStream& random) { return stiff(0, wavy_stiffness(random)); }},
       {"stiffness_density", "SplineEnergy",
        [](RandomStream& random) {
-         return std::make_unique<StiffnessDensity>(
-             1, ScalarCurve::spline(kKnots, wavy_stiffness(random).values()));
+         return stiff(1, ScalarCurve::spline(kKnots, wavy_stiffness(random).values()));
        }},
       {"closed_form_density", "LinearEnergy",
        [](RandomStream& random) { return closed_form(linear_energy, {random.uniform(-1, 5)}); }},
@@ -272,17 +269,13 @@ const std::vector<RegisteredLaw>& registered_laws() {
       {"combined_strain", "CombinedStrain",
        [](RandomStream& random) {
          const auto law = std::make_shared<Sum>();
-         law->add_addend(
-             std::make_unique<StiffnessDensity>(0, ScalarCurve::constant(random.uniform(1, 9))));
+         law->add_addend(stiff(0, ScalarCurve::constant(random.uniform(1, 9))));
          law->add_addend(std::make_unique<DahlFriction>(0, slow_dahl(random)));
          return std::make_unique<CombinedStrain>(Eigen::Vector3d(1, -0.7, 0), law);
        }},
       {"cross_modal_strain", "CrossModalStrain",
-       [](RandomStream& random) {
-         const auto law = std::make_shared<Sum>();
-         law->add_addend(
-             std::make_unique<StiffnessDensity>(0, ScalarCurve::affine(3, random.uniform(1, 9))));
-         return std::make_unique<CrossModalStrain>(law);
+       [](RandomStream&) {
+         return std::make_unique<CrossModalStrain>(stiff(0, ScalarCurve::affine(3, 4)));
        }},
       {"sum", "Sum", draw_sum},
       {"sum", "SumWithLinearizedFriction",

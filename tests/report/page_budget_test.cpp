@@ -32,7 +32,7 @@ TEST(PageBudget, GivesTheLoopsOfASmallFitWhatTheTablesLeave) {
 }
 
 TEST(PageBudget, LeavesAFitOfManyComponentsOneRowOfLoopsAndSomeExperiments) {
-  const PageBudget many = page_budget(fit_of(6, 3), 500, 10);
+  const PageBudget many = page_budget(fit_of(7, 3), 500, 10);
   EXPECT_EQ(many.loops, 2U);
   EXPECT_GE(many.experiments, 4U);
   EXPECT_LT(many.experiments, 18U);

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "pliant/base/assert.h"
 #include "pliant/solver/equilibrium_derivatives.h"
 #include "pliant/solver/within_limits.h"
 
@@ -47,7 +46,8 @@ std::optional<BodyPoint> MovedBodyPath::step(const Eigen::Vector3d& shift, int h
   return step(shift, halvings + 1);
 }
 
-BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& shift) {
+// An equilibrium that nothing can be said of but where it is does not count as found.
+std::optional<BodyPoint> MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& shift) {
   const System& system = body_.system();
   const Controls controls = body_.controls(shift);
   const Conditions under{state_, options_.parameters, controls};
@@ -55,7 +55,7 @@ BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& 
   BodyPoint point{at.positions, {}, {}, {}};
   point.force = body_.force(objective.gradient(at));
   if (!options_.by.empty()) {
-    differentiate(objective, at, point);
+    if (!differentiate(objective, at, point)) return std::nullopt;
     system.advance_sensitivity(at, under, options_.by, point.positions_by, history_by_);
   }
   State next = state_;
@@ -69,11 +69,10 @@ BodyPoint MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& 
 // With the energy E at nodes x and moves s of what is led, equilibrium is E_x = 0 and the force
 // E_s. So that dx/dp = -H^-1 E_xp, and the force changes by E_sp - E_sx H^-1 E_xp = u^T (E_xp,
 // E_sp): u is how all nodes go as s does, three solutions in place of one a parameter.
-void MovedBodyPath::differentiate(const Objective& objective, const Configuration& at,
+bool MovedBodyPath::differentiate(const Objective& objective, const Configuration& at,
                                   BodyPoint& point) {
   Eigen::Matrix3Xd gradient;
-  const bool factorized = factorize_at(objective, at, gradient, workspace_).has_value();
-  PLIANT_ASSERT(factorized, "the convex stand-in of a held body's Hessian is positive definite");
+  if (!factorize_at(objective, at, gradient, workspace_)) return false;
   EquilibriumDerivatives by =
       differentiate_equilibrium(objective, at, options_.by, history_by_, *workspace_.solver,
                                 /*with_forces=*/false);
@@ -88,6 +87,7 @@ void MovedBodyPath::differentiate(const Objective& objective, const Configuratio
   }
   point.force_by = motions.transpose() * by.forces;
   point.positions_by = std::move(by.positions);
+  return true;
 }
 
 }  // namespace pliant

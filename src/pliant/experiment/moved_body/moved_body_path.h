@@ -38,8 +38,8 @@ class MovedBodyPath {
  private:
   std::optional<Configuration> equilibrium(Configuration guess, const Eigen::Vector3d& shift);
   std::optional<BodyPoint> step(const Eigen::Vector3d& shift, int halvings);
-  BodyPoint accept(const Configuration& at, const Eigen::Vector3d& shift);
-  void differentiate(const Objective& objective, const Configuration& at, BodyPoint& point);
+  std::optional<BodyPoint> accept(const Configuration& at, const Eigen::Vector3d& shift);
+  bool differentiate(const Objective& objective, const Configuration& at, BodyPoint& point);
 
   const HeldBody& body_;
   BodyOptions options_;

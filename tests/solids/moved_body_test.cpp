@@ -109,6 +109,12 @@ TEST(HeterogeneousMaterial, IsReadAsItWasWritten) {
   EXPECT_DOUBLE_EQ(law_of(read, "I1-bar")->parameters()(0), 1.5 * 15e3);
 }
 
+TEST(HeterogeneousMaterial, IsNoPieceThatIsTheSameEverywhere) {
+  const VirtualHomogeneous pull = test::homogeneous(HomogeneousMode::uniaxial, {1.5});
+  const InputError error = test::input_error_of([&] { pull.require(graded_block()); });
+  EXPECT_THAT(error.problem(), HasSubstr("differs from place to place"));
+}
+
 /// What is wrong with the material file of a graded block in which something was replaced.
 InputError refusal(const std::string& what, const std::string& by) {
   std::string text = material_text(graded_block());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pliant/material/material_samples.h"
+
 namespace pliant {
 
 bool is_isochoric(const std::string& component) { return component.ends_with("-bar"); }
@@ -24,6 +26,14 @@ void require_solid_law(const Material& material, const Location& where) {
     throw InputError(where, "needs a law, and the material " + name + " has none",
                      "a material with components");
   }
+}
+
+void require_same_everywhere(const Material& material, const Location& where) {
+  if (!is_heterogeneous(material)) return;
+  throw InputError(where,
+                   "is of a piece that is the same everywhere, and the material " +
+                       quoted_value(material.name) + " differs from place to place",
+                   "a material without samples");
 }
 
 void require_solid_of_volume(const Material& material, const Location& where) {

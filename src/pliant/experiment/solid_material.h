@@ -15,7 +15,10 @@ bool resists_volume(const Material& material);
 /// @throws InputError for cloth, and for a solid without any law
 void require_solid_law(const Material& material, const Location& where);
 
-/// The same, and that something resists a change of volume.
+/// @throws InputError for a solid that differs from place to place, which a piece does not
+void require_same_everywhere(const Material& material, const Location& where);
+
+/// A solid with a law, and that something resists a change of volume.
 void require_solid_of_volume(const Material& material, const Location& where);
 
 }  // namespace pliant

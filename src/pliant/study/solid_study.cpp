@@ -105,13 +105,8 @@ void require_components(const Study& study,
 }
 
 void refuse_samples_in_pieces(const Study& study, const Material& material) {
-  if (!is_heterogeneous(material)) return;
   for (const ExperimentSpec& spec : study.experiments) {
-    if (spec.test->body()) continue;
-    throw InputError(spec.where,
-                     "is of a piece that is the same everywhere, and the material " +
-                         quoted_value(material.name) + " differs from place to place",
-                     "a material without samples");
+    if (!spec.test->body()) require_same_everywhere(material, spec.where);
   }
 }
 

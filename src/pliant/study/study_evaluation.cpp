@@ -16,6 +16,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/use_warnings.h"
 #include "pliant/study/conclusion.h"
@@ -157,15 +158,23 @@ void skip_unknown(const Material& material, Experiments& experiments, StudyResul
   });
 }
 
-/// In one dimension limits of energy are not known.
+/// In one dimension limits of energy are not known, nor what one strain does to another.
 void warn_of_limits(const Material& material, const Experiments& experiments, StudyResult& result) {
+  const auto leave_out = [&](const std::string& name) {
+    result.warnings.push_back(
+        fmt::format("{} is left out of strips, which are predicted in one dimension", name));
+  };
+  const bool pulled = std::ranges::any_of(experiments, [](const auto& experiment) {
+    return !is_bending(experiment->info().component);
+  });
+  for (const char* component : {kCoupling, kCrossModal}) {
+    if (pulled && is_known(material, component)) leave_out(component);
+  }
   for (const EnergyLimit& limit : material.limits) {
     const bool concerned = std::ranges::any_of(experiments, [&](const auto& experiment) {
       return std::ranges::find(limit.of, experiment->info().component) != limit.of.end();
     });
-    if (!concerned) continue;
-    result.warnings.push_back(fmt::format(
-        "{} is left out of strips, which are predicted in one dimension", limit_name(limit.of)));
+    if (concerned) leave_out(limit_name(limit.of));
   }
 }
 

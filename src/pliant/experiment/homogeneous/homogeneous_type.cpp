@@ -95,6 +95,7 @@ WrittenFields HomogeneousSpec::fields() const {
 
 void VirtualHomogeneous::require(const Material& material) const {
   require_solid_law(material, where);
+  require_same_everywhere(material, where);
   if (!incompressible) require_solid_of_volume(material, where);
 }
 

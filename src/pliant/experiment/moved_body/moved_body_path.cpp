@@ -47,7 +47,8 @@ std::optional<BodyPoint> MovedBodyPath::step(const Eigen::Vector3d& shift, int h
 }
 
 // An equilibrium that nothing can be said of but where it is does not count as found.
-std::optional<BodyPoint> MovedBodyPath::accept(const Configuration& at, const Eigen::Vector3d& shift) {
+std::optional<BodyPoint> MovedBodyPath::accept(const Configuration& at,
+                                               const Eigen::Vector3d& shift) {
   const System& system = body_.system();
   const Controls controls = body_.controls(shift);
   const Conditions under{state_, options_.parameters, controls};

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "pliant/experiment/stored_rows.h"
-#include "pliant/geometry/block_mesh.h"
 #include "pliant/material/solid/standard_solids.h"
 
+#include "solids/bodies.h"
 #include "solids/solid_labs.h"
 
 namespace pliant {
@@ -17,7 +17,8 @@ const std::vector<int> kBoth{0, 1};
 class Pressed {
  public:
   explicit Pressed(const TestType& kind)
-      : folder_(test::measurements_of(test::lab_of(solid(), {block(kind)}), 1)),
+      : folder_(test::measurements_of(
+            test::lab_of(solid(), {test::pressed_block(kind, {4, 4, 2}, 5)}), 1)),
         study_(test::solid_study(folder_, "law: neo-hookean")),
         experiment_(study_.experiments.front(), DataRows(study_.experiments.front().data)) {}
 
@@ -32,20 +33,6 @@ class Pressed {
   }
 
  private:
-  static VirtualPress block(const TestType& kind) {
-    VirtualPress test;
-    test.name = std::string(kind.name);
-    test.kind = &kind;
-    test.setup.mesh = block_of_hexahedra({0.02, 0.02, 0.01}, {4, 4, 2});
-    test.setup.held = nodes_at(test.setup.mesh, 2, 0);
-    test.setup.radius = 8e-3;
-    test.setup.through = {0.01, 0.01, 0};
-    test.fixed = "-z";
-    test.depths = {1.5e-3};
-    test.samples = 5;
-    return test;
-  }
-
   test::LabFolder folder_;
   Study study_;
   PressTest experiment_;

@@ -8,6 +8,7 @@
 #include "pliant/material/solid/standard_solids.h"
 
 #include "io/input_error_of.h"
+#include "solids/bodies.h"
 #include "solids/solid_labs.h"
 
 namespace pliant {
@@ -19,20 +20,7 @@ using test::solid_study;
 using test::value_of;
 using ::testing::HasSubstr;
 
-/// Of a block that is held below and pressed by a sphere.
-VirtualPress pressed_block(const TestType& kind) {
-  VirtualPress test;
-  test.name = std::string(kind.name);
-  test.kind = &kind;
-  test.setup.mesh = block_of_hexahedra({0.02, 0.02, 0.01}, {4, 4, 3});
-  test.setup.held = nodes_at(test.setup.mesh, 2, 0);
-  test.setup.radius = 8e-3;
-  test.setup.through = {0.01, 0.01, 0};
-  test.fixed = "-z";
-  test.depths = {1.5e-3};
-  test.samples = 4;
-  return test;
-}
+VirtualPress pressed_block(const TestType& kind) { return test::pressed_block(kind, {4, 4, 3}, 4); }
 
 std::vector<test::AnyTest> areas_and_depths(double noise = 0) {
   VirtualPress press = pressed_block(press_type()), depth = pressed_block(indentation_type());

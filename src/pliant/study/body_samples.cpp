@@ -91,10 +91,8 @@ MaterialSamples body_samples(const Study& study) {
   const std::vector<Eigen::Vector3d> places = places_of(options, body);
   require_places(places, options, body);
   for (const Eigen::Vector3d& place : places) samples.at.push_back({place, {}});
-  const double extent =
-      (body.positions.rowwise().maxCoeff() - body.positions.rowwise().minCoeff()).norm();
   samples.width =
-      options.width.value_or(places.size() > 1 ? spacing_of_neighbours(places) : extent);
+      options.width.value_or(places.size() > 1 ? spacing_of_neighbours(places) : extent_of(body));
   return samples;
 }
 

@@ -34,6 +34,17 @@ double area_of(const VolumeMesh& mesh, const std::vector<int>& nodes) {
   return area > 0 ? area : tenth * tenth;
 }
 
+std::vector<Eigen::Vector3d> places_of(const DataRows& points) {
+  std::vector<Eigen::Vector3d> places(static_cast<std::size_t>(points.rows()));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::vector<double> along = points.quantity(kAxes[axis], Dimension::length);
+    for (std::size_t row = 0; row < along.size(); ++row) {
+      places[row](static_cast<Eigen::Index>(axis)) = along[row];
+    }
+  }
+  return places;
+}
+
 double stated(const std::optional<double>& noise, const char* key, const ExperimentSpec& spec) {
   if (noise) return *noise;
   throw InputError(
@@ -98,13 +109,11 @@ void MovedBodyTest::append_forces(const DataRows& data, const ExperimentSpec& sp
 
 std::map<std::string, int> MovedBodyTest::read_marks(const DataRows& points,
                                                      const std::vector<long>& frames,
-                                                     const std::vector<std::string>& names) {
+                                                     const std::vector<std::string>& names,
+                                                     const std::vector<Eigen::Vector3d>& places) {
   const VolumeMesh& mesh = setup().mesh;
   const Eigen::Matrix3Xi triangles = boundary_surface(mesh).triangles;
   const double edge = mean_surface_edge(mesh);
-  const std::vector<double> x = points.quantity("x", Dimension::length);
-  const std::vector<double> y = points.quantity("y", Dimension::length);
-  const std::vector<double> z = points.quantity("z", Dimension::length);
   std::map<std::string, int> marks;
   for (std::size_t row = 0; row < names.size(); ++row) {
     if (frames[row] != 0) continue;
@@ -113,7 +122,7 @@ std::map<std::string, int> MovedBodyTest::read_marks(const DataRows& points,
       throw InputError(where, quoted_value(names[row]) + " is at rest twice",
                        "one row of frame 0 a point");
     }
-    const Eigen::Vector3d rest{x[row], y[row], z[row]};
+    const Eigen::Vector3d& rest = places[row];
     const SurfacePlace place = nearest_on_surface(mesh.positions, triangles, rest);
     if (place.distance > kOffSurface * edge) {
       throw InputError(where,
@@ -135,11 +144,8 @@ void MovedBodyTest::append_positions(const DataRows& points, const ExperimentSpe
     throw InputError(points.location(0, frames ? "point" : "frame"), "is not there",
                      "columns frame (0: at rest, then the rows of `data`), point, x, y, z");
   }
-  const std::map<std::string, int> marks = read_marks(points, *frames, *names);
-  std::array<std::vector<double>, 3> at;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = points.quantity(kAxes[axis], Dimension::length);
-  }
+  const std::vector<Eigen::Vector3d> places = places_of(points);
+  const std::map<std::string, int> marks = read_marks(points, *frames, *names, places);
   for (std::size_t row = 0; row < names->size(); ++row) {
     const long frame = (*frames)[row];
     if (frame == 0) continue;
@@ -157,7 +163,7 @@ void MovedBodyTest::append_positions(const DataRows& points, const ExperimentSpe
     const Eigen::Vector3d& rest = marks_[static_cast<std::size_t>(mark->second)].rest;
     for (int axis = 0; axis < 3; ++axis) {
       rows.push_back({{static_cast<int>(frame) - 1, mark->second, axis, noise},
-                      at[static_cast<std::size_t>(axis)][row] - rest(axis)});
+                      places[row](axis) - rest(axis)});
     }
   }
 }

@@ -57,8 +57,10 @@ class MovedBodyTest : public SolidExperiment {
   void read_shifts(const DataRows& data);
   void append_forces(const DataRows& data, const ExperimentSpec& spec, std::vector<Row>& rows);
   void append_positions(const DataRows& points, const ExperimentSpec& spec, std::vector<Row>& rows);
+  /// @param places  of each row of `points` (m)
   std::map<std::string, int> read_marks(const DataRows& points, const std::vector<long>& frames,
-                                        const std::vector<std::string>& names);
+                                        const std::vector<std::string>& names,
+                                        const std::vector<Eigen::Vector3d>& places);
   void take_rows(const std::vector<Row>& rows);
   void describe_rows();
 

@@ -12,7 +12,7 @@ constexpr int kMostHalvings = 8;
 
 }  // namespace
 
-MovedBodyPath::MovedBodyPath(const HeldBody& body, BodyOptions options)
+MovedBodyPath::MovedBodyPath(const HeldBody& body, BodyPathOptions options)
     : body_(body),
       options_(std::move(options)),
       workspace_(body.system()),

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/base/progress.h"
+#include "pliant/experiment/body_path_options.h"
 #include "pliant/experiment/moved_body/body_setup.h"
 #include "pliant/solver/objective.h"
 #include "pliant/solver/workspace.h"
@@ -18,17 +18,11 @@ struct BodyPoint {
   Eigen::MatrixXd force_by;        ///< 3 x chosen parameters
 };
 
-struct BodyOptions {
-  Parameters parameters = {};  ///< of the body's system
-  std::vector<int> by = {};    ///< of them, those that derivatives are wanted by
-  StopToken stop = {};
-};
-
 /// Equilibria of a body that remembers, one after the other.
 class MovedBodyPath {
  public:
   /// From the body at rest. `body` outlives it.
-  MovedBodyPath(const HeldBody& body, BodyOptions options);
+  MovedBodyPath(const HeldBody& body, BodyPathOptions options);
 
   /// @param guess  nodes of an equilibrium that is near; null: none is known
   /// @return nothing where no equilibrium is found; the path is then of no more use
@@ -42,7 +36,7 @@ class MovedBodyPath {
   bool differentiate(const Objective& objective, const Configuration& at, BodyPoint& point);
 
   const HeldBody& body_;
-  BodyOptions options_;
+  BodyPathOptions options_;
   Workspace workspace_;
   State state_;
   Eigen::MatrixXd history_by_;

@@ -13,6 +13,7 @@
 #include "pliant/experiment/solid_material.h"
 #include "pliant/experiment/virtual_table.h"
 #include "pliant/geometry/spread_points.h"
+#include "pliant/geometry/surface_nodes.h"
 #include "pliant/geometry/volume_file.h"
 #include "pliant/geometry/volume_source.h"
 #include "pliant/io/vector_fields.h"
@@ -31,10 +32,7 @@ constexpr TestFacts kFacts{.measures_solids = true,
 
 /// Nodes of the surface that are neither held nor moved.
 std::vector<int> free_surface(const BodySetup& setup) {
-  const Eigen::Matrix3Xi triangles = boundary_surface(setup.mesh).triangles;
-  std::vector<int> nodes(triangles.data(), triangles.data() + triangles.size());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> nodes = surface_nodes(setup.mesh);
   std::erase_if(nodes, [&](int node) {
     return std::ranges::binary_search(setup.held, node) ||
            std::ranges::binary_search(setup.moved, node);

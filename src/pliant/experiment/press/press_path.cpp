@@ -26,10 +26,10 @@ Eigen::RowVectorXd dot_each(const Eigen::Matrix3Xd& a, const Eigen::MatrixXd& ea
 
 }  // namespace
 
-PressPath::PressPath(const PressedBody& body, PressOptions options)
+PressPath::PressPath(const PressedBody& body, BodyPathOptions options)
     : PressPath(body, std::move(options), Workspace(body.system())) {}
 
-PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace)
+PressPath::PressPath(const PressedBody& body, BodyPathOptions options, Workspace workspace)
     : body_(body),
       options_(std::move(options)),
       workspace_(std::move(workspace)),
@@ -43,7 +43,7 @@ PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace wo
   history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
 }
 
-PressPath::PressPath(const PressedBody& body, PressOptions options, Workspace workspace,
+PressPath::PressPath(const PressedBody& body, BodyPathOptions options, Workspace workspace,
                      PressStand from)
     : body_(body),
       options_(std::move(options)),

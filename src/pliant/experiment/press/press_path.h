@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pliant/base/progress.h"
+#include "pliant/experiment/body_path_options.h"
 #include "pliant/experiment/press/pressed_body.h"
 #include "pliant/experiment/session/equilibrium_work.h"
 #include "pliant/solver/newton.h"
@@ -33,12 +34,6 @@ struct PressStand {
   State state;
 };
 
-struct PressOptions {
-  Parameters parameters = {};  ///< of the body's system
-  std::vector<int> by = {};    ///< of them, those that derivatives are wanted by
-  StopToken stop = {};
-};
-
 /// The way of an indenter into a body that remembers: equilibria one after the other.
 ///
 /// It goes on in steps of a quarter of an edge at most, which end where all paths have an end, so
@@ -46,10 +41,10 @@ struct PressOptions {
 class PressPath {
  public:
   /// From the body at rest. `body` outlives it.
-  PressPath(const PressedBody& body, PressOptions options);
-  PressPath(const PressedBody& body, PressOptions options, Workspace workspace);
+  PressPath(const PressedBody& body, BodyPathOptions options);
+  PressPath(const PressedBody& body, BodyPathOptions options, Workspace workspace);
   /// From where another path of the body stands, whose law remembers nothing.
-  PressPath(const PressedBody& body, PressOptions options, Workspace workspace, PressStand from);
+  PressPath(const PressedBody& body, BodyPathOptions options, Workspace workspace, PressStand from);
 
   /// @return nothing where no equilibrium is found; the path is then of no more use
   std::optional<PressPoint> go_to_travel(double travel);
@@ -95,7 +90,7 @@ class PressPath {
   bool differentiate(const Trial& trial, const std::optional<double>& area, PressPoint& point);
 
   const PressedBody& body_;
-  PressOptions options_;
+  BodyPathOptions options_;
   Workspace workspace_;
   State state_;
   Eigen::MatrixXd history_by_;

@@ -46,7 +46,7 @@ class PressPredictor : public Predictor {
     const Workers& workers;
   };
 
-  PressOptions options(const Asked& asked) const {
+  BodyPathOptions options(const Asked& asked) const {
     return {body_.system().with(asked.values), asked.by, asked.workers.stop};
   }
   bool go_to(int row, PressPath& path) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pliant/base/assert.h"
+#include "pliant/geometry/surface_nodes.h"
 
 namespace pliant {
 namespace {
@@ -28,10 +29,7 @@ bool has_history(const std::shared_ptr<const ParametricDensity>& law) {
 }  // namespace
 
 std::vector<int> nodes_to_touch(const PressSetup& setup) {
-  const Eigen::Matrix3Xi triangles = boundary_surface(setup.mesh).triangles;
-  std::vector<int> nodes(triangles.data(), triangles.data() + triangles.size());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> nodes = surface_nodes(setup.mesh);
   std::erase_if(nodes, [&](int node) { return std::ranges::binary_search(setup.held, node); });
   return nodes;
 }

@@ -291,7 +291,7 @@ TEST(UnsolvableScene, StopsWithStepResidualAndTheLastGoodState) {
   }
 }
 
-TEST(UnsolvableScene, NeverWritesNaN) {
+TEST(SlowUnsolvableScene, NeverWritesNaN) {
   for (const char* time :
        {"{step: 5 ms, duration: 20 ms, solve: linearized}", "{step: 5 ms, duration: 20 ms}",
         "{step: 5 ms, duration: 20 ms, integrator: bdf2, adaptive: true}",

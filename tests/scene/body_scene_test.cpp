@@ -65,7 +65,7 @@ TEST(SlowMeshBody, CarriesWhatFallsOnIt) {
 }
 
 // On a facet of a mesh cloth lies as on the plane that the facet is of.
-TEST(MeshBody, IsLikeAPlaneWhereItIsFlat) {
+TEST(SlowMeshBody, IsLikeAPlaneWhereItIsFlat) {
   const BodyScene folder;
   folder.write_plate("plate.obj", 200, -5);
   Eigen::Matrix3Xd ends[2];
@@ -80,7 +80,7 @@ TEST(MeshBody, IsLikeAPlaneWhereItIsFlat) {
   EXPECT_LT((ends[0] - ends[1]).colwise().norm().maxCoeff(), 2e-4);
 }
 
-TEST(MeshBody, ThatIsLedTakesClothAlong) {
+TEST(SlowMeshBody, ThatIsLedTakesClothAlong) {
   const BodyScene folder;
   folder.write_ball("ball.obj", 50, -53);
   Simulation simulation = folder.simulated(
@@ -105,7 +105,7 @@ TEST(MeshBody, CatchesWhatWouldBePastItInOneStep) {
 }
 
 // The ball swells to twice its size and shrinks again.
-TEST(MeshSequence, PushesAsItsFramesHaveIt) {
+TEST(SlowMeshSequence, PushesAsItsFramesHaveIt) {
   const BodyScene folder;
   for (int frame = 0; frame < 5; ++frame) {
     folder.write_ball(fmt::format("balls/{:03}.obj", frame + 7), 25 + 12.5 * (2 - abs(frame - 2)),

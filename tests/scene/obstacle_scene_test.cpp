@@ -65,7 +65,7 @@ TEST(Slope, LetsSlideAgainstKineticFriction) {
 }
 
 // Between the two slopes what rests stays, and what slides goes on.
-TEST(Slope, TellsStickingFromSliding) {
+TEST(SlowSlope, TellsStickingFromSliding) {
   Simulation sheet = on_slope(24, "{static: 0.5, kinetic: 0.4}");
   EXPECT_LT(std::abs(slides(sheet, 2)), 10e-6);
   Simulation started = on_slope(24, "{static: 0.44, kinetic: 0.4}");

@@ -188,7 +188,7 @@ std::set<std::string> keys_written(Json document) {
 }
 
 // One test of both, since a fit of everything is what is written.
-TEST(SchemaOfResults, AcceptsWhatTheProgramWritesAndKnowsItsKeysAlone) {
+TEST(SlowSchemaOfResults, AcceptsWhatTheProgramWritesAndKnowsItsKeysAlone) {
   const std::vector<NamedDocument> documents = written_documents();
   for (const NamedDocument& written : documents) {
     if (is_input(written)) continue;

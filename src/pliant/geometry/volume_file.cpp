@@ -72,6 +72,7 @@ VolumeData data_of(const VolumeMesh& mesh) {
   data.tetrahedra = elements_of(mesh.tetrahedra, mesh, 0);
   data.hexahedra = elements_of(mesh.hexahedra, mesh, mesh.tetrahedron_count());
   data.region_names = mesh.region_names;
+  data.groups = mesh.groups;
   return data;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -205,9 +206,11 @@ class GmshReader {
     } else if (type.number == 5) {
       add(corners, group, line, data_.hexahedra);
     } else {
-      ++data_.ignored[type.name];
       const auto named = names_.find({type.dimension, group});
-      if (named == names_.end()) return;
+      if (named == names_.end()) {
+        ++data_.ignored[type.name];
+        return;
+      }
       grouped_[named->second].insert(corners.begin(), corners.begin() + type.corners);
     }
   }
@@ -229,16 +232,65 @@ class GmshReader {
   std::map<std::string, std::set<int>> grouped_;
 };
 
-template <std::size_t Corners>
-void write_elements(const VolumeData::Elements<Corners>& elements, int type, int& number,
-                    std::string& text) {
-  for (std::size_t e = 0; e < elements.corners.size(); ++e) {
-    const int label = elements.labels.empty() ? 0 : elements.labels[e];
-    text += fmt::format("{} {} 2 {} {}", ++number, type, label, label);
-    for (const int corner : elements.corners[e]) text += fmt::format(" {}", corner + 1);
-    text += '\n';
+/// The text of a file of format 2.2; groups of points are elements of one point each.
+class GmshWriter {
+ public:
+  explicit GmshWriter(const VolumeData& data) : data_(data) {}
+
+  std::string write() && {
+    text_ = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    write_names();
+    write_nodes();
+    for (int group = 1; const auto& [name, points] : data_.groups) {
+      for (const int point : points) write_element(15, group, {&point, 1});
+      ++group;
+    }
+    write_elements(data_.tetrahedra, 4);
+    write_elements(data_.hexahedra, 5);
+    text_ += fmt::format("$Elements\n{}\n{}$EndElements\n", elements_, lines_);
+    return std::move(text_);
   }
-}
+
+ private:
+  void write_names() {
+    if (data_.region_names.empty() && data_.groups.empty()) return;
+    text_ += fmt::format("$PhysicalNames\n{}\n", data_.region_names.size() + data_.groups.size());
+    for (int group = 1; const auto& [name, points] : data_.groups) {
+      text_ += fmt::format("0 {} \"{}\"\n", group++, name);
+    }
+    for (const auto& [label, name] : data_.region_names) {
+      text_ += fmt::format("3 {} \"{}\"\n", label, name);
+    }
+    text_ += "$EndPhysicalNames\n";
+  }
+
+  void write_nodes() {
+    text_ += fmt::format("$Nodes\n{}\n", data_.points.size());
+    for (std::size_t i = 0; i < data_.points.size(); ++i) {
+      const auto& [x, y, z] = data_.points[i];
+      text_ += fmt::format("{} {} {} {}\n", i + 1, x, y, z);
+    }
+    text_ += "$EndNodes\n";
+  }
+
+  template <std::size_t Corners>
+  void write_elements(const VolumeData::Elements<Corners>& elements, int type) {
+    for (std::size_t e = 0; e < elements.corners.size(); ++e) {
+      write_element(type, elements.labels.empty() ? 0 : elements.labels[e], elements.corners[e]);
+    }
+  }
+
+  void write_element(int type, int group, std::span<const int> corners) {
+    lines_ += fmt::format("{} {} 2 {} {}", ++elements_, type, group, group);
+    for (const int corner : corners) lines_ += fmt::format(" {}", corner + 1);
+    lines_ += '\n';
+  }
+
+  const VolumeData& data_;
+  std::string text_;
+  std::string lines_;  // of elements
+  int elements_ = 0;
+};
 
 }  // namespace
 
@@ -250,26 +302,6 @@ VolumeData read_gmsh(const std::filesystem::path& path) {
   return parse_gmsh(read_text_file(path, kMaxMeshFileSize), path.string());
 }
 
-std::string write_gmsh(const VolumeData& data) {
-  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
-  if (!data.region_names.empty()) {
-    text += fmt::format("$PhysicalNames\n{}\n", data.region_names.size());
-    for (const auto& [label, name] : data.region_names) {
-      text += fmt::format("3 {} \"{}\"\n", label, name);
-    }
-    text += "$EndPhysicalNames\n";
-  }
-  text += fmt::format("$Nodes\n{}\n", data.points.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
-    const auto& [x, y, z] = data.points[i];
-    text += fmt::format("{} {} {} {}\n", i + 1, x, y, z);
-  }
-  int number = 0;
-  text += fmt::format("$EndNodes\n$Elements\n{}\n",
-                      data.tetrahedra.corners.size() + data.hexahedra.corners.size());
-  write_elements(data.tetrahedra, 4, number, text);
-  write_elements(data.hexahedra, 5, number, text);
-  return text + "$EndElements\n";
-}
+std::string write_gmsh(const VolumeData& data) { return GmshWriter(data).write(); }
 
 }  // namespace pliant

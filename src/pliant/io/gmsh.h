@@ -17,8 +17,8 @@ namespace pliant {
 VolumeData read_gmsh(const std::filesystem::path& path);
 VolumeData parse_gmsh(std::string_view text, const std::string& file);
 
-/// The text of a file of format 2.2; `read_gmsh` gives back points, elements and labels to the
-/// bits.
+/// The text of a file of format 2.2; `read_gmsh` gives back points, elements, labels and groups to
+/// the bits.
 std::string write_gmsh(const VolumeData& data);
 
 }  // namespace pliant

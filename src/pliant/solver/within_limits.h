@@ -5,9 +5,9 @@
 namespace pliant {
 
 /// The equilibrium of a system in which no energy passes its limit ([T] 4.2.5): barriers are
-/// followed until they are so low that the forces of limits are those of the multipliers of the
-/// complementarity problem. Where the system begins beyond a limit, as where points were led, it is
-/// brought back first. Without limits it is `minimize`.
+/// followed (limit_barriers.h) until they are so low that the forces of limits are those of the
+/// multipliers of the complementarity problem. The system may begin beyond a limit, as where points
+/// were led. Without limits it is `minimize`.
 /// @param at  where to begin, then what was found
 /// @return counts of all searches; not converged where nothing within the limits was found
 NewtonSummary minimize_within_limits(const System& system, const Conditions& under,

@@ -82,7 +82,7 @@ ReachedEnergies energies_of(const SolidProblem& problem, const Material& materia
 std::vector<double> first_limits(const ReachedEnergies& reached) {
   const std::vector<double>& energies = reached.of_rows;
   const double most = energies.back();
-  std::vector<double> limits;
+  std::vector<double> limits{kBeyond * most};
   if (reached.of_bodies) {
     for (const double share : kSharesOfLimits) limits.push_back(share * most);
     return limits;
@@ -92,7 +92,6 @@ std::vector<double> first_limits(const ReachedEnergies& reached) {
     const double limit = energies[static_cast<std::size_t>(rank)];
     if (limit > 1e-6 * most) limits.push_back(limit);
   }
-  limits.push_back(kBeyond * most);
   return limits;
 }
 

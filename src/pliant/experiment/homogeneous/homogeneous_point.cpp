@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "pliant/material/density/limit_barriers.h"
+
 namespace pliant {
 namespace {
 
@@ -141,7 +143,6 @@ double HomogeneousPoint::share_left(const Eigen::Vector3d& logs) const {
   return left(0);
 }
 
-// From beyond a limit first by barriers that lead back; then by ever lower ones.
 std::optional<Eigen::Vector3d> HomogeneousPoint::within_limits(const Free& free) {
   Eigen::VectorXd at = free.guess;
   const auto follow = [&](const LimitBarrier& limits) {
@@ -150,11 +151,8 @@ std::optional<Eigen::Vector3d> HomogeneousPoint::within_limits(const Free& free)
     if (found) at = *found;
     return found.has_value();
   };
-  for (double mended = 0.1; share_left(free.logs(at)) <= 0; mended /= 10) {
-    if (mended < 1e-5 || !follow({.share = 1e-2, .mended = mended})) return std::nullopt;
-  }
-  bool found = true;
-  for (const double share : {1e-2, 1e-4, LimitBarrier{}.share}) found = follow({.share = share});
+  for (const LimitBarrier& barrier : kLimitBarriers) follow(barrier);
+  const bool found = share_left(free.logs(at)) > 0 && follow({});
   return found ? std::optional(free.logs(at)) : std::nullopt;
 }
 

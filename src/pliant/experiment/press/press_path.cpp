@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kStep = 0.25;      // of an edge
 constexpr double kFarthest = 0.95;  // of the body's extent
-constexpr int kFewIterations = 20;
+constexpr int kFewIterations = 20, kManyIterations = 200;
+constexpr int kHalvings = 6;    // of a step that leads nowhere
 constexpr double kNear = 1e-6;  // of an area and of an edge: the rest is linear
 
 double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
@@ -55,16 +56,8 @@ PressPath::PressPath(const PressedBody& body, BodyPathOptions options, Workspace
   history_by_ = Eigen::MatrixXd::Zero(state_.history.size(), std::ssize(options_.by));
 }
 
-// From where the last step ended, at a limit of energy first moved on as the body does: points that
-// the indenter alone moves on are beyond the limit.
 std::optional<PressPath::Trial> PressPath::trial(double travel) {
-  const Eigen::Matrix3Xd& by_travel = point_.motion.positions_by_travel;
-  if (body_.system().is_limited() && by_travel.size() > 0) {
-    Configuration guess = state_.configuration;
-    guess.positions += (travel - travel_) * by_travel;
-    if (auto found = trial_near(std::move(guess), travel, few_iterations())) return found;
-  }
-  return trial_near(state_.configuration, travel, most_iterations());
+  return trial_near(state_.configuration, travel, kManyIterations);
 }
 
 // What is in the indenter's way since the last step is moved on with it.
@@ -81,7 +74,7 @@ std::optional<PressPath::Trial> PressPath::trial_near(Configuration guess, doubl
 // Begins where the area before was found to be passed: there but for what friction remembers since.
 std::optional<PressPath::Trial> PressPath::trial_of_stop(double travel) {
   if (ahead_.travel == travel && ahead_.at.positions.size() > 0) {
-    if (auto found = trial_from(ahead_.at, travel, most_iterations())) return found;
+    if (auto found = trial_from(ahead_.at, travel, kManyIterations)) return found;
   }
   return trial(travel);
 }
@@ -101,23 +94,12 @@ std::optional<PressPath::Trial> PressPath::trial_from(Configuration guess, doubl
   return Trial{travel, std::move(guess), area};
 }
 
-// A search at limits that takes long mostly ends nowhere: the body goes no further.
-int PressPath::most_iterations() const {
-  return body_.system().is_limited() ? 60 : NewtonOptions{}.max_iterations;
-}
-
-int PressPath::few_iterations() const {
-  return body_.system().is_limited() ? most_iterations() : kFewIterations;
-}
-
-int PressPath::most_halvings() const { return body_.system().is_limited() ? 2 : 6; }
-
 std::optional<PressPath::Trial> PressPath::trial_between(const Trial& low, const Trial& high,
                                                          double travel) {
   const double share = (travel - low.travel) / (high.travel - low.travel);
   Configuration guess = low.at;
   guess.positions += share * (high.at.positions - low.at.positions);
-  auto found = trial_from(std::move(guess), travel, most_iterations());
+  auto found = trial_from(std::move(guess), travel, kManyIterations);
   return found ? found : trial(travel);
 }
 
@@ -131,7 +113,7 @@ double PressPath::next_stop(int way) const {
 
 std::optional<PressPoint> PressPath::step(double travel, int halvings) {
   if (const auto found = trial(travel)) return accept(*found);
-  if (halvings == most_halvings()) return std::nullopt;
+  if (halvings == kHalvings) return std::nullopt;
   if (!step((travel_ + travel) / 2, halvings + 1)) return std::nullopt;
   return step(travel, halvings + 1);
 }
@@ -150,8 +132,6 @@ std::optional<PressPoint> PressPath::go_to_travel(double travel) {
 }
 
 std::optional<PressPoint> PressPath::go_to_area(double area) {
-  const bool begun = !body_.remembers() && point_.motion.area_by_travel != 0;
-  if (begun && body_.system().is_limited()) return go_by_short_steps(area);
   if (auto found = go_by_secants(area)) return found;
   const double farthest = kFarthest * body_.extent();
   Trial here{travel_, state_.configuration, body_.area(positions(), travel_).value};
@@ -159,7 +139,7 @@ std::optional<PressPoint> PressPath::go_to_area(double area) {
   while (travel_ < farthest) {
     double stop = std::max(next_stop(way), body_.clear_travel());
     auto next = trial_of_stop(stop);
-    for (int halvings = 0; !next && halvings < most_halvings(); ++halvings) {
+    for (int halvings = 0; !next && halvings < kHalvings; ++halvings) {
       stop = (travel_ + stop) / 2;
       next = trial(stop);
     }
@@ -201,7 +181,7 @@ std::optional<PressPath::Trial> PressPath::trial_of_area(double area, Trial low,
 std::optional<PressPoint> PressPath::settle_at_travel(const Eigen::VectorXd& change) {
   Configuration guess = state_.configuration;
   if (change.size() > 0) guess.positions.reshaped() += point_.motion.positions_by * change;
-  const auto found = trial_near(std::move(guess), travel_, few_iterations());
+  const auto found = trial_near(std::move(guess), travel_, kFewIterations);
   return found ? accept(*found) : std::nullopt;
 }
 
@@ -229,40 +209,20 @@ std::optional<PressPoint> PressPath::go_by_secants(double area) {
   return found ? accept(*found, area) : std::nullopt;
 }
 
-// At limits of energy the body's motion carries no further than short steps.
-std::optional<PressPoint> PressPath::go_by_short_steps(double area) {
-  constexpr double kShort = 0.05;  // of an edge
-  constexpr int kMostSteps = 200, kMostHalvings = 3;
-  double most = kShort * body_.edge();
-  for (int steps = 0, halvings = 0; steps < kMostSteps; ++steps) {
-    const double way = (area - point_.area) / point_.motion.area_by_travel;
-    if (!std::isfinite(way)) return std::nullopt;
-    if (std::abs(way) <= most) {
-      if (auto found = go_by_secants(area)) return found;
-    } else if (const auto next = trial(travel_ + std::copysign(most, way))) {
-      if (!accept(*next, next->area)) return std::nullopt;
-      continue;
-    }
-    if (++halvings > kMostHalvings) return std::nullopt;
-    most /= 2;
-  }
-  return std::nullopt;
-}
-
 // The first by the derivative where the path stands.
 std::optional<PressPath::Trial> PressPath::trial_by_secants(double area, Configuration guess,
                                                             double travel) {
   constexpr int kMost = 8;
   Eigen::Matrix3Xd by_travel = point_.motion.positions_by_travel;
   double area_by_travel = point_.motion.area_by_travel;
-  auto here = trial_near(std::move(guess), travel, few_iterations());
+  auto here = trial_near(std::move(guess), travel, kFewIterations);
   for (int secants = 0; here; ++secants) {
     const double lacks = area - here->area, way = lacks / area_by_travel;
     if (std::abs(lacks) < kNear * area) return here;
     if (secants == kMost || !(std::abs(way) < kStep * body_.edge())) return std::nullopt;
     guess = here->at;
     guess.positions += way * by_travel;
-    auto next = trial_near(std::move(guess), here->travel + way, few_iterations());
+    auto next = trial_near(std::move(guess), here->travel + way, kFewIterations);
     if (!next) return std::nullopt;
     by_travel = (next->at.positions - here->at.positions) / way;
     area_by_travel = (next->area - here->area) / way;
@@ -277,7 +237,7 @@ std::optional<PressPoint> PressPath::accept(const Trial& trial, std::optional<do
   const Evaluation of_contact{trial.at, body_.system().history_of(body_.contact(), state_), nullptr,
                               controls};
   PressPoint point{trial.travel, body_.force(of_contact), trial.area, {}, {}};
-  const bool in_motion = !options_.by.empty() || area || body_.system().is_limited();
+  const bool in_motion = !options_.by.empty() || area;
   if (in_motion && !differentiate(trial, area, point)) return std::nullopt;
   State next = state_;
   body_.system().advance_history(trial.at, {state_, options_.parameters, controls}, next.history);

@@ -25,7 +25,7 @@ struct PressPoint {
   double force = 0;             ///< N
   double area = 0;              ///< that touches, smoothed (m^2)
   Eigen::RowVectorXd force_by;  ///< by the chosen parameters
-  PressMotion motion;           ///< where derivatives were wanted, at areas and with limits
+  PressMotion motion;           ///< where derivatives were wanted, and at areas
 };
 
 /// An equilibrium where a path stands, with what is remembered there.
@@ -74,14 +74,10 @@ class PressPath {
   std::optional<Trial> trial_near(Configuration guess, double travel, int max_iterations);
   std::optional<Trial> trial_of_stop(double travel);
   std::optional<Trial> trial_from(Configuration guess, double travel, int max_iterations);
-  int most_iterations() const;
-  int few_iterations() const;
-  int most_halvings() const;
   std::optional<Trial> trial_between(const Trial& low, const Trial& high, double travel);
   std::optional<Trial> trial_of_area(double area, Trial low, Trial high);
   std::optional<Trial> trial_by_secants(double area, Configuration guess, double travel);
   std::optional<PressPoint> go_by_secants(double area);
-  std::optional<PressPoint> go_by_short_steps(double area);
   std::optional<PressPoint> step(double travel, int halvings);
   bool walk(double travel);
   double next_stop(int way) const;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pliant/material/density/limit_barriers.h"
+#include "pliant/material/limit_barriers.h"
 
 namespace pliant {
 

@@ -145,12 +145,24 @@ Problem SolidProblem::problem(const Material& material) {
   return problem;
 }
 
+// Bodies have equilibria side by side, and a search goes on from those that it stands at: what
+// counts is where a body comes to from rest.
 LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOptions& options) {
+  constexpr double kAlike = 1e-12;  // of a row: a millionth of its weight
   const Problem own = problem(material);
-  const LeastSquaresSummary end =
-      solve_least_squares(own.least_squares(), starts_of(own.unknowns()), options, context_.stop);
-  if (std::isfinite(end.cost)) set_numbers(end.parameters, material);
-  return end;
+  const LeastSquaresProblem search = own.least_squares();
+  const Eigen::VectorXd start = starts_of(own.unknowns());
+  const double before = cost_at(search, start);
+  LeastSquaresSummary end = solve_least_squares(search, start, options, context_.stop);
+  if (!std::isfinite(end.cost)) return end;
+  Material found = material;
+  set_numbers(end.parameters, found);
+  end.cost = cost_at(problem(found).least_squares(), end.parameters);
+  if (end.cost <= before + kAlike * rows()) {
+    material = std::move(found);
+    return end;
+  }
+  return {.parameters = start, .cost = before, .converged = false, .iterations = end.iterations};
 }
 
 void set_numbers(const Eigen::VectorXd& numbers, Material& material) {

@@ -46,7 +46,8 @@ class SolidProblem {
   /// The least-squares problem of a material of some form, which begins at its numbers.
   Problem problem(const Material& material);
 
-  /// Numbers of the material that make the differences least, from its own on.
+  /// Numbers of the material that make the differences least, from its own on: of those, where the
+  /// search came to no better ones.
   LeastSquaresSummary solve(Material& material, const LeastSquaresOptions& options = {});
 
  private:

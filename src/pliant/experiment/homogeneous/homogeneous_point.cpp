@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "pliant/material/density/limit_barriers.h"
+#include "pliant/material/limit_barriers.h"
 
 namespace pliant {
 namespace {

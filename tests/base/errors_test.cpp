@@ -1,5 +1,6 @@
 #include "pliant/base/errors.h"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -52,6 +53,9 @@ TEST(SolverErrorText, TellsIterationsAndResidual) {
   EXPECT_STREQ(error.what(),
                "the equilibrium of frame 3 did not converge after 50 iterations (best residual "
                "0.00125)");
+  EXPECT_STREQ(SolverError("the equilibrium", 0, 0).what(), "the equilibrium did not converge");
+  EXPECT_STREQ(SolverError("the step", 5, INFINITY).what(),
+               "the step did not converge after 5 iterations");
 }
 
 TEST(Assertion, ThrowsWithItsPlaceInEveryBuildType) {

@@ -1,5 +1,6 @@
 #include "pliant/base/errors.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -61,6 +62,15 @@ std::string describe(const Location& where, const std::string& problem,
   return line;
 }
 
+// What is not known of a search is not told.
+std::string told_of(int iterations, double best_residual) {
+  std::string told;
+  if (iterations > 0) told += fmt::format(" after {} iterations", iterations);
+  const bool reached = best_residual > 0 && std::isfinite(best_residual);
+  if (reached) told += fmt::format(" (best residual {:.3g})", best_residual);
+  return told;
+}
+
 }  // namespace
 
 std::string one_line(std::string_view text, std::size_t max_bytes) {
@@ -88,9 +98,8 @@ InputError::InputError(Location where, std::string problem, std::string expected
       expected_(std::move(expected)) {}
 
 SolverError::SolverError(std::string what_failed, int iterations, double best_residual)
-    : std::runtime_error(
-          fmt::format("{} did not converge after {} iterations (best residual {:.3g})",
-                      one_line(what_failed, kMaxPartSize), iterations, best_residual)),
+    : std::runtime_error(one_line(what_failed, kMaxPartSize) + " did not converge" +
+                         told_of(iterations, best_residual)),
       iterations_(iterations),
       best_residual_(best_residual) {}
 

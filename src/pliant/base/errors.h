@@ -35,7 +35,9 @@ class InputError : public std::runtime_error {
 class SolverError : public std::runtime_error {
  public:
   /// @param what_failed    e.g. "the equilibrium of frame 12"
-  /// @param best_residual  smallest residual reached, in the unit of `what_failed`
+  /// @param iterations     of the search; 0: not known
+  /// @param best_residual  smallest residual reached, in the unit of `what_failed`; 0 or infinite:
+  ///                       not known
   SolverError(std::string what_failed, int iterations, double best_residual);
 
   int iterations() const { return iterations_; }

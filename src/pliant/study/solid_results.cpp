@@ -71,7 +71,7 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   const auto predictor = experiment.predictor(material);
   StoredRows rows(experiment);
   if (!predictor->predict(predictor->values(), {}, {}, rows)) {
-    throw SolverError("experiment " + info.name + ": its free sides; their equilibrium", 0, 0);
+    throw SolverError("experiment " + info.name + ": with these numbers its equilibrium", 0, 0);
   }
   ExperimentResult result;
   result.name = info.name;

@@ -132,7 +132,7 @@ VirtualData VirtualHomogeneous::measure(const VirtualSpecimen& specimen,
   const std::vector<HomogeneousRow> rows = path();
   const auto stresses = homogeneous_stresses(*law, rows, {0}, incompressible, false);
   if (!stresses) {
-    throw SolverError("virtual experiment " + name + ": the free sides find no equilibrium", 0, 0);
+    throw SolverError("virtual experiment " + name + ": the equilibrium of the free sides", 0, 0);
   }
   ReadColumn first{"stretch", {}}, second{"stretch_2", {}},
       stress{"nominal_stress_Pa", {}, 1, {noise, 0}};

@@ -9,6 +9,9 @@ namespace pliant {
 NewtonSummary minimize_within_limits(const System& system, const Conditions& under,
                                      const NewtonOptions& options, Workspace& workspace,
                                      Configuration& at, PhaseSeconds* seconds) {
+  if (!system.is_limited()) {
+    return minimize(Objective(system, under, seconds), options, workspace, at);
+  }
   NewtonSummary summary;
   const auto follow = [&](const LimitBarrier& limits) {
     Conditions then = under;
@@ -20,7 +23,7 @@ NewtonSummary minimize_within_limits(const System& system, const Conditions& und
     summary = found;
     return found.converged;
   };
-  if (!system.is_limited() || std::ranges::all_of(kLimitBarriers, follow)) {
+  if (std::ranges::all_of(kLimitBarriers, follow)) {
     summary.converged = system.share_left(at, under) > 0 && follow({});
   }
   return summary;

@@ -38,8 +38,9 @@ Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit)
     ends[s].solution = problem.solve(ends[s].material, options);
     return ends[s].solution.cost;
   });
-  if (!search.found())
+  if (!search.found()) {
     throw SolverError("the prediction of the solid's experiments, from any start,", 0, 0);
+  }
   fit.starts = {"solid", "law", kUnit, {}, search.reached_best};
   for (const double cost : search.costs) {
     fit.starts.ends.push_back(std::sqrt(2 * cost / std::max(problem.rows(), 1)));

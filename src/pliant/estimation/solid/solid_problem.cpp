@@ -152,17 +152,21 @@ LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOp
   const Problem own = problem(material);
   const LeastSquaresProblem search = own.least_squares();
   const Eigen::VectorXd start = starts_of(own.unknowns());
-  const double before = cost_at(search, start);
   LeastSquaresSummary end = solve_least_squares(search, start, options, context_.stop);
   if (!std::isfinite(end.cost)) return end;
   Material found = material;
   set_numbers(end.parameters, found);
-  end.cost = cost_at(problem(found).least_squares(), end.parameters);
-  if (end.cost <= before + kAlike * rows()) {
-    material = std::move(found);
-    return end;
+  const double walked = cost_at(problem(found).least_squares(), end.parameters);
+  if (walked > end.cost + kAlike * rows()) {
+    const double before = cost_at(problem(material).least_squares(), start);
+    if (walked > before) {
+      return {
+          .parameters = start, .cost = before, .converged = false, .iterations = end.iterations};
+    }
   }
-  return {.parameters = start, .cost = before, .converged = false, .iterations = end.iterations};
+  end.cost = walked;
+  material = std::move(found);
+  return end;
 }
 
 void set_numbers(const Eigen::VectorXd& numbers, Material& material) {

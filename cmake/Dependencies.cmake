@@ -28,9 +28,9 @@ endblock()
 
 # By name: Debian's OpenCVConfig.cmake comes with all of OpenCV (libopencv-dev), of which two modules
 # are wanted here.
-find_path(OPENCV_INCLUDE_DIR opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4)
+find_path(OPENCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
 mark_as_advanced(OPENCV_INCLUDE_DIR)
-foreach(module IN ITEMS core imgproc imgcodecs)
+foreach(module IN ITEMS core imgproc)
   find_library(OPENCV_${module}_LIBRARY opencv_${module})
   mark_as_advanced(OPENCV_${module}_LIBRARY)
   if(OPENCV_INCLUDE_DIR AND OPENCV_${module}_LIBRARY)
@@ -45,5 +45,9 @@ endforeach()
 # ziptool programs, which are separate packages that a library user has no need for.
 if(PkgConfig_FOUND)
   pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
+  pkg_check_modules(gdk_pixbuf QUIET IMPORTED_TARGET gdk-pixbuf-2.0)
   pkg_check_modules(orcus QUIET IMPORTED_TARGET liborcus-0.17) # optional within src/pliant/io
+  if(TARGET PkgConfig::gdk_pixbuf) # its -pthread would keep precompiled headers out
+    set_target_properties(PkgConfig::gdk_pixbuf PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+  endif()
 endif()

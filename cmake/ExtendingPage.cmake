@@ -1,6 +1,6 @@
 # The code of docs/extending.md and docs/adding-a-test.md, put where the pages say, built and run:
 # the program test_extending holds their tests, pliant_extended the laws and tests that they add, and
-# runs the commands that stand there. Built without optimisation: what matters is that they build.
+# runs the commands that stand there.
 function(pliant_test_extending_pages)
   set(new
     src/pliant/material/strain/fibre_strain.h
@@ -40,7 +40,7 @@ function(pliant_test_extending_pages)
   add_executable(test_extending ${sources} "${out}/src/pliant/material/strain/fibre_strain.h")
   target_include_directories(test_extending PRIVATE "${out}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
   target_compile_definitions(test_extending PRIVATE PLIANT_SOURCE_DIR="${out}")
-  target_compile_options(test_extending PRIVATE -O0)
+  target_compile_options(test_extending PRIVATE ${PLIANT_LITTLE_OPTIMISED})
   target_link_libraries(test_extending PRIVATE pliant_options pliant_mechanics GTest::gmock_main)
   gtest_discover_tests(test_extending
     TEST_FILTER "StrainMeasures*:*FungDensity*:*AreAllRegistered*:ElementPotential*:FibreSheet*"
@@ -62,7 +62,7 @@ function(pliant_test_extending_pages)
   add_executable(pliant_extended "${PROJECT_SOURCE_DIR}/apps/pliant/main.cpp" ${added})
   add_dependencies(pliant_extended extending_pages)
   target_include_directories(pliant_extended PRIVATE "${out}/src")
-  target_compile_options(pliant_extended PRIVATE -O0)
+  target_compile_options(pliant_extended PRIVATE ${PLIANT_LITTLE_OPTIMISED})
   target_link_libraries(pliant_extended PRIVATE pliant_app)
   pliant_run_page(docs/extending.md pliant_extended
     stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2)

@@ -50,7 +50,7 @@ TEST(SimulatedObstacles, StandInTheResults) {
   }
 }
 
-TEST(SimulatedObstacles, AreGoneOnWithToTheSameBits) {
+TEST(SlowSimulatedObstacles, AreGoneOnWithToTheSameBits) {
   const SceneFolder folder;
   write_drape(folder, "300 ms");
   ASSERT_EQ(folder.simulate({"--no-report"}, "whole").status, 0);
@@ -68,7 +68,7 @@ TEST(SimulatedObstacles, AreGoneOnWithToTheSameBits) {
 }
 
 // Upright cloth falls through itself where it is not told of itself.
-TEST(VerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
+TEST(SlowVerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
   const SceneFolder folder;
   for (const bool touches : {false, true}) {
     folder.copy_example("drape-sphere",

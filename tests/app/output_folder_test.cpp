@@ -129,7 +129,7 @@ TEST(Interrupt, EndsALongFitWithinASecondAndLeavesWhatGoesOn) {
               UnorderedElementsAre(".pliant-results.json", "progress.bin"));
 }
 
-TEST(Interrupt, LeavesEarlierResultsAsTheyWere) {
+TEST(SlowInterrupt, LeavesEarlierResultsAsTheyWere) {
   const MeasuredFolder folder(long_work_lab());
   const MeasuredFolder quick;
   EXPECT_EQ(run_program({"fit", quick.study(), "-o", folder.file("fit")}).status, 0);

@@ -203,7 +203,7 @@ TEST_F(Simulate, WritesPosesOfClipsAndTheForcesOnThem) {
   EXPECT_LT(at_end({"fx", "fy", "fz"}).cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST_F(Simulate, TellsTheForceThatMovesAClip) {
+TEST_F(SlowSimulate, TellsTheForceThatMovesAClip) {
   folder.write("scene.yaml",
                "pliant: scene/1\n"
                "cloth: [{name: strip, mesh: {grid: 20 mm x 100 mm, nodes: 3x11}, "
@@ -258,7 +258,7 @@ TEST_F(Simulate, WritesNoPlyWhereNoneIsAskedFor) {
   EXPECT_EQ(read_pc2(folder.results() / "cloth.pc2").frames.size(), 4u);
 }
 
-TEST_F(Simulate, GivesTheSameBitsEveryTime) {
+TEST_F(SlowSimulate, GivesTheSameBitsEveryTime) {
   for (const char* time : {"{step: 5 ms, duration: 100 ms, integrator: bdf2}",
                            "{step: 5 ms, duration: 100 ms, solve: linearized}",
                            "{kind: quasi-static, steps: 10, duration: 100 ms}"}) {

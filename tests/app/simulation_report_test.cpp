@@ -50,7 +50,7 @@ TEST_F(SimulationReportCommand, SaysSoWhereTheFramesAreNoPlyFiles) {
                             Not(HasSubstr("<img class"))));
 }
 
-TEST_F(SimulationReportCommand, SaysInJsonWhatItWrote) {
+TEST_F(SlowSimulationReportCommand, SaysInJsonWhatItWrote) {
   const ProgramRun run = run_program({"report", folder.file("sim"), "--json"});
   EXPECT_EQ(nlohmann::json::parse(run.out)["command"], "report");
 }

@@ -61,7 +61,7 @@ Journal::Content stopped_after(const Study& study, int answers) {
   return journal.content();
 }
 
-TEST(StripsResume, EndInTheSameBitsAndRepeatNoSearch) {
+TEST(SlowStripsResume, EndInTheSameBitsAndRepeatNoSearch) {
   const VirtualStudy files = two_components(1);
   const Study study = files.study();
   Journal journal([](const auto&) {});

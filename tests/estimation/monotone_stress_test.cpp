@@ -105,7 +105,7 @@ Session falling_stretch() {
   return session;
 }
 
-TEST(MonotoneStress, HoldsOfSheets) {
+TEST(SlowMonotoneStress, HoldsOfSheets) {
   const test::TemporaryFolder folder;
   write_session(folder.path() / "weft", falling_stretch());
   folder.write("study.yaml",

@@ -50,12 +50,12 @@ VirtualLab published_tests(const Material& fabric) {
   return lab_of(fabric, {rolls, overhangs});
 }
 
-class HungAndRolledFabric : public ::testing::TestWithParam<Fabric> {};
+class SlowHungAndRolledFabric : public ::testing::TestWithParam<Fabric> {};
 
 // The strips that hang are stiffened by the friction of their first bending, which is taken for
 // stiffness: several times the fabric's. Friction pays for that. The ranges are wide, so that they
 // hold whatever the details of sampling.
-TEST_P(HungAndRolledFabric, MissesItsLawByFarMoreThanPath) {
+TEST_P(SlowHungAndRolledFabric, MissesItsLawByFarMoreThanPath) {
   const Fabric& expected = GetParam();
   const Material fabric = published_bending_material(expected.name);
   VirtualStudy study(published_tests(fabric));
@@ -77,7 +77,7 @@ TEST_P(HungAndRolledFabric, MissesItsLawByFarMoreThanPath) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, HungAndRolledFabric,
+    Of, SlowHungAndRolledFabric,
     ::testing::Values(Fabric{"felt", {1.7, 2.6}, {0.2, 0.9}, {1.5, 2.8}, {1.5, 2.4}, {0.6, 0.9}},
                       Fabric{"doublecloth", {2.5, 4.5}, {0, 0.1}, {0.2, 0.8}, {3, 5}, {1.02, 1.4}}),
     [](const auto& fabric) { return std::string(fabric.param.name); });

@@ -1,11 +1,12 @@
 #include "imaging/drawn_strip.h"
 
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "pliant/imaging/picture_file.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/solver/elastica/strip_release.h"
 
@@ -32,6 +33,13 @@ std::vector<cv::Point> band(const std::vector<Eigen::Vector2d>& line, double thi
   }
   one.insert(one.end(), other.rbegin(), other.rend());
   return one;
+}
+
+void write_grey(const std::filesystem::path& file, const cv::Mat& grey) {
+  ColourPhoto photo{grey.rows, grey.cols, std::vector<unsigned char>(3 * grey.total())};
+  cv::Mat colours(grey.rows, grey.cols, CV_8UC3, photo.levels.data());
+  cv::cvtColor(grey, colours, cv::COLOR_GRAY2BGR);
+  std::ofstream(file, std::ios::binary) << png_of(photo);
 }
 
 }  // namespace
@@ -78,18 +86,19 @@ void draw_strips(const std::filesystem::path& file,
   photo += grain;
   if (look.mirrored) cv::flip(photo, photo, 1);
   photo.convertTo(photo, CV_8U, 255);
-  cv::imwrite(file.string(), photo);
+  write_grey(file, photo);
 }
 
 void draw_fibres(const std::filesystem::path& file, const std::vector<Eigen::Vector2d>& pixels) {
-  cv::Mat photo = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  ColourPhoto photo = read_picture(file);
+  cv::Mat picture(photo.rows, photo.columns, CV_8UC3, photo.levels.data());
   for (size_t i = 2; i < pixels.size(); i += 3) {
     const int side = i % 2 == 0 ? 1 : -1;
     const cv::Point from(cvRound(pixels[i].x()), cvRound(pixels[i].y()));
     const cv::Point to(from.x + 12, from.y + side * 25);
-    cv::line(photo, from, to, cv::Scalar(210), 1, cv::LINE_AA);
+    cv::line(picture, from, to, cv::Scalar::all(210), 1, cv::LINE_AA);
   }
-  cv::imwrite(file.string(), photo);
+  std::ofstream(file, std::ios::binary) << png_of(photo);
 }
 
 }  // namespace pliant::test

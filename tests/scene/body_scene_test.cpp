@@ -179,7 +179,7 @@ TEST(Rubbing, IsForceTimesWay) {
   }
 }
 
-TEST(MeshBody, IsGoneOnWithToTheSameBits) {
+TEST(SlowMeshBody, IsGoneOnWithToTheSameBits) {
   const BodyScene folder;
   folder.write_ball("ball.obj", 50, -53);
   const std::string scene =

@@ -61,7 +61,7 @@ TEST(ClothOnCloth, PassesThroughWhereContactIsNotAskedFor) {
   EXPECT_TRUE(passes);
 }
 
-TEST(ClothOnCloth, FoldsOverItselfWithoutGainingEnergy) {
+TEST(SlowClothOnCloth, FoldsOverItselfWithoutGainingEnergy) {
   for (const double friction : {0.0, 0.5}) {
     Simulation simulation =
         simulated(falling_upright(fmt::format("{{thickness: 1 mm, friction: {}}}", friction)));
@@ -100,7 +100,7 @@ TEST(ClothOnCloth, OfSeveralPiecesKeepsThemApart) {
 }
 
 // What is led moves within the search: it does not jump through what it meets.
-TEST(ClothOnCloth, IsTwistedByClipsWithoutPassingThroughItself) {
+TEST(SlowClothOnCloth, IsTwistedByClipsWithoutPassingThroughItself) {
   Simulation simulation = simulated(
       "cloth:\n"
       "  - {name: sheet, mesh: {grid: 100 mm x 60 mm, nodes: 16x10}, material: jersey.json}\n"

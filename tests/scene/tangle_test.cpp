@@ -43,7 +43,7 @@ void throw_about(int times) {
 }
 
 // A step that goes astray sends all points to all sides, by metres.
-TEST(Tangle, IsNotMadeByAStepThatGoesAstray) {
+TEST(SlowTangle, IsNotMadeByAStepThatGoesAstray) {
   const TouchingSheets sheets(stacked_sheets(2, 36, 4e-3), 0);
   const Objective objective(*sheets.system, {.from = sheets.state});
   const Configuration& at = sheets.state.configuration;
@@ -61,7 +61,7 @@ TEST(Tangle, IsNotMadeByAStepThatGoesAstray) {
 TEST(Tangle, HasNoWayThroughASurface) { throw_about(30); }
 
 // PLIANT_THROWS asks for more.
-TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(test::asked_for("PLIANT_THROWS", 300)); }
+TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(test::asked_for("PLIANT_THROWS", 100)); }
 
 }  // namespace
 }  // namespace pliant

@@ -120,6 +120,25 @@ std::vector<Json::json_pointer> objects_of(const Json& document) {
   return objects;
 }
 
+/// An object of a document, which has of its experiments no others than that it stands in: it is
+/// judged many times.
+struct ObjectPlace {
+  SchemaCase document;
+  Json::json_pointer object;
+};
+
+ObjectPlace place_of(const SchemaCase& document, const Json::json_pointer& object) {
+  static const std::regex kWithin("/experiments/(\\d+)(.*)");
+  std::smatch match;
+  const std::string pointer = object.to_string();
+  if (!std::regex_match(pointer, match, kWithin)) return {document, object};
+  SchemaCase alone = document;
+  alone.document["experiments"] =
+      Json::array({document.document["experiments"][std::stoul(match[1])]});
+  alone.document.erase("fit");  // which names experiments
+  return {alone, Json::json_pointer("/experiments/0" + match[2].str())};
+}
+
 NamedDocument mutated(const SchemaCase& document, const Json::json_pointer& object,
                       const std::string& key, const std::string& how, Json value) {
   SchemaCase copy = document;
@@ -227,15 +246,16 @@ TEST_F(SlowSchema, KnowsExactlyTheKeysThatTheReadersAskFor) {
     std::set<std::string> candidates = words_of_readers(full.document.type);
     candidates.insert(properties.begin(), properties.end());
     std::vector<NamedDocument> documents{full};
-    for (const Json::json_pointer& object : objects_of(full.document.document)) {
+    for (const Json::json_pointer& pointer : objects_of(full.document.document)) {
+      const auto [document, object] = place_of(full.document, pointer);
       // A key without value counts as not given: it is refused only where it is not known, and the
       // refusal lists those that are, unless they are many.
-      NamedDocument unknown = mutated(full.document, object, "made_up", "added", nullptr);
+      NamedDocument unknown = mutated(document, object, "made_up", "added", nullptr);
       const auto refusal = judge_by_reader(unknown.document, folder_.path());
       documents.push_back(std::move(unknown));
       for (const std::string& key : candidates) {
-        if (full.document.document[object].contains(key)) continue;
-        NamedDocument added = mutated(full.document, object, key, "added", nullptr);
+        if (document.document[object].contains(key)) continue;
+        NamedDocument added = mutated(document, object, key, "added", nullptr);
         const bool listed_all = refusal && refusal->find(", ...") == std::string::npos;
         const bool unknown_to_reader =
             listed_all ? refusal->find(key) == std::string::npos

@@ -183,12 +183,13 @@ TEST(SlowInclusion, IsDifferentiatedFasterThanByDifferences) {
   const double seconds = of_derivatives.seconds();
   const Stopwatch of_differences;
   constexpr int kUnknowns = 17;  // sixteen numbers, and one that all share
-  for (int k = 0; k < kUnknowns; ++k) {
+  constexpr int kTried = 4;
+  for (int k = 0; k < kTried; ++k) {
     Eigen::VectorXd more = values;
     more(k) *= 1.0001;
     ASSERT_TRUE(predictor->predict(more, {}, {}, changed));
   }
-  const double ratio = of_differences.seconds() / seconds;
+  const double ratio = of_differences.seconds() / kTried * kUnknowns / seconds;
   fmt::print("derivatives in {:.3f} s, by differences {:.1f} times as long\n", seconds, ratio);
   EXPECT_GT(ratio, 5);
 }

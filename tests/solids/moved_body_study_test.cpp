@@ -39,7 +39,7 @@ Material two_halves(double first, double second) {
   return material;
 }
 
-TEST(MovedBodyStudy, FindsTheNumbersOfSamplesAndOfWhatTheyShare) {
+TEST(SlowMovedBodyStudy, FindsTheNumbersOfSamplesAndOfWhatTheyShare) {
   const LabFolder folder = measured(two_halves(5e3, 15e3), moved_block());
   const StudyResult result = fit_study(solid_study(folder, kSampled), {}, {});
   EXPECT_NEAR(value_of(result, "samples[0].I1-bar.linear.c"), 5e3, 1e-4 * 5e3);
@@ -52,7 +52,7 @@ TEST(MovedBodyStudy, FindsTheNumbersOfSamplesAndOfWhatTheyShare) {
   EXPECT_THAT(result.experiments.front().handled, Contains(HasSubstr("ways of marks off by")));
 }
 
-TEST(MovedBodyStudy, SaysWhereSamplesExplainNothing) {
+TEST(SlowMovedBodyStudy, SaysWhereSamplesExplainNothing) {
   VirtualMovedBody body = moved_block();
   body.force_noise = 5e-3;
   body.length_noise = 1e-4;
@@ -61,14 +61,14 @@ TEST(MovedBodyStudy, SaysWhereSamplesExplainNothing) {
   EXPECT_THAT(result.warnings, Contains(HasSubstr("do not show that the body is heterogeneous")));
 }
 
-// Of the noise that was drawn: two numbers, ten seeds.
+// Of the noise that was drawn: two numbers, six seeds.
 TEST(SlowMovedBodyStudy, IntervalsOfSamplesHoldTheTruth) {
   VirtualMovedBody body = moved_block();
   body.force_noise = 5e-3;
   body.length_noise = 1e-4;
   const Material truth = two_halves(5e3, 15e3);
   int held = 0, all = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const LabFolder folder = measured(truth, body, seed);
     const StudyResult result = fit_study(solid_study(folder, kSampled), {}, {});
     for (std::size_t k = 0; k < 2; ++k) {
@@ -82,7 +82,7 @@ TEST(SlowMovedBodyStudy, IntervalsOfSamplesHoldTheTruth) {
     }
   }
   fmt::print("{} of {}\n", held, all);
-  EXPECT_GE(held, all - 3);
+  EXPECT_GE(held, all - 2);
 }
 
 /// What is wrong with a study some text of which was replaced.

@@ -100,7 +100,7 @@ TEST(PressPath, HasTheDerivativesOfForcesOnTetrahedra) {
   expect_derivatives(setup, soft_solid(), true, {6e-6, 1e-5});
 }
 
-TEST(PressPath, HasTheDerivativesOfForcesThatRemember) {
+TEST(SlowPressPath, HasTheDerivativesOfForcesThatRemember) {
   Material material = soft_solid();
   material.components["green.xz"].friction = ComponentFriction{{600, 3000, 0.05}, {}};
   material.components["green.xz"].stiffness = ScalarCurve::none();

@@ -25,7 +25,7 @@ ProgramRun done(const std::vector<std::string>& arguments) {
   return run;
 }
 
-TEST(SolidProgram, FitsWhatItsTemplateHolds) {
+TEST(SlowSolidProgram, FitsWhatItsTemplateHolds) {
   const TemporaryFolder folder;
   done({"init", "homogeneous", "-o", in(folder, "study")});
   const ProgramRun run =

@@ -94,7 +94,7 @@ TEST_P(SolidRecovery, FindsTheNumbersThatMadeTheData) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, SolidRecovery, ::testing::ValuesIn(recoveries()));
 
-TEST(SolidStudy, AConvexSplineEnergyFollowsOgdensMaterial) {
+TEST(SlowSolidStudy, AConvexSplineEnergyFollowsOgdensMaterial) {
   const LabFolder folder = measured(
       solid_of({{"stretch-bar", component_of({ogden(0.5e6, 1.4), ogden(3e3, 5)})}}), 1000, 3);
   const StudyResult result = fit(folder, "law: additive");
@@ -181,7 +181,7 @@ TEST(SolidStudy, ALimitThatNothingReachesIsNotDetermined) {
   EXPECT_NEAR(value_of(result, "trace.k"), 2e6, 1e-4 * 2e6);
 }
 
-TEST(SolidStudy, StandardErrorsCoverTheTruth) {
+TEST(SlowSolidStudy, StandardErrorsCoverTheTruth) {
   constexpr int kSeeds = 40;
   int covered = 0;
   for (int seed = 1; seed <= kSeeds; ++seed) {

@@ -81,7 +81,7 @@ TEST(SolidDynamics, KeepsTheMomentumOfABodyThatTumblesFreely) {
   }
 }
 
-TEST(SolidDynamics, KeepsTheVolumeOfRubber) {
+TEST(SlowSolidDynamics, KeepsTheVolumeOfRubber) {
   for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
     test::SolidSystem solid =
         test::solid_system(test::block_of(cells, {kSize, kSize, 3 * kSize}, {3, 3, 9}),

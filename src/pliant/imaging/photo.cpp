@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "pliant/base/errors.h"
@@ -14,19 +13,9 @@ namespace {
 
 constexpr double kLevels = 255;
 
-cv::Mat read_picture(const std::filesystem::path& file, int mode) {
-  const auto refuse = [&] {
-    throw InputError({file.string()}, "is no picture that can be read",
-                     "a photograph: JPEG, PNG, TIFF or BMP");
-  };
-  cv::Mat picture;
-  try {
-    picture = cv::imread(file.string(), mode);
-  } catch (const cv::Exception&) {  // e.g. more pixels than the library takes
-    refuse();
-  }
-  if (picture.empty()) refuse();
-  return picture;
+/// Its colours, where they stand.
+cv::Mat matrix_of(ColourPhoto& photo) {
+  return {photo.rows, photo.columns, CV_8UC3, photo.levels.data()};
 }
 
 // In 1/16 of a pixel.
@@ -40,22 +29,14 @@ int stroke_of(const cv::Mat& picture) {
 }
 
 // Halfway to white, so that colours stand out from it.
-cv::Mat paler(const cv::Mat& picture) {
-  cv::Mat pale;
-  picture.convertTo(pale, -1, 0.5, kLevels / 2);
-  return pale;
-}
-
-std::string as_png(const cv::Mat& picture) {
-  std::vector<unsigned char> png;
-  cv::imencode(".png", picture, png);
-  return {png.begin(), png.end()};
-}
+void make_paler(cv::Mat picture) { picture.convertTo(picture, -1, 0.5, kLevels / 2); }
 
 }  // namespace
 
 Photo read_photo(const std::filesystem::path& file) {
-  const cv::Mat levels = read_picture(file, cv::IMREAD_GRAYSCALE);
+  ColourPhoto colours = read_picture(file);
+  cv::Mat levels;
+  cv::cvtColor(matrix_of(colours), levels, cv::COLOR_BGR2GRAY);
   Photo photo(levels.rows, levels.cols);
   cv::Mat brightness(levels.rows, levels.cols, CV_32F, photo.data());
   levels.convertTo(brightness, CV_32F, 1 / kLevels);
@@ -74,18 +55,19 @@ void require_within(const PixelRegion& region, int columns, int rows, const Loca
 
 ColourPhoto read_colours(const std::filesystem::path& file,
                          const std::optional<PixelRegion>& region) {
-  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
-  if (region) {
-    require_within(*region, picture.cols, picture.rows, {file.string()});
-    picture = picture({region->x, region->y, region->width, region->height}).clone();
-  }
-  return {picture.rows, picture.cols, {picture.datastart, picture.dataend}};
+  ColourPhoto whole = read_picture(file);
+  if (!region) return whole;
+  require_within(*region, whole.columns, whole.rows, {file.string()});
+  const cv::Mat part =
+      matrix_of(whole)({region->x, region->y, region->width, region->height}).clone();
+  return {part.rows, part.cols, {part.datastart, part.dataend}};
 }
 
 std::string photo_with_line(const std::filesystem::path& file,
                             const std::vector<Eigen::Vector2d>& line) {
   constexpr int kSixteenths = 4;  // bits of a fraction
-  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
+  ColourPhoto photo = read_picture(file);
+  const cv::Mat picture = matrix_of(photo);
   const int stroke = stroke_of(picture);
   const cv::Scalar line_colour(60, 110, 255), point_colour(60, 220, 255);  // blue, green, red
   std::vector<cv::Point> points;
@@ -94,14 +76,15 @@ std::string photo_with_line(const std::filesystem::path& file,
   for (const cv::Point& point : points) {
     cv::circle(picture, point, 16 * 3 * stroke, point_colour, stroke, cv::LINE_AA, kSixteenths);
   }
-  return as_png(picture);
+  return png_of(photo);
 }
 
 std::string photo_with_outline(const std::filesystem::path& file,
                                const std::vector<Eigen::Vector2d>& outline,
                                const Eigen::Vector2d& cross) {
   constexpr int kSixteenths = 4;  // bits of a fraction
-  cv::Mat picture = read_picture(file, cv::IMREAD_COLOR);
+  ColourPhoto photo = read_picture(file);
+  const cv::Mat picture = matrix_of(photo);
   const cv::Scalar colour(60, 110, 255);  // blue, green, red
   const int stroke = 2 * stroke_of(picture);
   std::vector<cv::Point> points;
@@ -110,11 +93,13 @@ std::string photo_with_outline(const std::filesystem::path& file,
   const cv::Point middle(static_cast<int>(std::lround(cross.x())),
                          static_cast<int>(std::lround(cross.y())));
   cv::drawMarker(picture, middle, colour, cv::MARKER_CROSS, 20 * stroke, stroke, cv::LINE_AA);
-  return as_png(picture);
+  return png_of(photo);
 }
 
 std::string photo_as_seen(const std::filesystem::path& file, const SeenPixels& seen, int x, int y) {
-  cv::Mat picture = paler(read_picture(file, cv::IMREAD_COLOR));
+  ColourPhoto photo = read_picture(file);
+  const cv::Mat picture = matrix_of(photo);
+  make_paler(picture);
   const cv::Rect region(x, y, static_cast<int>(seen.cols()), static_cast<int>(seen.rows()));
   cv::Mat part = picture(region);
   part.forEach<cv::Vec3b>([&](cv::Vec3b& pixel, const int* at) {
@@ -123,7 +108,7 @@ std::string photo_as_seen(const std::filesystem::path& file, const SeenPixels& s
     if (what == Seen::candidate) pixel = {0, 110, 255};
   });
   cv::rectangle(picture, region, cv::Scalar(200, 120, 40), stroke_of(picture));
-  return as_png(picture);
+  return png_of(photo);
 }
 
 }  // namespace pliant

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "pliant/base/errors.h"
+#include "pliant/imaging/picture_file.h"
 
 namespace pliant {
 
@@ -17,12 +18,6 @@ using Photo = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajo
 /// Reads a photograph as brightness, turned as its camera held it.
 /// @throws InputError for a file that is no picture
 Photo read_photo(const std::filesystem::path& file);
-
-/// A photograph with its colours.
-struct ColourPhoto {
-  int rows = 0, columns = 0;
-  std::vector<unsigned char> levels;  ///< blue, green and red of each pixel, row by row
-};
 
 /// A rectangle of a photograph, in pixels.
 struct PixelRegion {

@@ -1,0 +1,74 @@
+#include "pliant/imaging/picture_file.h"
+
+#include <memory>
+#include <new>
+
+#include <gdk-pixbuf/gdk-pixbuf.h>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+namespace {
+
+constexpr int kColours = 3, kBits = 8;
+
+struct Unreference {
+  void operator()(GdkPixbuf* picture) const { g_object_unref(picture); }
+};
+using Pixbuf = std::unique_ptr<GdkPixbuf, Unreference>;
+
+struct Free {
+  void operator()(gchar* bytes) const { g_free(bytes); }
+};
+
+/// The library gives none where memory ends.
+Pixbuf owned(GdkPixbuf* picture) {
+  if (!picture) throw std::bad_alloc();
+  return Pixbuf(picture);
+}
+
+}  // namespace
+
+ColourPhoto read_picture(const std::filesystem::path& file) {
+  const Pixbuf stored(gdk_pixbuf_new_from_file(file.c_str(), nullptr));
+  if (!stored) {
+    throw InputError({file.string()}, "is no picture that can be read",
+                     "a photograph: JPEG, PNG, TIFF or BMP");
+  }
+  const Pixbuf turned = owned(gdk_pixbuf_apply_embedded_orientation(stored.get()));
+  ColourPhoto picture{gdk_pixbuf_get_height(turned.get()), gdk_pixbuf_get_width(turned.get()), {}};
+  picture.levels.resize(static_cast<std::size_t>(kColours) * picture.rows * picture.columns);
+  auto level = picture.levels.begin();
+  const int channels = gdk_pixbuf_get_n_channels(turned.get());
+  const guchar* row = gdk_pixbuf_read_pixels(turned.get());
+  for (int y = 0; y < picture.rows; ++y, row += gdk_pixbuf_get_rowstride(turned.get())) {
+    const guchar* pixel = row;
+    for (int x = 0; x < picture.columns; ++x, pixel += channels) {
+      for (const int colour : {2, 1, 0}) *level++ = pixel[colour];
+    }
+  }
+  return picture;
+}
+
+std::string png_of(const ColourPhoto& picture) {
+  const Pixbuf written = owned(gdk_pixbuf_new(GDK_COLORSPACE_RGB, /*has_alpha=*/FALSE, kBits,
+                                              picture.columns, picture.rows));
+  guchar* row = gdk_pixbuf_get_pixels(written.get());
+  auto level = picture.levels.begin();
+  for (int y = 0; y < picture.rows; ++y, row += gdk_pixbuf_get_rowstride(written.get())) {
+    for (int x = 0; x < kColours * picture.columns; x += kColours) {
+      for (const int colour : {2, 1, 0}) row[x + colour] = *level++;
+    }
+  }
+  gchar* bytes = nullptr;
+  gsize size = 0;
+  constexpr const char* kFast = "1";
+  if (!gdk_pixbuf_save_to_buffer(written.get(), &bytes, &size, "png", nullptr, "compression", kFast,
+                                 nullptr)) {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<gchar, Free> kept(bytes);
+  return {bytes, size};
+}
+
+}  // namespace pliant

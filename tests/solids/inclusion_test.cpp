@@ -121,19 +121,19 @@ struct Seen {
   double field, best, one;  // errors over the size of the field
 };
 
-StudyResult fitted(const LabFolder& folder, const Inclusion& inclusion) {
+StudyResult fitted(const LabFolder& folder, const Inclusion& inclusion, const std::string& where) {
   const std::string samples =
-      fmt::format("{{grid: [4, 2, 2], width: {}, of: [I1-bar]}}", inclusion.width);
+      fmt::format("{{{}, width: {}, of: [I1-bar]}}", where, inclusion.width);
   return fit_study(solid_study(folder, "law: neo-hookean, samples: " + samples), {}, {});
 }
 
-Seen see(const Inclusion& inclusion) {
+/// @param where  the samples are, as a study says it
+Seen see(const Inclusion& inclusion, const std::string& where = "grid: [4, 2, 2]") {
   const StiffPlace truth(inclusion);
   const LabFolder folder(
       test::measurements_of(test::lab_of(truth.material(), {StiffPlace::body()}), 1));
-  const StudyResult result = fitted(folder, inclusion);
+  const StudyResult result = fitted(folder, inclusion, where);
   const MaterialSamples& samples = result.material.samples;
-  EXPECT_EQ(samples.at.size(), 16U);
   Eigen::VectorXd found(std::ssize(samples.at));
   for (std::size_t k = 0; k < samples.at.size(); ++k) {
     found(static_cast<Eigen::Index>(k)) =
@@ -143,18 +143,21 @@ Seen see(const Inclusion& inclusion) {
   const Eigen::VectorXd& c = truth.numbers();
   const Seen seen{(weights * found - c).norm() / c.norm(), least_error(weights, c) / c.norm(),
                   (c.array() - c.mean()).matrix().norm() / c.norm()};
-  fmt::print("{:<22} {:>8} {:8.3f} {:8.3f} {:8.3f} {:8.2f}\n", inclusion.name, inclusion.width,
-             seen.field, seen.best, seen.one, seen.field / seen.best);
+  fmt::print("{:<18} {:<16} {:>2} {:>6} {:8.3f} {:8.3f} {:8.3f} {:8.2f}\n", inclusion.name, where,
+             samples.at.size(), inclusion.width, seen.field, seen.best, seen.one,
+             seen.field / seen.best);
   return seen;
 }
 
 TEST(SlowInclusion, IsSeenFromOutside) {
-  fmt::print("{:<22} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "ten times as stiff", "width", "error",
-             "best", "one", "ratio");
+  fmt::print("{:<18} {:<16} {:>2} {:>6} {:>8} {:>8} {:>8} {:>8}\n", "ten times as stiff", "samples",
+             "", "width", "error", "best", "one", "ratio");
   const Seen seen = see(kSoftEdged);
   EXPECT_LT(seen.field, 1.3 * seen.best);
   EXPECT_LT(seen.field, 0.4 * seen.one);
-  if (test::makes_figures()) see(kBall);
+  if (!test::makes_figures()) return;
+  see(kBall);
+  for (const char* where : {"spread: 8", "grown: 8", "grown: 16"}) see(kSoftEdged, where);
 }
 
 // [T] 4.3 takes differences: an equilibrium of all frames for each number, here each from where the

@@ -39,6 +39,17 @@ Material two_halves(double first, double second) {
   return material;
 }
 
+/// C10 at a place.
+double number_at(const Material& material, const Eigen::Vector3d& place) {
+  const Eigen::VectorXd weights = weights_at(material.samples, place);
+  double sum = 0;
+  for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
+    const ComponentLaw law = law_of(material.samples.at[k].components.at("I1-bar"));
+    sum += weights(static_cast<Eigen::Index>(k)) * law.parameters()(0);
+  }
+  return sum;
+}
+
 TEST(SlowMovedBodyStudy, FindsTheNumbersOfSamplesAndOfWhatTheyShare) {
   const LabFolder folder = measured(two_halves(5e3, 15e3), moved_block());
   const StudyResult result = fit_study(solid_study(folder, kSampled), {}, {});
@@ -59,6 +70,27 @@ TEST(SlowMovedBodyStudy, SaysWhereSamplesExplainNothing) {
   const LabFolder folder = measured(neo_hookean_solid(15e3, 60e3), body);
   const StudyResult result = fit_study(solid_study(folder, kSampled), {}, {});
   EXPECT_THAT(result.warnings, Contains(HasSubstr("do not show that the body is heterogeneous")));
+}
+
+// The places are nodes, so that the samples stand near those of the truth and not at them.
+TEST(SlowMovedBodyStudy, GrowsSamplesWhereTheBodyDiffers) {
+  VirtualMovedBody body = moved_block();
+  body.force_noise = 5e-3;
+  body.length_noise = 1e-4;
+  const std::string model = "law: neo-hookean, samples: {grown: 5, of: [I1-bar]}";
+  const Material truth = two_halves(5e3, 15e3);
+  const StudyResult found = fit_study(solid_study(measured(truth, body), model), {}, {});
+  ASSERT_GE(found.material.samples.at.size(), 2U);
+  EXPECT_LE(found.material.samples.at.size(), 3U);
+  for (const double x : {0.0, 0.01, 0.03, 0.04}) {
+    const Eigen::Vector3d place(x, 0.01, 0.01);
+    const double expected = number_at(truth, place);
+    EXPECT_NEAR(number_at(found.material, place), expected, 0.1 * expected) << x;
+  }
+  const StudyResult none =
+      fit_study(solid_study(measured(neo_hookean_solid(15e3, 60e3), body), model), {}, {});
+  EXPECT_FALSE(is_heterogeneous(none.material));
+  EXPECT_THAT(none.warnings, Contains(HasSubstr("do not show that the body is heterogeneous")));
 }
 
 // Of the noise that was drawn: two numbers, six seeds.

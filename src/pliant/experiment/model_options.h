@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,14 +21,20 @@ struct ComponentModel {
   std::vector<const AddendKind*> addends = {};
 };
 
-/// Where a heterogeneous solid has samples, and of what: one of `places`, `grid` and `spread`.
+/// Where a heterogeneous solid has samples, and of what: one of `places`, `grid`, `spread` and
+/// `grown`.
 struct SampleOptions {
   std::vector<Eigen::Vector3d> places = {};  ///< by hand (m)
   Eigen::Vector3i grid{0, 0, 0};             ///< at the middles of so many cells of the body's box
   int spread = 0;                    ///< so many nodes of the body, each far from the others
+  int grown = 0;                     ///< so many at most, each where it explains most
   std::optional<double> width = {};  ///< m; absent: the mean distance of neighbours
   std::vector<std::string> of = {};  ///< components that differ; empty: all
   Location where = {};
+
+  bool differ_in(const std::string& component) const {
+    return of.empty() || std::ranges::find(of, component) != of.end();
+  }
 };
 
 struct ModelOptions {

@@ -37,18 +37,30 @@ std::vector<Eigen::Vector3d> places_on_grid(const Eigen::Vector3i& cells, const 
   return places;
 }
 
-std::vector<Eigen::Vector3d> places_of(const SampleOptions& options, const VolumeMesh& body) {
-  if (!options.places.empty()) return options.places;
-  if (options.spread == 0) return places_on_grid(options.grid, body);
-  if (options.spread > body.node_count()) {
-    throw InputError(options.where, fmt::format("asks for {} places", options.spread),
-                     fmt::format("at most the {} nodes of the body", body.node_count()));
-  }
+std::vector<Eigen::Vector3d> spread_places(int count, const VolumeMesh& body) {
   std::vector<Eigen::Vector3d> places;
-  for (const int node : spread_points(body.positions, options.spread)) {
+  for (const int node : spread_points(body.positions, count)) {
     places.emplace_back(body.positions.col(node));
   }
   return places;
+}
+
+/// Where samples may grow: at several times as many places, enough to tell one side of a body
+/// from another.
+int choices_of(const SampleOptions& options, const VolumeMesh& body) {
+  constexpr int kLeast = 40;
+  return std::min(std::max(3 * options.grown, kLeast), body.node_count());
+}
+
+std::vector<Eigen::Vector3d> places_of(const SampleOptions& options, const VolumeMesh& body) {
+  if (!options.places.empty()) return options.places;
+  const int count = std::max(options.spread, options.grown);
+  if (count == 0) return places_on_grid(options.grid, body);
+  if (count > body.node_count()) {
+    throw InputError(options.where, fmt::format("asks for {} places", count),
+                     fmt::format("at most the {} nodes of the body", body.node_count()));
+  }
+  return spread_places(options.grown > 0 ? choices_of(options, body) : count, body);
 }
 
 void require_places(const std::vector<Eigen::Vector3d>& places, const SampleOptions& options,

@@ -178,7 +178,7 @@ std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
   return limits;
 }
 
-/// `{at, grid, spread, width, of}`, one of the first three.
+/// `{at, grid, spread, grown, width, of}`, one of the first four.
 SampleOptions read_samples(const Value& node) {
   Fields fields = node.fields();
   SampleOptions samples;
@@ -200,9 +200,13 @@ SampleOptions read_samples(const Value& node) {
     ++ways;
     samples.spread = v->integer(1, 10000);
   }
+  if (auto v = fields.optional("grown")) {
+    ++ways;
+    samples.grown = v->integer(2, 100);
+  }
   if (ways != 1)
     node.fail("says where the samples are in no way, or in several",
-              "one of `at`, `grid` and `spread`");
+              "one of `at`, `grid`, `spread` and `grown`");
   if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("of")) {
     const std::vector<std::string_view> names(solid_component_names().begin(),

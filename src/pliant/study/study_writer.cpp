@@ -103,6 +103,7 @@ YAML::Node samples_node(const SampleOptions& samples) {
     node["grid"] = std::vector<int>(samples.grid.begin(), samples.grid.end());
   }
   if (samples.spread > 0) node["spread"] = samples.spread;
+  if (samples.grown > 0) node["grown"] = samples.grown;
   if (samples.width) node["width"] = exact_quantity(*samples.width, Dimension::length);
   if (!samples.of.empty()) node["of"] = samples.of;
   return node;

@@ -7,15 +7,20 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/solid/limit_starts.h"
+#include "pliant/estimation/solid/sample_growth.h"
 #include "pliant/estimation/solid/solid_growth.h"
 #include "pliant/estimation/solid/solid_starts.h"
 #include "pliant/estimation/solid/true_stress.h"
 #include "pliant/estimation/statistics/model_growth.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
 
 constexpr const char* kUnit = "% of the largest stress";
+constexpr const char* kNoSamples =
+    "the samples explain no more than one material everywhere: the data do not show that the body "
+    "is heterogeneous";
 constexpr LeastSquaresOptions kFirst{
     .max_iterations = 60, .function_tolerance = 1e-6, .parameter_tolerance = 1e-6};
 
@@ -23,6 +28,27 @@ struct Start {
   Material material;
   LeastSquaresSummary solution;
 };
+
+/// Which row has no equilibrium, with which numbers of the material.
+std::string what_is_lost(SolidProblem& problem, const Material& start) {
+  const Problem own = problem.problem(start);
+  std::string numbers;
+  for (const Unknown& unknown : own.unknowns()) {
+    numbers +=
+        fmt::format("{}{} = {:.3g}", numbers.empty() ? "" : ", ", unknown.name, unknown.start);
+    if (!unknown.unit.empty()) numbers += " " + unknown.unit;
+  }
+  for (const ProblemPart& part : own.parts()) {
+    const Workers workers{problem.context().threads, problem.context().stop};
+    const std::vector<int> lost = part.predictor->lost_frames(part.predictor->values(), workers);
+    if (lost.empty()) continue;
+    const Frame frame = part.experiment->frames()[static_cast<std::size_t>(lost.front())];
+    return fmt::format("the equilibrium of {}, rows {} to {} of {}, at {} or another start",
+                       part.experiment->info().name, frame.first + 1, frame.first + frame.count,
+                       part.experiment->rows(), numbers);
+  }
+  return "the prediction of the solid's experiments at " + numbers;
+}
 
 /// Follows all starts a way, and the best to its end.
 Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit) {
@@ -39,7 +65,7 @@ Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit)
     return ends[s].solution.cost;
   });
   if (!search.found()) {
-    throw SolverError("the prediction of the solid's experiments, from any start,", 0, 0);
+    throw SolverError(what_is_lost(problem, ends.front().material), 0, 0);
   }
   fit.starts = {"solid", "law", kUnit, {}, search.reached_best};
   for (const double cost : search.costs) {
@@ -64,10 +90,6 @@ void refuse_unseen(const FitSettings& settings, const Problem& problem) {
   }
 }
 
-bool differs(const SampleOptions& options, const std::string& component) {
-  return options.of.empty() || std::ranges::find(options.of, component) != options.of.end();
-}
-
 /// Gives the fitted solid samples and lets these differ.
 void add_samples(const SampleOptions& options, const MaterialSamples& samples,
                  SolidProblem& problem, GrownSolid& grown, SolidFit& fit) {
@@ -77,7 +99,7 @@ void add_samples(const SampleOptions& options, const MaterialSamples& samples,
   material.samples = samples;
   for (SampledComponents& sample : material.samples.at) {
     for (const auto& [name, component] : material.components) {
-      if (differs(options, name)) sample.components[name] = component;
+      if (options.differ_in(name)) sample.components[name] = component;
     }
   }
   grown.solution = problem.solve(material);
@@ -89,9 +111,20 @@ void add_samples(const SampleOptions& options, const MaterialSamples& samples,
   rich.rms = rms;
   rich.parameters = static_cast<int>(grown.solution.parameters.size());
   if (is_worth(simple, rich)) return;
-  fit.notes.emplace_back(
-      "the samples explain no more than one material everywhere: the data do not show that the "
-      "body is heterogeneous");
+  fit.notes.emplace_back(kNoSamples);
+}
+
+/// Lets a fitted solid grow samples.
+void grow_samples(const SampleOptions& options, const MaterialSamples& choices,
+                  SolidProblem& problem, GrownSolid& grown, SolidFit& fit) {
+  GrownSolid sampled = with_samples(problem, options, choices, grown);
+  for (const SolidGrowthStage& stage : sampled.stages) {
+    fit.stages.push_back({"solid",
+                          fmt::format("{} sample{}", stage.size, stage.size == 1 ? "" : "s"), kUnit,
+                          stage.rms, stage.accepted});
+  }
+  if (!is_heterogeneous(sampled.material)) fit.notes.emplace_back(kNoSamples);
+  grown = std::move(sampled);
 }
 
 }  // namespace
@@ -110,15 +143,17 @@ SolidFit fit_solid(const FitSettings& settings,
   GrownSolid grown = grow_solid(problem, best.material, best.solution);
   for (const SolidGrowthStage& stage : grown.stages) {
     fit.stages.push_back({"solid",
-                          fmt::format("{} control point{}", stage.control_points,
-                                      stage.control_points == 1 ? "" : "s"),
+                          fmt::format("{} control point{}", stage.size, stage.size == 1 ? "" : "s"),
                           kUnit, stage.rms, stage.accepted});
   }
   if (grown.stages.empty()) {
     fit.stages.push_back(
         {"solid", "law", kUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
   }
-  if (!samples.at.empty()) add_samples(*settings.model.samples, samples, problem, grown, fit);
+  if (!samples.at.empty()) {
+    const SampleOptions& options = *settings.model.samples;
+    (options.grown > 0 ? grow_samples : add_samples)(options, samples, problem, grown, fit);
+  }
   const Problem own = problem.problem(grown.material);
   fit.unknowns = own.unknowns();
   fit.values = grown.solution.parameters;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "pliant/estimation/solid/linearised_problem.h"
 #include "pliant/estimation/statistics/correlation_length.h"
 #include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/math/tangent_spline.h"
@@ -63,82 +65,62 @@ std::vector<double> with_place(std::vector<double> knots, double place) {
   return knots;
 }
 
+std::vector<double> with_places(std::vector<double> all, const std::vector<double>& more) {
+  for (const double place : more) {
+    if (std::ranges::find(all, place) == all.end()) all = with_place(all, place);
+  }
+  return all;
+}
+
+Material with_spline(Material material, const std::string& component, ScalarCurve spline) {
+  material.components.at(component).stiffness = std::move(spline);
+  return material;
+}
+
 /// The problem linearised about a material whose component has control points at all places; with
 /// fewer points its values there are linear combinations of theirs.
 class LinearisedSpline {
  public:
   LinearisedSpline(SolidProblem& problem, const Material& material, const std::string& component,
                    const std::vector<double>& places)
-      : places_(places), spline_(*material.components.at(component).stiffness) {
-    Material dense = material;
-    std::vector<double> all = places;
-    for (const double knot : spline_.knots()) {
-      if (std::ranges::find(all, knot) == all.end()) all = with_place(all, knot);
-    }
-    places_ = all;
-    dense.components.at(component).stiffness = with_knots(spline_, all);
-    const Problem own = problem.problem(dense);
-    unknowns_ = own.unknowns();
-    at_ = starts_of(unknowns_);
-    while (first_ < std::ssize(unknowns_) &&
-           unknowns_[static_cast<std::size_t>(first_)].owner != component) {
+      : spline_(*material.components.at(component).stiffness),
+        places_(with_places(places, spline_.knots())),
+        problem_(problem, with_spline(material, component, with_knots(spline_, places_))) {
+    while (first_ < problem_.unknowns().size() && problem_.unknowns()[first_].owner != component) {
       ++first_;
     }
-    const LeastSquaresProblem squares = own.least_squares();
-    residual_.setZero(squares.residuals);
-    jacobian_.setZero(squares.residuals, at_.size());
-    valid_ = squares.evaluate(at_, residual_, &jacobian_);
   }
 
-  bool is_valid() const { return valid_; }
+  bool is_valid() const { return problem_.is_valid(); }
 
   /// Least cost of a spline with these control points, and its values.
   LeastSquaresSummary solve(const std::vector<double>& knots, const StopToken& stop) const {
-    const Eigen::Index dense = std::ssize(places_), own = std::ssize(knots);
-    const Eigen::Index others = at_.size() - dense;
-    Eigen::MatrixXd dense_of = Eigen::MatrixXd::Zero(at_.size(), own + others);
-    for (Eigen::Index i = 0; i < dense; ++i) {
-      dense_of.block(first_ + i, 0, 1, own) =
-          spline_tangent_weights(knots, places_[static_cast<std::size_t>(i)]).transpose();
+    const std::size_t all = problem_.unknowns().size(), dense = places_.size();
+    const auto own = std::ssize(knots), few = own + static_cast<Eigen::Index>(all - dense);
+    Eigen::MatrixXd combinations = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(all), few);
+    for (std::size_t i = 0; i < dense; ++i) {
+      combinations.block(static_cast<Eigen::Index>(first_ + i), 0, 1, own) =
+          spline_tangent_weights(knots, places_[i]).transpose();
     }
-    LeastSquaresProblem problem;
+    std::vector<std::size_t> alike(knots.size(), first_);
     const ScalarCurve start = with_knots(spline_, knots);
-    Eigen::VectorXd begin(own + others);
+    Eigen::VectorXd begin(few);
     begin.head(own) = Eigen::Map<const Eigen::VectorXd>(start.values().data(), own);
-    problem.lower = problem.upper = problem.scale = begin;
-    const auto bound = [&](Eigen::Index to, std::size_t from) {
-      problem.lower(to) = unknowns_[from].lower;
-      problem.upper(to) = unknowns_[from].upper;
-      problem.scale(to) = unknowns_[from].scale;
-    };
-    for (Eigen::Index i = 0; i < own; ++i) bound(i, static_cast<std::size_t>(first_));
-    Eigen::Index next = own;
-    for (Eigen::Index u = 0; u < at_.size(); ++u) {
+    for (std::size_t u = 0; u < all; ++u) {
       if (u >= first_ && u < first_ + dense) continue;
-      dense_of(u, next) = 1;
-      begin(next) = at_(u);
-      bound(next++, static_cast<std::size_t>(u));
+      const auto next = std::ssize(alike);
+      combinations(static_cast<Eigen::Index>(u), next) = 1;
+      begin(next) = problem_.unknowns()[u].start;
+      alike.push_back(u);
     }
-    const Eigen::MatrixXd slope = jacobian_ * dense_of;
-    const Eigen::VectorXd offset = residual_ - jacobian_ * at_;
-    problem.residuals = static_cast<int>(residual_.size());
-    problem.evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& residual,
-                           Eigen::MatrixXd* jacobian) {
-      residual = offset + slope * p;
-      if (jacobian) *jacobian = slope;
-      return true;
-    };
-    return solve_least_squares(problem, begin, kLinear, stop);
+    return problem_.solve(combinations, alike, begin, stop);
   }
 
  private:
-  std::vector<double> places_;
   ScalarCurve spline_;
-  std::vector<Unknown> unknowns_;
-  Eigen::VectorXd at_, residual_;
-  Eigen::MatrixXd jacobian_;
-  Eigen::Index first_ = 0;
-  bool valid_ = false;
+  std::vector<double> places_;
+  LinearisedProblem problem_;
+  std::size_t first_ = 0;
 };
 
 class SplineGrowth {

@@ -7,10 +7,10 @@
 
 namespace pliant {
 
-/// One step of growing the spline energies of a solid.
+/// One step of growing a solid.
 struct SolidGrowthStage {
-  int control_points = 0;  ///< of all components together
-  double rms = 0;          ///< of the weighted differences
+  int size = 0;    ///< control points of all components together, or samples
+  double rms = 0;  ///< of the weighted differences
   bool accepted = false;
 };
 

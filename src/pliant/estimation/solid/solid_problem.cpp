@@ -28,6 +28,15 @@ void keep_positive(const std::string& component, const ComponentLaw& law,
   if (is_line) unknowns.front().lower = 0;
 }
 
+/// A volume that nothing resists has no equilibrium, in which searches would lose themselves.
+void keep_volume_stiff(const ComponentLaw& law, const DataScale& pulled,
+                       std::vector<Unknown>& unknowns) {
+  constexpr double kLeast = 1e-3;  // of the stiffness of what is pulled
+  for (int i = 0; i < law.stiffness.size(); ++i) {
+    unknowns[static_cast<std::size_t>(i)].lower = kLeast * pulled.stress / pulled.strain;
+  }
+}
+
 /// Appends the unknowns of a component: of a heterogeneous solid one of each sample, or one that
 /// all samples share where they do not differ in it.
 void append_unknowns(const Material& material, const std::string& component,
@@ -136,6 +145,7 @@ Problem SolidProblem::problem(const Material& material) {
     if (!law) continue;
     std::vector<Unknown> own = unknowns_of(*law, {name}, data_of(name).scale);
     keep_positive(name, *law, own);
+    if (is_of_volume(name)) keep_volume_stiff(*law, data_of("fibre.x").scale, own);
     append_unknowns(material, name, own, unknowns);
   }
   for (const EnergyLimit& limit : material.limits) unknowns.push_back(unknown_of(limit));

@@ -23,6 +23,11 @@ struct MetricData {
   bool is_seen() const;
 };
 
+/// Whether a component resists changes of volume, which data of any solid tell little of.
+inline bool is_of_volume(const std::string& component) {
+  return component == "J" || component == "log-J";
+}
+
 /// The estimation of a solid from all experiments together: unknowns are the numbers of the laws of
 /// all its components.
 ///

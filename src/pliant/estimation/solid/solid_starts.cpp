@@ -81,7 +81,7 @@ MaterialComponent first_component(const std::string& name, const ComponentModel&
 /// Where the stiffness of a component begins: that of the volume, which data of any solid tells
 /// little of, at several places above that of what is pulled.
 std::vector<DataScale> first_scales(const std::string& component, SolidProblem& problem) {
-  if (component != "J" && component != "log-J") return {problem.data_of(component).scale};
+  if (!is_of_volume(component)) return {problem.data_of(component).scale};
   const DataScale pulled = problem.data_of("fibre.x").scale;
   std::vector<DataScale> scales;
   for (const double times : {3.0, 30.0}) {

@@ -50,19 +50,25 @@ Material material_at(const Material& material, std::size_t sample) {
   return at;
 }
 
-void take_means(Material& material) {
-  const std::vector<SampledComponents>& samples = material.samples.at;
-  for (const auto& [name, first] : samples.front().components) {
-    MaterialComponent mean = first;
+std::map<std::string, MaterialComponent> means_of(const MaterialSamples& samples,
+                                                  const Eigen::VectorXd& weights) {
+  std::map<std::string, MaterialComponent> means = samples.at.front().components;
+  for (auto& [name, mean] : means) {
     mean.errors.clear();
-    const ComponentLaw law = law_of(first);
+    const ComponentLaw law = law_of(mean);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(law.parameter_count());
-    for (const SampledComponents& sample : samples) {
-      sum += law_of(sample.components.at(name)).parameters();
+    for (std::size_t k = 0; k < samples.at.size(); ++k) {
+      sum += weights(static_cast<Eigen::Index>(k)) *
+             law_of(samples.at[k].components.at(name)).parameters();
     }
-    set_law(mean, law.with_parameters(sum / static_cast<double>(samples.size())));
-    material.components[name] = mean;
+    set_law(mean, law.with_parameters(sum / weights.sum()));
   }
+  return means;
+}
+
+void take_means(Material& material) {
+  const Eigen::VectorXd alike = Eigen::VectorXd::Ones(std::ssize(material.samples.at));
+  for (auto& [name, mean] : means_of(material.samples, alike)) material.components[name] = mean;
 }
 
 }  // namespace pliant

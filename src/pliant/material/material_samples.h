@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "pliant/material/material.h"
@@ -24,6 +25,11 @@ std::string name_in_sample(std::size_t sample, const std::string& number);
 
 /// What a heterogeneous solid is at one of its samples: a solid that is the same everywhere.
 Material material_at(const Material& material, std::size_t sample);
+
+/// The components that a heterogeneous solid's samples differ in: their means, without errors.
+/// @param weights  of each sample
+std::map<std::string, MaterialComponent> means_of(const MaterialSamples& samples,
+                                                  const Eigen::VectorXd& weights);
 
 /// Gives a heterogeneous solid the components that its samples differ in: their means.
 void take_means(Material& material);

@@ -17,8 +17,6 @@ LeastSquaresSummary LinearisedProblem::solve(const Eigen::MatrixXd& combinations
                                              const std::vector<std::size_t>& alike,
                                              const Eigen::VectorXd& begin,
                                              const StopToken& stop) const {
-  constexpr LeastSquaresOptions kLinear{
-      .max_iterations = 60, .function_tolerance = 1e-9, .parameter_tolerance = 1e-9};
   LeastSquaresProblem problem;
   problem.lower = problem.upper = problem.scale = begin;
   for (Eigen::Index i = 0; i < begin.size(); ++i) {
@@ -35,7 +33,7 @@ LeastSquaresSummary LinearisedProblem::solve(const Eigen::MatrixXd& combinations
     if (jacobian) *jacobian = slope;
     return true;
   };
-  return solve_least_squares(problem, begin, kLinear, stop);
+  return solve_least_squares(problem, begin, kLinearSearch, stop);
 }
 
 }  // namespace pliant

@@ -6,6 +6,10 @@
 
 namespace pliant {
 
+/// Of searches whose unknowns are linear, or nearly.
+inline constexpr LeastSquaresOptions kLinearSearch{
+    .max_iterations = 60, .function_tolerance = 1e-9, .parameter_tolerance = 1e-9};
+
 /// The problem of a solid of many unknowns, linearised about their values: it tells without further
 /// equilibria how well solids would do whose unknowns are fewer.
 class LinearisedProblem {

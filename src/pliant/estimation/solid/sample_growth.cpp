@@ -37,24 +37,6 @@ std::vector<UnknownBlock> blocks_of(const std::vector<Unknown>& unknowns,
   return blocks;
 }
 
-/// What a material is at a place, of the components that its samples differ in.
-std::map<std::string, MaterialComponent> components_at(const Material& material,
-                                                       const Eigen::Vector3d& place) {
-  const std::vector<SampledComponents>& samples = material.samples.at;
-  const Eigen::VectorXd weights = weights_at(material.samples, place);
-  std::map<std::string, MaterialComponent> components = samples.front().components;
-  for (auto& [name, component] : components) {
-    const ComponentLaw law = law_of(component);
-    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(law.parameter_count());
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      numbers += weights(static_cast<Eigen::Index>(k)) *
-                 law_of(samples[k].components.at(name)).parameters();
-    }
-    set_law(component, law.with_parameters(numbers));
-  }
-  return components;
-}
-
 /// The unknowns of a choice of samples: what the many unknowns of samples at all places are of
 /// them.
 struct FewUnknowns {
@@ -128,7 +110,7 @@ class SampleGrowth {
     MaterialSamples all = choices_;
     for (SampledComponents& sample : all.at) {
       if (is_heterogeneous(material)) {
-        sample.components = components_at(material, sample.place);
+        sample.components = means_of(material.samples, weights_at(material.samples, sample.place));
         continue;
       }
       for (const auto& [name, component] : material.components) {

@@ -90,6 +90,15 @@ void refuse_unseen(const FitSettings& settings, const Problem& problem) {
   }
 }
 
+/// @param what  has grown, in the singular
+void append_stages(const std::vector<SolidGrowthStage>& stages, const char* what, SolidFit& fit) {
+  for (const SolidGrowthStage& stage : stages) {
+    fit.stages.push_back({"solid",
+                          fmt::format("{} {}{}", stage.size, what, stage.size == 1 ? "" : "s"),
+                          kUnit, stage.rms, stage.accepted});
+  }
+}
+
 /// Gives the fitted solid samples and lets these differ.
 void add_samples(const SampleOptions& options, const MaterialSamples& samples,
                  SolidProblem& problem, GrownSolid& grown, SolidFit& fit) {
@@ -118,11 +127,7 @@ void add_samples(const SampleOptions& options, const MaterialSamples& samples,
 void grow_samples(const SampleOptions& options, const MaterialSamples& choices,
                   SolidProblem& problem, GrownSolid& grown, SolidFit& fit) {
   GrownSolid sampled = with_samples(problem, options, choices, grown);
-  for (const SolidGrowthStage& stage : sampled.stages) {
-    fit.stages.push_back({"solid",
-                          fmt::format("{} sample{}", stage.size, stage.size == 1 ? "" : "s"), kUnit,
-                          stage.rms, stage.accepted});
-  }
+  append_stages(sampled.stages, "sample", fit);
   if (!is_heterogeneous(sampled.material)) fit.notes.emplace_back(kNoSamples);
   grown = std::move(sampled);
 }
@@ -141,11 +146,7 @@ SolidFit fit_solid(const FitSettings& settings,
   Start best = search(problem, std::move(starts), fit);
   best.solution = add_limits(problem, settings.model.limits, first, best.material, best.solution);
   GrownSolid grown = grow_solid(problem, best.material, best.solution);
-  for (const SolidGrowthStage& stage : grown.stages) {
-    fit.stages.push_back({"solid",
-                          fmt::format("{} control point{}", stage.size, stage.size == 1 ? "" : "s"),
-                          kUnit, stage.rms, stage.accepted});
-  }
+  append_stages(grown.stages, "control point", fit);
   if (grown.stages.empty()) {
     fit.stages.push_back(
         {"solid", "law", kUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});

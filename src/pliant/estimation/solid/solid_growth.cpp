@@ -16,8 +16,6 @@ namespace {
 
 constexpr int kQuantiles = 8;
 constexpr double kAccuracy = 1e-6;  // of a hundredth of the peak: as good as any
-constexpr LeastSquaresOptions kLinear{
-    .max_iterations = 60, .function_tolerance = 1e-9, .parameter_tolerance = 1e-9};
 
 bool is_spline(const MaterialComponent& component) {
   return component.stiffness && component.stiffness->kind() == CurveKind::spline;
@@ -165,7 +163,7 @@ class SplineGrowth {
       rich.components.at(name).stiffness =
           with_knots(*material.components.at(name).stiffness, places);
     }
-    problem_.solve(rich, kLinear);
+    problem_.solve(rich, kLinearSearch);
     const Problem own = problem_.problem(rich);
     double rows = 0;
     for (std::size_t p = 0; p < own.parts().size(); ++p) {

@@ -165,11 +165,8 @@ void add_solid(const Material& material, FileInfo& info) {
                      ? format_quantity(material.density, Dimension::volume_density, kDigits)
                      : "not stated"));
   Json components = Json::object();
-  for (const std::string& name : solid_component_names()) {
-    const auto found = material.components.find(name);
-    if (found != material.components.end()) {
-      components[name] = component_info(name, found->second, info);
-    }
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
+    components[name] = component_info(name, material.components.at(name), info);
   }
   info.json["components"] = std::move(components);
   add_samples(material, info);

@@ -17,6 +17,13 @@ enum class EstimatorKind {
   anchor,  ///< the published estimator ([T] Eqs. 5.4-5.6)
 };
 
+/// How the energy of a solid that is no sum of convex terms by itself is kept convex ([T] 4.3.3).
+enum class Convexity {
+  within,     ///< by conditions that the search keeps
+  projected,  ///< each update goes to the nearest convex energy, as published
+  free,       ///< not at all
+};
+
 /// One stage of an incremental fit of sheets.
 struct PlanStage {
   std::vector<std::string> components;
@@ -29,6 +36,7 @@ struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
   int control_points = 5;        ///< most control points of a hermite stiffness
   bool monotone_stress = false;  ///< elastic stress never falls where strain rises
+  Convexity convexity = Convexity::within;  ///< of solids
   RobustLoss loss = RobustLoss::none;
   std::map<std::string, std::pair<double, double>> bounds;
   std::map<std::string, double> fix;

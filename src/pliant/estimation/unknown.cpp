@@ -20,6 +20,9 @@ void limit_stiffness(const ComponentLaw& law, const DataScale& data,
     if (law.stiffness.has_knots()) {
       unknown.strain = law.stiffness.knots()[static_cast<std::size_t>(i)];
     }
+    if (law.stiffness.kind() == CurveKind::energy) {
+      unknown.scale *= *unknown.strain * *unknown.strain / 2;
+    }
   }
   // k2 of an affine stiffness multiplies the strain once more.
   if (law.stiffness.kind() == CurveKind::affine) unknowns[1].scale = stiffness / data.strain;

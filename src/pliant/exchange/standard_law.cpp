@@ -86,10 +86,10 @@ void add_terms(const std::vector<OgdenLaw::Term>& from, std::vector<OgdenLaw::Te
 class Recogniser {
  public:
   Recogniser(const Material& material, const std::string& file) : material_(material), file_(file) {
-    for (const std::string& name : solid_component_names()) {
-      const auto found = material.components.find(name);
-      if (found == material.components.end() || !found->second.stiffness) continue;
-      Elasticity elasticity = elasticity_of(found->second);
+    for (const std::string& name : ordered_components(material.components, material.kind)) {
+      const MaterialComponent& component = material.components.at(name);
+      if (!component.stiffness) continue;
+      Elasticity elasticity = elasticity_of(component);
       if (!elasticity.is_nothing()) parts_.emplace_back(name, std::move(elasticity));
     }
   }
@@ -302,10 +302,8 @@ std::string told_about_numbers(const Material& material) {
 
 std::vector<std::string> what_is_lost(const Material& material) {
   std::vector<std::string> lost;
-  for (const std::string& name : solid_component_names()) {
-    const auto found = material.components.find(name);
-    if (found == material.components.end()) continue;
-    const MaterialComponent& component = found->second;
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
+    const MaterialComponent& component = material.components.at(name);
     if (!component.stiffness) lost.push_back("that " + name + " was not measured");
     bool friction = component.friction.has_value(), plastic = false;
     for (const Addend& addend : component.addends) {

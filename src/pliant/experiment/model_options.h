@@ -19,6 +19,8 @@ struct ComponentModel {
   std::optional<CurveKind> stiffness;
   std::optional<FrictionChoice> friction;
   std::vector<const AddendKind*> addends = {};
+  /// Of two strains of a solid: Gaussian terms at so many places by so many; 0: one bilinear term.
+  int gaussians = 0;
 };
 
 /// Where a heterogeneous solid has samples, and of what: one of `places`, `grid`, `spread` and

@@ -156,6 +156,11 @@ std::vector<std::string> parameter_names(const ComponentLaw& law, const std::str
         names.push_back(component + ".k[" + std::to_string(i) + "]");
       }
       break;
+    case CurveKind::energy:
+      for (int i = 0; i < law.stiffness.size(); ++i) {
+        names.push_back(component + ".psi[" + std::to_string(i) + "]");
+      }
+      break;
   }
   if (law.friction_law != FrictionLaw::none) {
     const char* third = law.friction_law == FrictionLaw::dahl ? ".friction.tau" : ".friction.alpha";
@@ -174,6 +179,9 @@ std::vector<std::string> parameter_units(const ComponentLaw& law, LawUnits syste
   const std::string stiffness = solid ? "Pa" : bending ? "N m" : "N/m";
   std::vector<std::string> units(static_cast<size_t>(law.stiffness.size()), stiffness);
   if (law.stiffness.kind() == CurveKind::affine && bending) units[1] = "N m^2";
+  if (law.stiffness.kind() == CurveKind::energy && bending) {
+    std::ranges::fill(units, "N/m");
+  }
   if (law.friction_law != FrictionLaw::none) {
     const bool slope = law.friction_law == FrictionLaw::constant_slope;
     units.insert(units.end(), {bending ? "N" : stiffness, stiffness,

@@ -8,6 +8,7 @@
 #include "pliant/base/assert.h"
 #include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/solid/metric.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
@@ -52,7 +53,8 @@ bool is_bending(std::string_view component) { return component.substr(0, 5) == "
 
 LawUnits units_of(std::string_view component) {
   if (is_bending(component)) return LawUnits::bending;
-  const bool solid = find_strain_metric(component) || find_principal_metric(component);
+  const bool solid = find_strain_metric(component) || find_principal_metric(component) ||
+                     find_pair_metric(component);
   return solid ? LawUnits::solid : LawUnits::membrane;
 }
 
@@ -89,6 +91,18 @@ std::vector<std::string> limitable_components(MaterialKind kind) {
 
 const std::vector<std::string>& component_names(MaterialKind kind) {
   return kind == MaterialKind::solid ? solid_component_names() : cloth_component_names();
+}
+
+std::vector<std::string> ordered_components(
+    const std::map<std::string, MaterialComponent>& components, MaterialKind kind) {
+  std::vector<std::string> names;
+  for (const std::string& name : component_names(kind)) {
+    if (components.contains(name)) names.push_back(name);
+  }
+  for (const auto& [name, component] : components) {
+    if (find_pair_metric(name)) names.push_back(name);
+  }
+  return names;
 }
 
 ComponentLaw law_of(const MaterialComponent& component) {

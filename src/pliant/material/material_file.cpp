@@ -47,6 +47,12 @@ ScalarCurve read_control_points(const std::string& kind, Fields& fields, bool ev
   }
   // FORMATS: for shear and bending a list that starts at 0 is mirrored.
   const bool even = even_component && knots.front() >= 0;
+  if (kind == "energy") {
+    if (std::ranges::find(knots, 0.0) != knots.end()) {
+      strain.fail("has a control point at rest, where an energy is 0", "strains other than 0");
+    }
+    return ScalarCurve::energy(std::move(knots), std::move(values), even);
+  }
   const auto make = kind == "spline" ? ScalarCurve::spline : ScalarCurve::hermite;
   return make(std::move(knots), std::move(values), even);
 }
@@ -54,7 +60,7 @@ ScalarCurve read_control_points(const std::string& kind, Fields& fields, bool ev
 ScalarCurve read_curve(const Value& node, bool even_component) {
   Fields fields = node.fields();
   const std::string kind =
-      fields.require("curve").choice({"constant", "affine", "hermite", "spline"});
+      fields.require("curve").choice({"constant", "affine", "hermite", "spline", "energy"});
   const auto read = [&]() -> ScalarCurve {
     if (kind == "constant") return ScalarCurve::constant(fields.require("value").number());
     if (kind == "affine") {
@@ -194,6 +200,19 @@ void require_no_memory(const std::string& name, const Value& node,
             "such laws on another metric: green.xx, I1-bar, ...");
 }
 
+/// Terms of two strains, whose names are formulas.
+void read_pair_terms(Fields& fields, std::map<std::string, MaterialComponent>& components) {
+  for (const std::string& name : fields.keys()) {
+    const auto pair = find_pair_metric(name);
+    const auto component = pair ? fields.optional(name) : std::nullopt;
+    if (!component) continue;
+    if (pair->name() != name) {
+      component->fail("has its numbers written in another way", "the name " + pair->name());
+    }
+    components[name] = read_component(*component, /*even=*/false);
+  }
+}
+
 std::map<std::string, MaterialComponent> read_components(const Value& node, MaterialKind kind) {
   Fields fields = node.fields();
   std::map<std::string, MaterialComponent> components;
@@ -203,6 +222,7 @@ std::map<std::string, MaterialComponent> read_components(const Value& node, Mate
       require_no_memory(name, *component, components[name]);
     }
   }
+  if (kind == MaterialKind::solid) read_pair_terms(fields, components);
   fields.finish();
   return components;
 }
@@ -276,6 +296,7 @@ Json curve_json(const ScalarCurve& curve) {
       break;
     case CurveKind::hermite:
     case CurveKind::spline:
+    case CurveKind::energy:
       json["strain"] = curve.knots();
       json["value"] = curve.values();
       break;
@@ -325,9 +346,8 @@ Json component_json(const MaterialComponent& component) {
 Json components_json(const std::map<std::string, MaterialComponent>& components,
                      const Material& material) {
   Json json = Json::object();
-  for (const std::string& name : component_names(material.kind)) {
-    const auto found = components.find(name);
-    if (found != components.end()) json[name] = component_json(found->second);
+  for (const std::string& name : ordered_components(components, material.kind)) {
+    json[name] = component_json(components.at(name));
   }
   return json;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pliant/base/assert.h"
+#include "pliant/math/hermite_energy.h"
 #include "pliant/math/tangent_spline.h"
 
 namespace pliant {
@@ -164,6 +165,8 @@ std::string_view name_of(CurveKind kind) {
       return "hermite";
     case CurveKind::spline:
       return "spline";
+    case CurveKind::energy:
+      return "energy";
   }
   return "";
 }
@@ -201,6 +204,13 @@ ScalarCurve ScalarCurve::spline(std::vector<double> knots, std::vector<double> v
   return {CurveKind::spline, std::move(knots), std::move(values), even};
 }
 
+ScalarCurve ScalarCurve::energy(std::vector<double> knots, std::vector<double> values, bool even) {
+  require_knots(knots, values, even);
+  PLIANT_ASSERT(std::ranges::find(knots, 0.0) == knots.end(),
+                "an energy is zero at rest, which is no control point of it");
+  return {CurveKind::energy, std::move(knots), std::move(values), even};
+}
+
 ScalarCurve ScalarCurve::with_values(const double* values) const {
   ScalarCurve other = *this;
   std::copy_n(values, values_.size(), other.values_.begin());
@@ -218,7 +228,7 @@ double ScalarCurve::value(double x) const {
   if (kind_ == CurveKind::none) return 0;
   if (kind_ == CurveKind::constant) return values_[0];
   if (kind_ == CurveKind::affine) return values_[0] + values_[1] * std::abs(x);
-  if (kind_ == CurveKind::spline) return apply(weights(x));
+  if (is_of_energy()) return apply(weights(x));
   const HermiteShape shape{knots_, tangents_};
   const double at = even_ ? std::abs(x) : x;
   if (at <= knots_.front()) return values_.front();
@@ -229,7 +239,7 @@ double ScalarCurve::value(double x) const {
 double ScalarCurve::slope(double x) const {
   if (kind_ == CurveKind::none || kind_ == CurveKind::constant) return 0;
   if (kind_ == CurveKind::affine) return values_[1] * sign(x);
-  if (kind_ == CurveKind::spline) return apply(slope_weights(x));
+  if (is_of_energy()) return apply(slope_weights(x));
   const HermiteShape shape{knots_, tangents_};
   const double at = even_ ? std::abs(x) : x;
   if (at <= knots_.front() || at >= knots_.back()) return 0;
@@ -245,7 +255,7 @@ double ScalarCurve::first_moment(double x) const {
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return values_[0] * x * x / 2;
   if (kind_ == CurveKind::affine) return x * x * (values_[0] / 2 + values_[1] * magnitude / 3);
-  if (kind_ == CurveKind::spline) return apply(first_moment_weights(x));
+  if (is_of_energy()) return apply(first_moment_weights(x));
   return first_moment_from_front(even_ ? magnitude : x) - first_moment_from_front(0);
 }
 
@@ -265,17 +275,21 @@ Eigen::VectorXd ScalarCurve::weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(1);
   if (kind_ == CurveKind::affine) return pair(1, std::abs(x));
-  if (kind_ == CurveKind::spline) return spline_secant_weights(knots_, even_ ? std::abs(x) : x);
-  return HermiteShape{knots_, tangents_}.value(even_ ? std::abs(x) : x);
+  const double at = even_ ? std::abs(x) : x;
+  if (kind_ == CurveKind::spline) return spline_secant_weights(knots_, at);
+  if (kind_ == CurveKind::energy) return hermite_energy_secant_weights(knots_, at);
+  return HermiteShape{knots_, tangents_}.value(at);
 }
 
 Eigen::VectorXd ScalarCurve::slope_weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(0);
   if (kind_ == CurveKind::affine) return pair(0, sign(x));
-  if (kind_ == CurveKind::spline) {
+  if (is_of_energy()) {
     const double at = even_ ? std::abs(x) : x;
-    return (even_ ? sign(x) : 1) * spline_secant_slope_weights(knots_, at);
+    const auto weights_of =
+        kind_ == CurveKind::spline ? spline_secant_slope_weights : hermite_energy_secant_slope_weights;
+    return (even_ ? sign(x) : 1) * weights_of(knots_, at);
   }
   const HermiteShape shape{knots_, tangents_};
   if (!even_) return shape.slope(x);
@@ -286,7 +300,7 @@ Eigen::VectorXd ScalarCurve::integral_weights(double x) const {
   if (kind_ == CurveKind::none) return {};
   if (kind_ == CurveKind::constant) return single(x);
   if (kind_ == CurveKind::affine) return pair(x, x * std::abs(x) / 2);
-  PLIANT_ASSERT(kind_ == CurveKind::hermite, "nobody asks for the integral of a spline's secant");
+  PLIANT_ASSERT(kind_ == CurveKind::hermite, "nobody asks for the integral of an energy's secant");
   const HermiteShape shape{knots_, tangents_};
   if (!even_) return shape.primitive(x, 0) - shape.primitive(0, 0);
   return sign(x) * (shape.primitive(std::abs(x), 0) - shape.primitive(0, 0));
@@ -297,9 +311,10 @@ Eigen::VectorXd ScalarCurve::first_moment_weights(double x) const {
   const double magnitude = std::abs(x);
   if (kind_ == CurveKind::constant) return single(x * x / 2);
   if (kind_ == CurveKind::affine) return pair(x * x / 2, magnitude * magnitude * magnitude / 3);
-  if (kind_ == CurveKind::spline) return spline_energy_weights(knots_, even_ ? magnitude : x);
-  const HermiteShape shape{knots_, tangents_};
   const double to = even_ ? magnitude : x;
+  if (kind_ == CurveKind::spline) return spline_energy_weights(knots_, to);
+  if (kind_ == CurveKind::energy) return hermite_energy_weights(knots_, to);
+  const HermiteShape shape{knots_, tangents_};
   return shape.primitive(to, 1) - shape.primitive(0, 1);
 }
 

@@ -15,6 +15,8 @@ enum class CurveKind {
   hermite,   ///< piecewise cubic through (knots, values), constant outside ([T] 3.3)
   spline,    ///< secant x -> stress / x of the energy whose second derivative is linear between
              ///< (knots, values) and constant outside (tangent_spline.h)
+  energy,    ///< secant of the energy that is piecewise cubic through (knots, values) and zero at
+             ///< rest ([T] 4.2.2, hermite_energy.h)
 };
 
 std::string_view name_of(CurveKind kind);
@@ -45,9 +47,17 @@ class ScalarCurve {
   static ScalarCurve spline(std::vector<double> knots, std::vector<double> values,
                             bool even = false);
 
+  /// @param knots   strictly increasing, none of them 0, at least one
+  /// @param values  energies there
+  /// @param even    the energy is one of |x|; needs knots that are positive
+  static ScalarCurve energy(std::vector<double> knots, std::vector<double> values,
+                            bool even = false);
+
   CurveKind kind() const { return kind_; }
   /// Whether it has control points.
-  bool has_knots() const { return kind_ == CurveKind::hermite || kind_ == CurveKind::spline; }
+  bool has_knots() const { return kind_ == CurveKind::hermite || is_of_energy(); }
+  /// Whether its control values describe an energy.
+  bool is_of_energy() const { return kind_ == CurveKind::spline || kind_ == CurveKind::energy; }
   bool even() const { return even_; }
   const std::vector<double>& knots() const { return knots_; }
   const std::vector<double>& values() const { return values_; }
@@ -58,7 +68,7 @@ class ScalarCurve {
 
   double value(double x) const;
   double slope(double x) const;
-  /// Integral of the curve from 0 to x; not of splines.
+  /// Integral of the curve from 0 to x; not where it is of an energy.
   double integral(double x) const;
   /// Integral of curve(t) t dt from 0 to x: the energy of a stiffness curve at strain x.
   double first_moment(double x) const;
@@ -81,7 +91,7 @@ class ScalarCurve {
 
   CurveKind kind_;
   bool even_;
-  std::vector<double> knots_;  // empty unless hermite or spline
+  std::vector<double> knots_;  // empty unless `has_knots`
   std::vector<double> values_;
   Eigen::MatrixXd tangents_;     // hermite: tangent at knot i = tangents_.row(i) . values
   Eigen::VectorXd slopes_;       // hermite: the tangents

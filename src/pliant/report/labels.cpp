@@ -163,6 +163,9 @@ std::string parameter_meaning(std::string_view parameter) {
   if (parameter.ends_with("]") && parameter.find(".k[") != std::string_view::npos) {
     return "stiffness at a control point";
   }
+  if (parameter.ends_with("]") && parameter.find(".psi[") != std::string_view::npos) {
+    return "energy at a control point";
+  }
   return {};
 }
 
@@ -180,6 +183,10 @@ std::string parameter_in_words(std::string_view text) {
     return point == "[0]"
                ? fmt::format("stiffness of {} at zero strain{}", component, rest)
                : fmt::format("stiffness of {} at control point {}{}", component, point, rest);
+  }
+  if (const std::size_t psi = name.find(".psi["); psi != std::string_view::npos) {
+    return fmt::format("energy of {} at control point {}{}", name.substr(0, psi),
+                       name.substr(psi + 4), rest);
   }
   const std::size_t friction = name.find(".friction.");
   if (friction == std::string_view::npos) return std::string(text);

@@ -147,9 +147,7 @@ const char* unit_of_field(const std::string& name) {
   const std::string component = name.substr(dot + 1);
   const bool bending = component.starts_with("bend.");
   if (!name.starts_with("friction.")) return bending ? "1/m" : "1";
-  if (std::ranges::find(solid_component_names(), component) != solid_component_names().end()) {
-    return "Pa";
-  }
+  if (units_of(component) == LawUnits::solid) return "Pa";
   return bending ? "N" : "N/m";
 }
 

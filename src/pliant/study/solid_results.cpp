@@ -105,7 +105,7 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
 
 void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult& result) {
   Eigen::Index first = 0;
-  for (const std::string& name : solid_component_names()) {
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
     const auto law = law_of(material, name);
     if (!law) continue;
     const auto& range = material.components.at(name).range;

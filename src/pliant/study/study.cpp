@@ -120,172 +120,6 @@ std::vector<ExperimentSpec> read_experiments(const Value& list, const SpecimenDe
   return specs;
 }
 
-CurveKind curve_kind(const std::string& kind) {
-  if (kind == "none") return CurveKind::none;
-  if (kind == "constant") return CurveKind::constant;
-  if (kind == "spline") return CurveKind::spline;
-  return kind == "affine" ? CurveKind::affine : CurveKind::hermite;
-}
-
-FrictionChoice read_friction_choice(const Value& value) {
-  const std::string choice = value.choice({"auto", "dahl", "none"});
-  if (choice == "auto") return FrictionChoice::automatic;
-  return choice == "dahl" ? FrictionChoice::dahl : FrictionChoice::none;
-}
-
-std::vector<const AddendKind*> read_addends(const Value& list) {
-  std::vector<const AddendKind*> addends;
-  for (const Value& item : list.items()) addends.push_back(&read_addend_kind(item));
-  return addends;
-}
-
-/// @param curves  that its stiffness may have
-ComponentModel read_component_model(const Value& node,
-                                    const std::vector<std::string_view>& curves) {
-  Fields fields = node.fields();
-  ComponentModel model;
-  if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
-  if (auto v = fields.optional("stiffness")) {
-    model.stiffness = curve_kind(v->choice(curves));
-    if (model.stiffness == CurveKind::none && model.addends.empty()) {
-      v->fail("is `none`, and no addends are there to carry anything",
-              "another stiffness, or `addends`");
-    }
-  }
-  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
-  fields.finish();
-  return model;
-}
-
-void read_sheet_mesh(const Value& node, ModelOptions& model) {
-  if (!node.is_mapping()) {
-    model.measured_mesh = node.choice({"measured"}) == "measured";
-    return;
-  }
-  Fields fields = node.fields();
-  model.mesh_edge = fields.require("edge").positive_quantity(Dimension::length);
-  fields.finish();
-}
-
-std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
-  std::vector<std::vector<std::string>> limits;
-  std::vector<std::string> taken;
-  for (const Value& item : list.items()) {
-    Fields fields = item.fields();
-    limits.push_back(read_limited_components(fields.require("of"), MaterialKind::solid, taken));
-    fields.finish();
-  }
-  return limits;
-}
-
-/// `{at, grid, spread, grown, width, of}`, one of the first four.
-SampleOptions read_samples(const Value& node) {
-  Fields fields = node.fields();
-  SampleOptions samples;
-  samples.where = node.location();
-  int ways = 0;
-  if (auto v = fields.optional("at")) {
-    ++ways;
-    for (const Value& place : v->items()) samples.places.push_back(read_vector(place));
-    if (samples.places.empty()) v->fail("is empty", "at least one [x, y, z] in metres");
-  }
-  if (auto v = fields.optional("grid")) {
-    ++ways;
-    const std::vector<Value> cells = v->items();
-    if (cells.size() != 3) v->fail("has no three numbers", "cells along x, y and z: [4, 2, 2]");
-    for (int i = 0; i < 3; ++i)
-      samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
-  }
-  if (auto v = fields.optional("spread")) {
-    ++ways;
-    samples.spread = v->integer(1, 10000);
-  }
-  if (auto v = fields.optional("grown")) {
-    ++ways;
-    samples.grown = v->integer(2, 100);
-  }
-  if (ways != 1)
-    node.fail("says where the samples are in no way, or in several",
-              "one of `at`, `grid`, `spread` and `grown`");
-  if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
-  if (auto v = fields.optional("of")) {
-    const std::vector<std::string_view> names(solid_component_names().begin(),
-                                              solid_component_names().end());
-    for (const Value& component : v->items()) samples.of.push_back(component.choice(names));
-    if (samples.of.empty()) v->fail("is empty", "at least one component");
-  }
-  fields.finish();
-  return samples;
-}
-
-/// The model of a solid: a law by its name, or components with theirs.
-ModelOptions read_solid_model(Fields& fields) {
-  ModelOptions model;
-  model.kind = MaterialKind::solid;
-  if (auto v = fields.optional("law")) model.solid_law = v->choice(solid_laws());
-  if (auto v = fields.optional("components")) {
-    Fields components = v->fields();
-    for (const std::string& name : solid_component_names()) {
-      if (auto c = components.optional(name)) {
-        model.components[name] = read_component_model(*c, {"none", "constant", "affine", "spline"});
-      }
-    }
-    components.finish();
-    if (model.components.empty()) v->fail("is empty", "at least one component");
-    if (fields.optional("law")) {
-      v->fail("stands beside `law`, which names components itself", "one of both");
-    }
-  }
-  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v);
-  if (auto v = fields.optional("samples")) {
-    model.samples = read_samples(*v);
-    if (!model.limits.empty()) v->fail("stands beside `limits`", "one of both");
-  }
-  fields.finish();
-  return model;
-}
-
-/// @param kind  of what the experiments measure
-ModelOptions read_model(Fields& study, MaterialKind kind) {
-  ModelOptions model;
-  model.kind = kind;
-  const auto node = study.optional("model");
-  if (!node) return model;
-  Fields fields = node->fields();
-  if (auto v = fields.optional("kind")) v->choice({name_of(kind)});
-  if (kind == MaterialKind::solid) return read_solid_model(fields);
-  if (auto v = fields.optional("membrane")) {
-    model.membrane = membrane_measure(v->choice({"stvk", "soft-constraint", "spring"}));
-  }
-  if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells", "spring"});
-  if (auto v = fields.optional("variant")) {
-    const std::string variant = v->choice(
-        {"nonlinear-orthotropic", "linear-orthotropic", "nonlinear-isotropic", "linear-isotropic"});
-    if (variant.starts_with("linear")) model.stiffness = CurveKind::constant;
-    model.isotropic = variant.ends_with("-isotropic");
-  }
-  if (auto v = fields.optional("mesh")) read_sheet_mesh(*v, model);
-  if (auto v = fields.optional("strips")) {
-    model.strips_as_sheets = v->choice({"one-dimensional", "sheet"}) == "sheet";
-  }
-  if (auto v = fields.optional("stiffness")) {
-    model.stiffness = curve_kind(v->choice({"constant", "affine", "hermite"}));
-  }
-  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
-  if (auto v = fields.optional("components")) {
-    Fields components = v->fields();
-    for (const std::string& name : cloth_component_names()) {
-      if (auto c = components.optional(name)) {
-        model.components[name] =
-            read_component_model(*c, {"none", "constant", "affine", "hermite"});
-      }
-    }
-    components.finish();
-  }
-  fields.finish();
-  return model;
-}
-
 template <class Read>
 auto read_map(Fields& fields, std::string_view key, Read read) {
   std::map<std::string, decltype(read(std::declval<Value>()))> result;
@@ -335,6 +169,12 @@ PlanStage read_plan_stage(const Value& node) {
   return stage;
 }
 
+Convexity read_convexity(const Value& value) {
+  const std::string convexity = value.choice({"within", "projected", "free"});
+  if (convexity == "free") return Convexity::free;
+  return convexity == "within" ? Convexity::within : Convexity::projected;
+}
+
 FitOptions read_fit(Fields& study, MaterialKind kind) {
   FitOptions fit;
   if (kind == MaterialKind::solid) fit.control_points = kSolidControlPoints;
@@ -350,6 +190,7 @@ FitOptions read_fit(Fields& study, MaterialKind kind) {
     fit.loss = *robust_loss_named(v->choice({"none", "huber", "cauchy"}));
   }
   if (auto v = fields.optional("monotone_stress")) fit.monotone_stress = v->flag();
+  if (auto v = fields.optional("convexity")) fit.convexity = read_convexity(*v);
   if (auto v = fields.optional("plan")) {
     for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage));
   }

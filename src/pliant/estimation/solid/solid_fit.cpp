@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/solid/energy_growth.h"
 #include "pliant/estimation/solid/limit_starts.h"
 #include "pliant/estimation/solid/sample_growth.h"
 #include "pliant/estimation/solid/solid_growth.h"
@@ -145,7 +146,8 @@ SolidFit fit_solid(const FitSettings& settings,
   const Material first = starts.front();
   Start best = search(problem, std::move(starts), fit);
   best.solution = add_limits(problem, settings.model.limits, first, best.material, best.solution);
-  GrownSolid grown = grow_solid(problem, best.material, best.solution);
+  GrownSolid grown = grow_splines(problem, {best.material, best.solution, {}});
+  grown = grow_energies(problem, grown);
   append_stages(grown.stages, "control point", fit);
   if (grown.stages.empty()) {
     fit.stages.push_back(

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <tuple>
 #include <utility>
 
+#include "pliant/estimation/solid/effective_rows.h"
 #include "pliant/estimation/solid/linearised_problem.h"
-#include "pliant/estimation/statistics/correlation_length.h"
 #include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/math/tangent_spline.h"
 
@@ -156,75 +156,59 @@ class SplineGrowth {
     return best;
   }
 
-  /// Rows that are independent as far as noise goes: of the splines with all points.
-  double effective_rows(const Material& material) {
-    Material rich = material;
+  /// The material with all control points that it may have.
+  Material rich(Material material) const {
     for (const auto& [name, places] : places_) {
-      rich.components.at(name).stiffness =
-          with_knots(*material.components.at(name).stiffness, places);
+      ScalarCurve& own = *material.components.at(name).stiffness;
+      own = with_knots(own, places);
     }
-    problem_.solve(rich, kLinearSearch);
-    const Problem own = problem_.problem(rich);
-    double rows = 0;
-    for (std::size_t p = 0; p < own.parts().size(); ++p) {
-      const Experiment& experiment = *own.parts()[p].experiment;
-      const auto predicted = own.predict(p, starts_of(own.unknowns()), /*derivatives=*/false);
-      const double counted = experiment.weights().sum();
-      rows += predicted ? counted / length_of(experiment, predicted->value) : counted;
-    }
-    return rows;
+    return material;
   }
 
  private:
-  static double length_of(const Experiment& experiment, const Eigen::VectorXd& predicted) {
-    const Eigen::ArrayXd weights = experiment.weights();
-    std::vector<ResidualSeries> series;
-    for (const std::vector<int>& rows : experiment.series()) {
-      ResidualSeries& own = series.emplace_back();
-      for (const int row : rows) {
-        if (weights(row) > 0) own.push_back(predicted(row) - experiment.measured()(row));
-      }
-    }
-    return correlation_length(series, /*leverage=*/0);
-  }
-
   SolidProblem& problem_;
   std::map<std::string, std::vector<double>> places_;
 };
 
 }  // namespace
 
-GrownSolid grow_solid(SolidProblem& problem, const Material& material,
-                      const LeastSquaresSummary& fitted) {
-  GrownSolid result{material, fitted, {}};
-  SplineGrowth growth(problem, material);
-  if (growth.splines() == 0) return result;
-  const int rows = problem.rows(), least = growth.splines();
-  const double effective = growth.effective_rows(material);
+GrownSolid grow_points(SolidProblem& problem, const GrownSolid& from, int first,
+                       const Material& rich, const OneMorePoint& one_more) {
+  GrownSolid result = from;
+  const int rows = problem.rows();
+  const double effective = effective_rows(problem, rich);
   std::map<int, std::pair<Material, LeastSquaresSummary>> fits;
   const auto fit_of = [&](int points) -> std::optional<FittedModel> {
-    if (points == least) {
-      fits[points] = {material, fitted};
+    if (points == first) {
+      fits[points] = {from.material, from.solution};
     } else {
       LeastSquaresSummary solution;
-      const auto more = growth.one_more(fits.at(points - 1).first, solution);
+      const auto more = one_more(fits.at(points - 1).first, solution);
       if (!more || !std::isfinite(solution.cost)) return std::nullopt;
       fits[points] = {*more, solution};
     }
     const auto& [own, end] = fits.at(points);
     const auto count = static_cast<int>(end.parameters.size());
-    return FittedModel{rms_of(end, rows), count, points - least, effective};
+    return FittedModel{rms_of(end, rows), count, points - first, effective};
   };
   const Growth chosen =
-      grow_model(least, std::max(problem.options().control_points, least), fit_of, kAccuracy);
+      grow_model(first, std::max(problem.options().control_points, first), fit_of, kAccuracy);
   for (const GrowthStep& step : chosen.steps) {
     result.stages.push_back({step.points, step.fit.rms, step.accepted});
   }
   const auto best = fits.find(chosen.points);
   if (best == fits.end()) return result;
-  result.material = best->second.first;
-  result.solution = best->second.second;
+  std::tie(result.material, result.solution) = best->second;
   return result;
+}
+
+GrownSolid grow_splines(SolidProblem& problem, const GrownSolid& from) {
+  SplineGrowth growth(problem, from.material);
+  if (growth.splines() == 0) return from;
+  return grow_points(problem, from, growth.splines(), growth.rich(from.material),
+                     [&](const Material& material, LeastSquaresSummary& solution) {
+                       return growth.one_more(material, solution);
+                     });
 }
 
 }  // namespace pliant

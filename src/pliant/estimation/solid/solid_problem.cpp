@@ -7,6 +7,7 @@
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/metric.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/standard_solids.h"
 
 namespace pliant {
@@ -140,7 +141,7 @@ Problem SolidProblem::problem(const Material& material) {
     parts.push_back(std::move(part));
   }
   std::vector<Unknown> unknowns;
-  for (const std::string& name : solid_component_names()) {
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
     const auto law = law_of(material, name);
     if (!law) continue;
     std::vector<Unknown> own = unknowns_of(*law, {name}, data_of(name).scale);
@@ -155,6 +156,38 @@ Problem SolidProblem::problem(const Material& material) {
   return problem;
 }
 
+LeastSquaresSummary SolidProblem::solve_convex(const Material& material,
+                                               const LeastSquaresProblem& search,
+                                               const Eigen::VectorXd& start,
+                                               const LeastSquaresOptions& options) {
+  const StopToken& stop = context_.stop;
+  if (settings_.fit.convexity == Convexity::free) {
+    return solve_least_squares(search, start, options, stop);
+  }
+  const ConvexSet set = convex_numbers(material, pair_domains(material));
+  const bool published = settings_.fit.convexity == Convexity::projected;
+  const bool is_bounded = set.rows.rows() == 0 && !set.violated;
+  if (published && !is_bounded) return solve_projected(set, search, start, options, stop);
+  return solve_within(set, search, start, options, stop);
+}
+
+std::vector<PairDomain> SolidProblem::pair_domains(const Material& material) {
+  std::vector<PairDomain> domains;
+  for (const auto& [name, component] : material.components) {
+    const auto pair = find_pair_metric(name);
+    if (!pair) continue;
+    const auto alike = [&](const PairDomain& domain) { return domain.strains == pair->strains; };
+    if (std::ranges::any_of(domains, alike)) continue;
+    PairDomain& domain = domains.emplace_back();
+    domain.strains = pair->strains;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const MetricData& data = data_of(pair->of()[side]);
+      domain.range[side] = {std::min(data.low(), 0.0), std::max(data.high(), 0.0)};
+    }
+  }
+  return domains;
+}
+
 // Bodies have equilibria side by side, and a search goes on from those that it stands at: what
 // counts is where a body comes to from rest.
 LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOptions& options) {
@@ -162,7 +195,7 @@ LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOp
   const Problem own = problem(material);
   const LeastSquaresProblem search = own.least_squares();
   const Eigen::VectorXd start = starts_of(own.unknowns());
-  LeastSquaresSummary end = solve_least_squares(search, start, options, context_.stop);
+  LeastSquaresSummary end = solve_convex(material, search, start, options);
   if (!std::isfinite(end.cost)) return end;
   Material found = material;
   set_numbers(end.parameters, found);
@@ -186,7 +219,7 @@ void set_numbers(const Eigen::VectorXd& numbers, Material& material) {
     set_law(component, law.with_parameters(numbers.segment(next, count)));
     next += count;
   };
-  for (const std::string& name : solid_component_names()) {
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
     const auto law = law_of(material, name);
     if (!law) continue;
     if (!differs_in(material, name)) {

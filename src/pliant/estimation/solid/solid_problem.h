@@ -9,6 +9,7 @@
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/least_squares.h"
 #include "pliant/estimation/problem.h"
+#include "pliant/estimation/solid/convexity.h"
 
 namespace pliant {
 
@@ -51,12 +52,18 @@ class SolidProblem {
   /// The least-squares problem of a material of some form, which begins at its numbers.
   Problem problem(const Material& material);
 
+  /// Where the energy of a material's terms of two strains is kept convex: what the data show.
+  std::vector<PairDomain> pair_domains(const Material& material);
+
   /// Numbers of the material that make the differences least, from its own on: of those, where the
   /// search came to no better ones.
   LeastSquaresSummary solve(Material& material, const LeastSquaresOptions& options = {});
 
  private:
   std::vector<double> strains_of(const std::string& metric);
+  LeastSquaresSummary solve_convex(const Material& material, const LeastSquaresProblem& search,
+                                   const Eigen::VectorXd& start,
+                                   const LeastSquaresOptions& options);
 
   const FitSettings& settings_;
   std::vector<const Experiment*> experiments_;

@@ -1,9 +1,16 @@
 #include "pliant/estimation/solid/solid_starts.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/solid/energy_growth.h"
+#include "pliant/estimation/solid/pair_terms.h"
+#include "pliant/material/addend/rubber_addends.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
+#include "pliant/material/solid/solid_density.h"
 
 namespace pliant {
 namespace {
@@ -13,7 +20,7 @@ constexpr std::size_t kMostStarts = 64;
 /// Where friction begins: shares of the largest stress and strain.
 constexpr double kFriction = 0.05;
 
-ScalarCurve first_curve(CurveKind kind, const DataScale& data, bool even) {
+ScalarCurve first_curve(CurveKind kind, const MetricData& seen, const DataScale& data, bool even) {
   const double stiffness = data.stress / data.strain;
   switch (kind) {
     case CurveKind::none:
@@ -25,6 +32,8 @@ ScalarCurve first_curve(CurveKind kind, const DataScale& data, bool even) {
     case CurveKind::hermite:
     case CurveKind::spline:
       return ScalarCurve::spline({0}, {stiffness}, even);
+    case CurveKind::energy:
+      return quadratic_energy(stiffness, energy_places(seen, even, 1), even);
   }
   return ScalarCurve::none();
 }
@@ -66,11 +75,11 @@ std::vector<std::vector<Addend>> combinations(const std::vector<const AddendKind
 }
 
 MaterialComponent first_component(const std::string& name, const ComponentModel& model,
-                                  const DataScale& data) {
+                                  const MetricData& seen, const DataScale& data) {
   MaterialComponent component;
   const CurveKind kind =
       model.stiffness.value_or(model.addends.empty() ? CurveKind::spline : CurveKind::none);
-  component.stiffness = first_curve(kind, data, is_even(name));
+  component.stiffness = first_curve(kind, seen, data, is_even(name));
   if (model.friction == FrictionChoice::dahl) {
     component.friction = ComponentFriction{
         {kFriction * data.stress, kFriction * data.stress / data.strain, 0.1 * data.strain}, {}};
@@ -96,6 +105,31 @@ void refuse(const FitSettings& settings, const std::string& component, std::stri
                    std::move(expected));
 }
 
+/// The choices of where the addends of a component begin. The lines of terms of two strains begin at
+/// zero: those add to an energy that has a start without them.
+std::vector<std::vector<Addend>> first_addends(const std::string& name, const ComponentModel& model,
+                                               const DataScale& scale) {
+  const bool is_line = model.addends.size() == 1 && model.addends.front() == &linear_addend();
+  if (!is_line || !find_pair_metric(name)) return combinations(model.addends, scale);
+  return {{Addend(linear_addend(), Eigen::VectorXd::Zero(1))}};
+}
+
+/// Components by their names in materials: Gaussians stand for as many terms as they have places.
+std::map<std::string, ComponentModel> terms_of(
+    const std::map<std::string, ComponentModel>& components, SolidProblem& problem) {
+  std::map<std::string, ComponentModel> terms;
+  for (const auto& [name, model] : components) {
+    if (model.gaussians == 0 || !problem.data_of(name).is_seen()) {
+      terms[name] = model;
+      continue;
+    }
+    for (const std::string& term : gaussian_terms(name, model.gaussians, problem)) {
+      terms[term] = {CurveKind::none, FrictionChoice::none, {&linear_addend()}};
+    }
+  }
+  return terms;
+}
+
 /// Appends starts that have a component too, with each choice of its addends.
 void add_component(const std::string& name, const MaterialComponent& component,
                    const std::vector<std::vector<Addend>>& choices,
@@ -108,6 +142,21 @@ void add_component(const std::string& name, const MaterialComponent& component,
       own.components[name].addends = addends;
     }
   }
+}
+
+/// Convexity in two strains is told by conditions that are linear in the numbers.
+void refuse_nonlinear(const FitSettings& settings, const Material& material) {
+  const auto is_pair = [](const auto& component) {
+    return find_pair_metric(component.first).has_value();
+  };
+  const auto pair = std::ranges::find_if(material.components, is_pair);
+  if (pair == material.components.end() || settings.fit.convexity == Convexity::free) return;
+  Material elastic = material;
+  elastic.limits.clear();
+  if (solid_density(elastic, {.friction = false}).law->is_linear()) return;
+  refuse(settings, pair->first,
+         "cannot be kept convex beside laws that are not linear in their numbers",
+         "splines, energies, constants and lines beside it, or `fit: {convexity: free}`");
 }
 
 void refuse_memory(const FitSettings& settings, const std::string& name,
@@ -132,7 +181,7 @@ std::vector<Material> solid_starts(const FitSettings& settings,
   first.density = settings.density;
   first.kind = MaterialKind::solid;
   std::vector<Material> starts{first};
-  for (const auto& [name, model] : components) {
+  for (const auto& [name, model] : terms_of(components, problem)) {
     const MetricData& data = problem.data_of(name);
     if (!data.is_seen()) {
       refuse(settings, name, "changes in no experiment: the data cannot tell it",
@@ -140,12 +189,13 @@ std::vector<Material> solid_starts(const FitSettings& settings,
     }
     std::vector<Material> more;
     for (const DataScale& scale : first_scales(name, problem)) {
-      add_component(name, first_component(name, model, scale), combinations(model.addends, scale),
+      add_component(name, first_component(name, model, data, scale), first_addends(name, model, scale),
                     starts, more);
     }
     refuse_memory(settings, name, more.front().components.at(name));
     starts = std::move(more);
   }
+  refuse_nonlinear(settings, starts.front());
   return starts;
 }
 

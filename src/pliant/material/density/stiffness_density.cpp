@@ -24,7 +24,7 @@ StiffnessDensity::StiffnessDensity(int component, ScalarCurve stiffness)
 // What equilibria ask for millions of times: no search among the knots for each of value, slope and
 // energy, and no division.
 void StiffnessDensity::cut_into_pieces() {
-  if (stiffness_.kind() == CurveKind::spline) cut_spline();
+  if (stiffness_.is_of_energy()) cut_energy();
   if (stiffness_.kind() != CurveKind::hermite) return;
   const std::vector<double>& knots = stiffness_.knots();
   const auto add = [&](double from, const std::array<double, 4>& coefficients) {
@@ -42,19 +42,27 @@ void StiffnessDensity::cut_into_pieces() {
   add(knots.back(), {stiffness_.values().back()});
 }
 
-// Zero is a cut too, so that nothing is lost where stresses are small.
-void StiffnessDensity::cut_spline() {
+// Zero is a cut too, so that nothing is lost where stresses are small. Tangents are linear between
+// cuts and may jump at them.
+void StiffnessDensity::cut_energy() {
   std::vector<double> cuts = stiffness_.knots();
   const auto zero = std::ranges::lower_bound(cuts, 0.0);
   if (zero == cuts.end() || *zero != 0) cuts.insert(zero, 0.0);
   const auto tangent = [&](double strain) {
     return stiffness_.value(strain) + strain * stiffness_.slope(strain);
   };
+  const double beyond = std::max(cuts.back() - cuts.front(), 1.0);
   for (std::size_t i = 0; i <= cuts.size(); ++i) {
     const double from = cuts[std::max<std::size_t>(i, 1) - 1];
-    const bool outside = i == 0 || i == cuts.size();
-    const double first = tangent(from);
-    const double slope = outside ? 0 : (tangent(cuts[i]) - first) / (cuts[i] - from);
+    double first = 0, slope = 0;
+    if (i == 0 || i == cuts.size()) {
+      first = tangent(from + (i == 0 ? -beyond : beyond));
+    } else {
+      const double third = (cuts[i] - from) / 3;
+      const double near = tangent(from + third), far = tangent(from + 2 * third);
+      first = 2 * near - far;
+      slope = (far - near) / third;
+    }
     pieces_.push_back(
         {from, {stiffness_.value(from) * from, first, slope / 2}, stiffness_.first_moment(from)});
   }
@@ -96,7 +104,7 @@ void StiffnessDensity::add_hermite(const Samples& samples, Response& response) c
       stiffness + slope * strain;
 }
 
-void StiffnessDensity::add_spline(const Samples& samples, Response& response) const {
+void StiffnessDensity::add_energy(const Samples& samples, Response& response) const {
   const auto [way, from, c0, c1, c2, c3, energy, sign] = pieces_at(samples.strain.col(component_));
   response.stored += energy + way * (c0 + way * (c1 / 2 + way * c2 / 3));
   response.stress.col(component_) += sign * (c0 + way * (c1 + way * c2));
@@ -108,8 +116,8 @@ void StiffnessDensity::add(const Samples& samples, const StepTime&, Response& re
     add_hermite(samples, response);
     return;
   }
-  if (stiffness_.kind() == CurveKind::spline) {
-    add_spline(samples, response);
+  if (stiffness_.is_of_energy()) {
+    add_energy(samples, response);
     return;
   }
   const auto strain = samples.strain.col(component_);

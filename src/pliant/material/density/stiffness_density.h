@@ -28,7 +28,7 @@ class StiffnessDensity : public ParametricDensity {
 
  private:
   // A cubic from one strain on: sum of coefficients times powers of the way. Of a hermite curve it
-  // is the stiffness; of a spline the stress, without the cubic term.
+  // is the stiffness; of an energy the stress, without the cubic term.
   struct Piece {
     double from = 0;
     std::array<double, 4> coefficients{};
@@ -40,10 +40,10 @@ class StiffnessDensity : public ParametricDensity {
   };
 
   void cut_into_pieces();
-  void cut_spline();
+  void cut_energy();
   LanePieces pieces_at(const Lane& strain) const;
   void add_hermite(const Samples& samples, Response& response) const;
-  void add_spline(const Samples& samples, Response& response) const;
+  void add_energy(const Samples& samples, Response& response) const;
 
   int component_;
   ScalarCurve stiffness_;

@@ -4,6 +4,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/material/solid/metric.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
 #include "pliant/material/strain/green_strain.h"
 
@@ -35,11 +36,13 @@ std::vector<double> metric_values(const std::string& component,
     }
     return values;
   }
-  const StrainMetric* metric = find_strain_metric(component);
-  PLIANT_ASSERT(metric, "a metric of solids");
   const Eigen::Array<double, kLanes, kSolidStrains> lanes =
       strain.transpose().array().replicate<kLanes, 1>();
-  return {metric->jet(LaneView(lanes.data(), kLanes, kSolidStrains)).value(0)};
+  const LaneView view(lanes.data(), kLanes, kSolidStrains);
+  if (const auto pair = find_pair_metric(component)) return {pair->jet(view).value(0)};
+  const StrainMetric* metric = find_strain_metric(component);
+  PLIANT_ASSERT(metric, "a metric of solids");
+  return {metric->jet(view).value(0)};
 }
 
 }  // namespace pliant

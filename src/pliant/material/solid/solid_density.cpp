@@ -4,6 +4,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/material/solid/metric_density.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_density.h"
 
 namespace pliant {
@@ -13,6 +14,9 @@ std::shared_ptr<const ParametricDensity> on_metric(const std::string& component,
                                                    std::shared_ptr<const Sum> law) {
   if (const StrainMetric* metric = find_strain_metric(component)) {
     return std::make_shared<MetricDensity>(*metric, std::move(law));
+  }
+  if (const auto pair = find_pair_metric(component)) {
+    return std::make_shared<ScalarDensity<PairMetric>>(*pair, std::move(law));
   }
   const PrincipalMetric* metric = find_principal_metric(component);
   PLIANT_ASSERT(metric, "components of solids are metrics");
@@ -24,9 +28,8 @@ std::shared_ptr<const ParametricDensity> on_metric(const std::string& component,
 NamedLaw solid_density(const Material& material, const DensityOptions& options) {
   PLIANT_ASSERT(material.kind == MaterialKind::solid, "a solid's law");
   ComponentSum sum(material);
-  for (const std::string& name : solid_component_names()) {
-    const auto found = material.components.find(name);
-    if (found == material.components.end() || !found->second.stiffness) continue;
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
+    if (!material.components.at(name).stiffness) continue;
     DensityOptions own = options;
     if (find_principal_metric(name)) own.damping_fraction = 0;
     sum.add(name, /*strain=*/0, own,

@@ -1,0 +1,209 @@
+#include "pliant/study/model_file.h"
+
+#include <algorithm>
+
+#include "pliant/estimation/solid/solid_laws.h"
+#include "pliant/io/vector_fields.h"
+#include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/limit_fields.h"
+#include "pliant/material/solid/pair_metric.h"
+
+namespace pliant {
+namespace {
+
+CurveKind curve_kind(const std::string& kind) {
+  if (kind == "none") return CurveKind::none;
+  if (kind == "constant") return CurveKind::constant;
+  if (kind == "spline") return CurveKind::spline;
+  if (kind == "energy") return CurveKind::energy;
+  return kind == "affine" ? CurveKind::affine : CurveKind::hermite;
+}
+
+FrictionChoice read_friction_choice(const Value& value) {
+  const std::string choice = value.choice({"auto", "dahl", "none"});
+  if (choice == "auto") return FrictionChoice::automatic;
+  return choice == "dahl" ? FrictionChoice::dahl : FrictionChoice::none;
+}
+
+std::vector<const AddendKind*> read_addends(const Value& list) {
+  std::vector<const AddendKind*> addends;
+  for (const Value& item : list.items()) addends.push_back(&read_addend_kind(item));
+  return addends;
+}
+
+/// Of a term of two strains: addends of their product, or Gaussians.
+ComponentModel read_pair_model(const Value& node) {
+  Fields fields = node.fields();
+  ComponentModel model;
+  model.stiffness = CurveKind::none;
+  if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
+  if (auto v = fields.optional("gaussians")) model.gaussians = v->integer(1, 5);
+  fields.finish();
+  if (model.addends.empty() == (model.gaussians == 0)) {
+    node.fail("says what it is in no way, or in two",
+              "`addends: [linear]`, which is bilinear, or `gaussians: 3` (three by three)");
+  }
+  return model;
+}
+
+/// @param curves  that its stiffness may have
+ComponentModel read_component_model(const Value& node,
+                                    const std::vector<std::string_view>& curves) {
+  Fields fields = node.fields();
+  ComponentModel model;
+  if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
+  if (auto v = fields.optional("stiffness")) {
+    model.stiffness = curve_kind(v->choice(curves));
+    if (model.stiffness == CurveKind::none && model.addends.empty()) {
+      v->fail("is `none`, and no addends are there to carry anything",
+              "another stiffness, or `addends`");
+    }
+  }
+  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
+  fields.finish();
+  return model;
+}
+
+void read_sheet_mesh(const Value& node, ModelOptions& model) {
+  if (!node.is_mapping()) {
+    model.measured_mesh = node.choice({"measured"}) == "measured";
+    return;
+  }
+  Fields fields = node.fields();
+  model.mesh_edge = fields.require("edge").positive_quantity(Dimension::length);
+  fields.finish();
+}
+
+std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
+  std::vector<std::vector<std::string>> limits;
+  std::vector<std::string> taken;
+  for (const Value& item : list.items()) {
+    Fields fields = item.fields();
+    limits.push_back(read_limited_components(fields.require("of"), MaterialKind::solid, taken));
+    fields.finish();
+  }
+  return limits;
+}
+
+/// `{at, grid, spread, grown, width, of}`, one of the first four.
+SampleOptions read_samples(const Value& node) {
+  Fields fields = node.fields();
+  SampleOptions samples;
+  samples.where = node.location();
+  int ways = 0;
+  if (auto v = fields.optional("at")) {
+    ++ways;
+    for (const Value& place : v->items()) samples.places.push_back(read_vector(place));
+    if (samples.places.empty()) v->fail("is empty", "at least one [x, y, z] in metres");
+  }
+  if (auto v = fields.optional("grid")) {
+    ++ways;
+    const std::vector<Value> cells = v->items();
+    if (cells.size() != 3) v->fail("has no three numbers", "cells along x, y and z: [4, 2, 2]");
+    for (int i = 0; i < 3; ++i)
+      samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
+  }
+  if (auto v = fields.optional("spread")) {
+    ++ways;
+    samples.spread = v->integer(1, 10000);
+  }
+  if (auto v = fields.optional("grown")) {
+    ++ways;
+    samples.grown = v->integer(2, 100);
+  }
+  if (ways != 1)
+    node.fail("says where the samples are in no way, or in several",
+              "one of `at`, `grid`, `spread` and `grown`");
+  if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
+  if (auto v = fields.optional("of")) {
+    const std::vector<std::string_view> names(solid_component_names().begin(),
+                                              solid_component_names().end());
+    for (const Value& component : v->items()) samples.of.push_back(component.choice(names));
+    if (samples.of.empty()) v->fail("is empty", "at least one component");
+  }
+  fields.finish();
+  return samples;
+}
+
+/// The model of a solid: a law by its name, or components with theirs.
+ModelOptions read_solid_model(Fields& fields) {
+  ModelOptions model;
+  model.kind = MaterialKind::solid;
+  if (auto v = fields.optional("law")) model.solid_law = v->choice(solid_laws());
+  if (auto v = fields.optional("components")) {
+    Fields components = v->fields();
+    for (const std::string& name : solid_component_names()) {
+      if (auto c = components.optional(name)) {
+        model.components[name] =
+            read_component_model(*c, {"none", "constant", "affine", "spline", "energy"});
+      }
+    }
+    for (const std::string& name : components.keys()) {
+      const auto pair = find_pair_metric(name);
+      if (!pair || pair->bump) continue;
+      if (auto c = components.optional(name)) model.components[name] = read_pair_model(*c);
+    }
+    components.finish();
+    if (model.components.empty()) v->fail("is empty", "at least one component");
+    if (fields.optional("law")) {
+      v->fail("stands beside `law`, which names components itself", "one of both");
+    }
+  }
+  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v);
+  if (auto v = fields.optional("samples")) {
+    model.samples = read_samples(*v);
+    if (!model.limits.empty()) v->fail("stands beside `limits`", "one of both");
+    const auto is_pair = [](const auto& component) {
+      return find_pair_metric(component.first).has_value();
+    };
+    if (std::ranges::any_of(model.components, is_pair)) {
+      v->fail("stands beside a term of two strains", "one of both");
+    }
+  }
+  fields.finish();
+  return model;
+}
+
+}  // namespace
+
+ModelOptions read_model(Fields& study, MaterialKind kind) {
+  ModelOptions model;
+  model.kind = kind;
+  const auto node = study.optional("model");
+  if (!node) return model;
+  Fields fields = node->fields();
+  if (auto v = fields.optional("kind")) v->choice({name_of(kind)});
+  if (kind == MaterialKind::solid) return read_solid_model(fields);
+  if (auto v = fields.optional("membrane")) {
+    model.membrane = membrane_measure(v->choice({"stvk", "soft-constraint", "spring"}));
+  }
+  if (auto v = fields.optional("bending")) model.bending = v->choice({"discrete-shells", "spring"});
+  if (auto v = fields.optional("variant")) {
+    const std::string variant = v->choice(
+        {"nonlinear-orthotropic", "linear-orthotropic", "nonlinear-isotropic", "linear-isotropic"});
+    if (variant.starts_with("linear")) model.stiffness = CurveKind::constant;
+    model.isotropic = variant.ends_with("-isotropic");
+  }
+  if (auto v = fields.optional("mesh")) read_sheet_mesh(*v, model);
+  if (auto v = fields.optional("strips")) {
+    model.strips_as_sheets = v->choice({"one-dimensional", "sheet"}) == "sheet";
+  }
+  if (auto v = fields.optional("stiffness")) {
+    model.stiffness = curve_kind(v->choice({"constant", "affine", "hermite"}));
+  }
+  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
+  if (auto v = fields.optional("components")) {
+    Fields components = v->fields();
+    for (const std::string& name : cloth_component_names()) {
+      if (auto c = components.optional(name)) {
+        model.components[name] =
+            read_component_model(*c, {"none", "constant", "affine", "hermite"});
+      }
+    }
+    components.finish();
+  }
+  fields.finish();
+  return model;
+}
+
+}  // namespace pliant

@@ -68,6 +68,7 @@ std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
                          format_number(values[1], kDigits), units.bending ? "N m^2" : "N/m");
     case CurveKind::hermite:
     case CurveKind::spline:
+    case CurveKind::energy:
       return fmt::format("{}, {} control points {}{}", name_of(curve.kind()), values.size(),
                          units.strains(curve.knots().front(), curve.knots().back()),
                          curve.even() ? ", mirrored for negative strains" : "");

@@ -10,9 +10,11 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/estimation/solid/convexity.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/study/body_samples.h"
 #include "pliant/study/solid_study.h"
@@ -56,7 +58,29 @@ std::string numbers_text(const std::string& name, const MaterialComponent& compo
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-Json component_info(const std::string& name, const MaterialComponent& component, FileInfo& info) {
+/// Whether the energy is convex in the two strains of a term, with all that the material has in them.
+Json pair_convexity(const Material& material, const std::string& name, FileInfo& info) {
+  const auto domain = stated_domain(material, name);
+  if (!domain) {
+    info.lines.push_back(labelled("convex", "not looked at: no range of both strains is stated", 1));
+    return nullptr;
+  }
+  const double least = least_convexity(material, *domain);
+  constexpr double kRounding = 1e-5;
+  const bool convex = least > -kRounding;
+  info.lines.push_back(labelled(
+      "convex", convex ? "the energy of all Green strains in these two" : "not in these two strains",
+      1));
+  const std::string warning = fmt::format(
+      "the energy is not convex in {}: its least second derivative is {} of the largest",
+      fmt::join(find_pair_metric(name)->of(), " and "), format_number(least, kDigits));
+  const bool told = std::ranges::find(info.warnings, warning) != info.warnings.end();
+  if (!convex && !told) info.warnings.push_back(warning);
+  return convex;
+}
+
+Json component_info(const Material& material, const std::string& name, FileInfo& info) {
+  const MaterialComponent& component = material.components.at(name);
   Json json{{"status", name_of(component.status)}, {"range", nullptr}, {"convex", nullptr}};
   std::string text(name_of(component.status));
   if (component.range) {
@@ -67,6 +91,10 @@ Json component_info(const std::string& name, const MaterialComponent& component,
   info.lines.push_back(labelled(name, text));
   if (!component.stiffness) return json;
   info.lines.push_back(labelled("numbers", numbers_text(name, component), 1));
+  if (find_pair_metric(name)) {
+    json["convex"] = pair_convexity(material, name, info);
+    return json;
+  }
   const auto concave = concave_strains(component);
   json["convex"] = !concave.has_value();
   std::string convex = component.range ? "over its range" : "at rest; no range is stated";
@@ -166,7 +194,7 @@ void add_solid(const Material& material, FileInfo& info) {
                      : "not stated"));
   Json components = Json::object();
   for (const std::string& name : ordered_components(material.components, material.kind)) {
-    components[name] = component_info(name, material.components.at(name), info);
+    components[name] = component_info(material, name, info);
   }
   info.json["components"] = std::move(components);
   add_samples(material, info);

@@ -35,6 +35,10 @@ TEST(StiffnessDensity, HasTheEnergyStressAndTangentOfItsCurve) {
   expect_curve(ScalarCurve::hermite({0, 0.02, 0.1, 0.2}, {80, 60, 150, 90}, true), random);
   expect_curve(ScalarCurve::hermite({-0.2, -0.05, 0, 0.1}, {80, 60, 150, 90}), random);
   expect_curve(ScalarCurve::hermite({0.05, 0.1}, {80, 60}, true), random);
+  expect_curve(ScalarCurve::spline({-0.2, 0.05, 0.1}, {80, 60, 150}), random);
+  expect_curve(ScalarCurve::spline({0, 0.1}, {80, 60}, true), random);
+  expect_curve(ScalarCurve::energy({-0.2, -0.05, 0.1, 0.15}, {2, 0.1, 0.3, 1.4}), random);
+  expect_curve(ScalarCurve::energy({0.05, 0.2}, {0.1, 2}, true), random);
 }
 
 TEST(StiffnessDensity, WithOtherParametersFollowsThem) {

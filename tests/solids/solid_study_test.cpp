@@ -181,6 +181,43 @@ TEST(SolidStudy, ALimitThatNothingReachesIsNotDetermined) {
   EXPECT_NEAR(value_of(result, "trace.k"), 2e6, 1e-4 * 2e6);
 }
 
+/// Mooney and Rivlin, addend by addend.
+constexpr const char* kTwoAddends =
+    "components: {I1-bar: {addends: [linear]}, I2-bar: {addends: [linear]}}";
+
+LabFolder mooney_rubber() {
+  return measured(solid_of(
+      {{"I1-bar", component_of({linear(0.3e6)})}, {"I2-bar", component_of({linear(0.02e6)})}}));
+}
+
+// [T] 4.4: addend after addend, each from what tells it; then all of them.
+TEST(SolidStudy, FollowsThePlanOfItsStages) {
+  const StudyResult result =
+      fit(mooney_rubber(), kTwoAddends,
+          "fit:\n  plan:\n    - {components: [I1-bar], experiments: [uniaxial]}\n"
+          "    - {components: [I2-bar], experiments: [equibiaxial, planar]}\n");
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-8 * 0.3e6);
+  EXPECT_NEAR(value_of(result, "I2-bar.linear.c"), 0.02e6, 1e-8 * 0.02e6);
+  ASSERT_EQ(result.stages.size(), 3u);
+  EXPECT_EQ(result.stages[0].name, "stage I1-bar");
+  EXPECT_EQ(result.stages[1].name, "stage I2-bar");
+  // The line on I1 alone, from one test, leaves what the second addend is for.
+  EXPECT_GT(result.stages[0].rms, 0.1);
+  EXPECT_LT(result.stages[2].rms, 1e-6);
+}
+
+TEST(SolidStudy, RefusesAPlanOfWhatIsNotThere) {
+  const auto refusal = [](const std::string& stage) {
+    const InputError error = test::input_error_of(
+        [&] { fit(mooney_rubber(), kTwoAddends, "fit:\n  plan: [" + stage + "]\n"); });
+    return std::string(error.what());
+  };
+  EXPECT_THAT(refusal("{components: [J], experiments: [planar]}"),
+              HasSubstr("fit.plan[0]: \"J\" is no component of the model"));
+  EXPECT_THAT(refusal("{components: [I1-bar], experiments: [pull]}"),
+              HasSubstr("\"pull\" matches no experiment that is fitted"));
+}
+
 TEST(SlowSolidStudy, StandardErrorsCoverTheTruth) {
   constexpr int kSeeds = 40;
   int covered = 0;

@@ -16,9 +16,10 @@ struct ConvexSet {
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& p)> violated;
 };
 
-/// Least squares within a set: each solution that is outside adds the conditions that it violates
-/// ([Kelley1960]).
-/// @return as `solve_least_squares`; not converged where the solution is not in the set
+/// Least squares within a set: Gauss and Newton's method. The linearised problem is solved under
+/// conditions, to which each solution that is outside adds those that it violates ([Kelley1960]);
+/// the way there, which lies in the set, is shortened until it gains.
+/// @return as `solve_least_squares`
 LeastSquaresSummary solve_within(const ConvexSet& set, LeastSquaresProblem problem,
                                  const Eigen::VectorXd& start, const LeastSquaresOptions& options,
                                  const StopToken& stop);

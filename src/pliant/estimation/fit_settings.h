@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,11 @@ enum class Convexity {
   projected,  ///< each update goes to the nearest convex energy, as published
   free,       ///< not at all
 };
+
+inline std::string_view name_of(Convexity convexity) {
+  if (convexity == Convexity::free) return "free";
+  return convexity == Convexity::within ? "within" : "projected";
+}
 
 /// One stage of an incremental fit of sheets.
 struct PlanStage {

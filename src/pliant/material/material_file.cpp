@@ -13,6 +13,7 @@
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/limit_fields.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {

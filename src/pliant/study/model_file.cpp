@@ -35,7 +35,6 @@ std::vector<const AddendKind*> read_addends(const Value& list) {
 ComponentModel read_pair_model(const Value& node) {
   Fields fields = node.fields();
   ComponentModel model;
-  model.stiffness = CurveKind::none;
   if (auto v = fields.optional("addends")) model.addends = read_addends(*v);
   if (auto v = fields.optional("gaussians")) model.gaussians = v->integer(1, 5);
   fields.finish();

@@ -80,11 +80,6 @@ void refuse_options_of_cloth(const Study& study) {
                      "negative, which makes each convex",
                      "a study of a solid without it (`fit.bounds` for other numbers)");
   }
-  if (!study.fit.plan.empty()) {
-    throw InputError(study.fit.plan.front().where,
-                     "is of sheets: all components of a solid are fitted together",
-                     "a study of a solid without `fit.plan`");
-  }
 }
 
 /// What limits and samples are of has to be in the model.

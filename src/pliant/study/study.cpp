@@ -9,17 +9,14 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
-#include "pliant/io/vector_fields.h"
-#include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/density/cross_modal_strain.h"
-#include "pliant/material/limit_fields.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/blank_fields.h"
+#include "pliant/study/model_file.h"
 #include "pliant/study/solid_study.h"
 #include "pliant/study/told_sizes.h"
 
@@ -154,7 +151,7 @@ std::vector<std::string> read_texts(const Value& list) {
   return texts;
 }
 
-PlanStage read_plan_stage(const Value& node) {
+PlanStage read_plan_stage(const Value& node, MaterialKind kind) {
   Fields fields = node.fields();
   PlanStage stage;
   stage.where = node.location();
@@ -162,14 +159,19 @@ PlanStage read_plan_stage(const Value& node) {
                                             kCoupling,      kCrossModal,    "bend.weft",
                                             "bend.warp",    "bend.diagonal"};
   const Value components = fields.require("components");
-  for (const Value& item : components.items()) stage.components.push_back(item.choice(known));
+  for (const Value& item : components.items()) {
+    stage.components.push_back(kind == MaterialKind::cloth ? item.choice(known) : item.text());
+  }
   if (stage.components.empty()) components.fail("is empty", "at least one component");
   stage.experiments = read_texts(fields.require("experiments"));
   fields.finish();
   return stage;
 }
 
-Convexity read_convexity(const Value& value) {
+Convexity read_convexity(const Value& value, MaterialKind kind) {
+  if (kind != MaterialKind::solid) {
+    value.fail("is of solids", "`monotone_stress`, which keeps energies of cloth convex");
+  }
   const std::string convexity = value.choice({"within", "projected", "free"});
   if (convexity == "free") return Convexity::free;
   return convexity == "within" ? Convexity::within : Convexity::projected;
@@ -190,9 +192,9 @@ FitOptions read_fit(Fields& study, MaterialKind kind) {
     fit.loss = *robust_loss_named(v->choice({"none", "huber", "cauchy"}));
   }
   if (auto v = fields.optional("monotone_stress")) fit.monotone_stress = v->flag();
-  if (auto v = fields.optional("convexity")) fit.convexity = read_convexity(*v);
+  if (auto v = fields.optional("convexity")) fit.convexity = read_convexity(*v, kind);
   if (auto v = fields.optional("plan")) {
-    for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage));
+    for (const Value& stage : v->items()) fit.plan.push_back(read_plan_stage(stage, kind));
   }
   fit.bounds = read_map(fields, "bounds", read_bounds);
   fit.fix = read_map(fields, "fix", [](const Value& v) { return v.number(); });

@@ -90,6 +90,7 @@ void write_components(const ModelOptions& model, YAML::Node& node) {
     for (const AddendKind* kind : component.addends) {
       inner["addends"].push_back(std::string(kind->name));
     }
+    if (component.gaussians > 0) inner["gaussians"] = component.gaussians;
     node["components"][name] = inner;
   }
 }
@@ -144,6 +145,7 @@ YAML::Node fit_node(const FitOptions& fit) {
   node["control_points"] = fit.control_points;
   if (fit.loss != RobustLoss::none) node["loss"] = std::string(name_of(fit.loss));
   if (fit.monotone_stress) node["monotone_stress"] = true;
+  if (fit.convexity != Convexity::within) node["convexity"] = std::string(name_of(fit.convexity));
   for (const auto& [name, bounds] : fit.bounds) {
     node["bounds"][name] = std::vector<double>{bounds.first, bounds.second};
   }

@@ -19,6 +19,7 @@
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
 #include "pliant/material/solid/metric_density.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_density.h"
 #include "pliant/math/check_derivatives.h"
 
@@ -67,6 +68,12 @@ std::vector<SolidLaw> laws() {
   for (const PrincipalMetric& metric : principal_metrics()) {
     laws.push_back({std::string(metric.name), [&metric](RandomStream& random) {
                       return std::make_unique<PrincipalDensity>(metric, elastic_law(random));
+                    }});
+  }
+  for (const char* name : {"green.xx*green.yy", "green.xx*green.yz@0.1/-0.05~0.2/0.3"}) {
+    laws.push_back({name, [name](RandomStream& random) {
+                      return std::make_unique<ScalarDensity<PairMetric>>(*find_pair_metric(name),
+                                                                         elastic_law(random));
                     }});
   }
   laws.push_back({"sum of several",

@@ -1,12 +1,15 @@
 #include "pliant/estimation/solid/convexity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <Eigen/Eigenvalues>
 
+#include "pliant/base/assert.h"
 #include "pliant/estimation/solid/solid_problem.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/material/strain/green_strain.h"
 #include "pliant/math/hermite_energy.h"
@@ -88,7 +91,7 @@ std::vector<SolidStrain> samples_of(const PairDomain& domain) {
 /// Second derivatives of a material's energy in two strains.
 Hessians hessians_of(const Material& material, const PairDomain& domain,
                      const std::vector<SolidStrain>& samples) {
-  const NamedLaw density = solid_density(material, {.friction = false});
+  const NamedLaw density = solid_density(by_green_strains(material), {.friction = false});
   const Eigen::Array<double, kLanes, Eigen::Dynamic> history =
       Eigen::Array<double, kLanes, Eigen::Dynamic>::Zero(kLanes, density.law->history_size());
   Hessians hessians;
@@ -171,6 +174,15 @@ Eigen::MatrixXd violated_at(const std::vector<LinearHessians>& domains,
 
 }  // namespace
 
+Material by_green_strains(const Material& material) {
+  Material elastic = material;
+  elastic.limits.clear();
+  std::erase_if(elastic.components, [](const auto& component) {
+    return !component.first.starts_with("green.") && !component.first.starts_with("trace");
+  });
+  return elastic;
+}
+
 ConvexSet convex_numbers(const Material& form, const std::vector<PairDomain>& domains) {
   Material material = form;
   material.limits.clear();
@@ -193,15 +205,36 @@ ConvexSet convex_numbers(const Material& form, const std::vector<PairDomain>& do
 }
 
 double least_convexity(const Material& material, const PairDomain& domain) {
-  Material elastic = material;
-  elastic.limits.clear();
-  double least = 0, largest = 0;
-  for (const Eigen::Matrix2d& hessian : hessians_of(elastic, domain, samples_of(domain))) {
+  double least = INFINITY, largest = 0;
+  for (const Eigen::Matrix2d& hessian : hessians_of(material, domain, samples_of(domain))) {
     const Eigen::Vector2d values = Eigen2d(hessian, Eigen::EigenvaluesOnly).eigenvalues();
     least = std::min(least, values(0));
     largest = std::max(largest, values.cwiseAbs().maxCoeff());
   }
   return largest > 0 ? least / largest : 0;
+}
+
+std::optional<PairDomain> stated_domain(const Material& material, const std::string& pair) {
+  const auto metric = find_pair_metric(pair);
+  PLIANT_ASSERT(metric.has_value(), "a term of two strains");
+  PairDomain domain;
+  domain.strains = metric->strains;
+  for (std::size_t side = 0; side < 2; ++side) {
+    auto& [low, high] = domain.range[side];
+    for (const auto& [name, component] : material.components) {
+      const auto other = find_pair_metric(name);
+      if (other && other->strains == metric->strains && other->bump) {
+        low = std::min(low, other->bump->place[side]);
+        high = std::max(high, other->bump->place[side]);
+      }
+      if (name == metric->of()[side] && component.range) {
+        low = std::min(low, component.range->first);
+        high = std::max(high, component.range->second);
+      }
+    }
+    if (low == high) return std::nullopt;
+  }
+  return domain;
 }
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "pliant/estimation/solid/limit_starts.h"
 #include "pliant/estimation/solid/sample_growth.h"
 #include "pliant/estimation/solid/solid_growth.h"
+#include "pliant/estimation/solid/solid_plan.h"
 #include "pliant/estimation/solid/solid_starts.h"
 #include "pliant/estimation/solid/true_stress.h"
 #include "pliant/estimation/statistics/model_growth.h"
@@ -18,7 +20,6 @@
 namespace pliant {
 namespace {
 
-constexpr const char* kUnit = "% of the largest stress";
 constexpr const char* kNoSamples =
     "the samples explain no more than one material everywhere: the data do not show that the body "
     "is heterogeneous";
@@ -28,6 +29,7 @@ constexpr LeastSquaresOptions kFirst{
 struct Start {
   Material material;
   LeastSquaresSummary solution;
+  std::vector<FitStage> stages = {};  ///< of the study's plan
 };
 
 /// Which row has no equilibrium, with which numbers of the material.
@@ -51,12 +53,15 @@ std::string what_is_lost(SolidProblem& problem, const Material& start) {
   return "the prediction of the solid's experiments at " + numbers;
 }
 
-/// Follows all starts a way, and the best to its end.
-Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit) {
+/// Follows all starts by the plan and a way further, and the best to its end.
+Start search(const FitSettings& settings, SolidProblem& problem, std::vector<Material> starts,
+             SolidFit& fit) {
   std::vector<Start> ends(starts.size());
   const bool one = starts.size() == 1;
   const StartSearch search = search_from(starts.size(), [&](std::size_t s, double least) {
     ends[s].material = std::move(starts[s]);
+    ends[s].stages =
+        follow_plan(settings, problem.experiments(), problem.context(), ends[s].material);
     LeastSquaresOptions options = one ? LeastSquaresOptions{} : kFirst;
     if (std::isfinite(least)) {
       options.hopeless_cost = 30 * least;
@@ -68,12 +73,13 @@ Start search(SolidProblem& problem, std::vector<Material> starts, SolidFit& fit)
   if (!search.found()) {
     throw SolverError(what_is_lost(problem, ends.front().material), 0, 0);
   }
-  fit.starts = {"solid", "law", kUnit, {}, search.reached_best};
+  fit.starts = {"solid", "law", kDifferenceUnit, {}, search.reached_best};
   for (const double cost : search.costs) {
     fit.starts.ends.push_back(std::sqrt(2 * cost / std::max(problem.rows(), 1)));
   }
   Start best = std::move(ends[search.best]);
   if (!one) best.solution = problem.solve(best.material);
+  std::ranges::move(best.stages, std::back_inserter(fit.stages));
   return best;
 }
 
@@ -91,12 +97,27 @@ void refuse_unseen(const FitSettings& settings, const Problem& problem) {
   }
 }
 
+/// What convexity in two strains has to do with the fitted numbers.
+void tell_convexity(const FitSettings& settings, SolidProblem& problem, SolidFit& fit) {
+  constexpr double kTouching = 1e-5;  // of the largest second derivative
+  for (const auto& [pair, domain] : problem.pair_domains(fit.material)) {
+    const double least = least_convexity(fit.material, domain);
+    if (least > kTouching) continue;
+    fit.notes.push_back(
+        settings.fit.convexity == Convexity::free
+            ? fmt::format("the energy is not convex in {} over what the data show", pair)
+            : fmt::format("convexity in {} holds back what the data would have: numbers lie at its "
+                          "limit, which their errors do not know",
+                          pair));
+  }
+}
+
 /// @param what  has grown, in the singular
 void append_stages(const std::vector<SolidGrowthStage>& stages, const char* what, SolidFit& fit) {
   for (const SolidGrowthStage& stage : stages) {
     fit.stages.push_back({"solid",
                           fmt::format("{} {}{}", stage.size, what, stage.size == 1 ? "" : "s"),
-                          kUnit, stage.rms, stage.accepted});
+                          kDifferenceUnit, stage.rms, stage.accepted});
   }
 }
 
@@ -114,7 +135,7 @@ void add_samples(const SampleOptions& options, const MaterialSamples& samples,
   }
   grown.solution = problem.solve(material);
   const double rms = rms_of(grown.solution, problem.rows());
-  fit.stages.push_back({"solid", fmt::format("{} samples", samples.at.size()), kUnit, rms,
+  fit.stages.push_back({"solid", fmt::format("{} samples", samples.at.size()), kDifferenceUnit, rms,
                         /*accepted=*/true});
   const FittedModel simple{before, count_before, 0, static_cast<double>(problem.rows())};
   FittedModel rich = simple;
@@ -144,14 +165,14 @@ SolidFit fit_solid(const FitSettings& settings,
   std::vector<Material> starts = solid_starts(settings, components, problem);
   refuse_unseen(settings, problem.problem(starts.front()));
   const Material first = starts.front();
-  Start best = search(problem, std::move(starts), fit);
+  Start best = search(settings, problem, std::move(starts), fit);
   best.solution = add_limits(problem, settings.model.limits, first, best.material, best.solution);
   GrownSolid grown = grow_splines(problem, {best.material, best.solution, {}});
   grown = grow_energies(problem, grown);
   append_stages(grown.stages, "control point", fit);
   if (grown.stages.empty()) {
     fit.stages.push_back(
-        {"solid", "law", kUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
+        {"solid", "law", kDifferenceUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
   }
   if (!samples.at.empty()) {
     const SampleOptions& options = *settings.model.samples;
@@ -173,6 +194,7 @@ SolidFit fit_solid(const FitSettings& settings,
     }
   }
   fit.material = std::move(grown.material);
+  tell_convexity(settings, problem, fit);
   fit.questions = true_stress_questions(settings, fit.material, experiments, context);
   return fit;
 }

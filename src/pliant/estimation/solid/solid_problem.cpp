@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/metric.h"
@@ -164,21 +167,21 @@ LeastSquaresSummary SolidProblem::solve_convex(const Material& material,
   if (settings_.fit.convexity == Convexity::free) {
     return solve_least_squares(search, start, options, stop);
   }
-  const ConvexSet set = convex_numbers(material, pair_domains(material));
+  std::vector<PairDomain> domains;
+  for (const auto& [pair, domain] : pair_domains(material)) domains.push_back(domain);
+  const ConvexSet set = convex_numbers(material, domains);
   const bool published = settings_.fit.convexity == Convexity::projected;
   const bool is_bounded = set.rows.rows() == 0 && !set.violated;
   if (published && !is_bounded) return solve_projected(set, search, start, options, stop);
   return solve_within(set, search, start, options, stop);
 }
 
-std::vector<PairDomain> SolidProblem::pair_domains(const Material& material) {
-  std::vector<PairDomain> domains;
+std::map<std::string, PairDomain> SolidProblem::pair_domains(const Material& material) {
+  std::map<std::string, PairDomain> domains;
   for (const auto& [name, component] : material.components) {
     const auto pair = find_pair_metric(name);
     if (!pair) continue;
-    const auto alike = [&](const PairDomain& domain) { return domain.strains == pair->strains; };
-    if (std::ranges::any_of(domains, alike)) continue;
-    PairDomain& domain = domains.emplace_back();
+    PairDomain& domain = domains[fmt::format("{}", fmt::join(pair->of(), " and "))];
     domain.strains = pair->strains;
     for (std::size_t side = 0; side < 2; ++side) {
       const MetricData& data = data_of(pair->of()[side]);

@@ -13,6 +13,9 @@
 
 namespace pliant {
 
+/// What differences of solids' fits are told in.
+inline constexpr const char* kDifferenceUnit = "% of the largest stress";
+
 /// What data show of a metric of the Green strain.
 struct MetricData {
   std::vector<double> strains;  ///< of all rows, sorted; three a row of principal stretches
@@ -52,8 +55,9 @@ class SolidProblem {
   /// The least-squares problem of a material of some form, which begins at its numbers.
   Problem problem(const Material& material);
 
-  /// Where the energy of a material's terms of two strains is kept convex: what the data show.
-  std::vector<PairDomain> pair_domains(const Material& material);
+  /// Where the energy of a material's terms of two strains is kept convex: what the data show of
+  /// these, by their names.
+  std::map<std::string, PairDomain> pair_domains(const Material& material);
 
   /// Numbers of the material that make the differences least, from its own on: of those, where the
   /// search came to no better ones.

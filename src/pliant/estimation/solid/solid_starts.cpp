@@ -151,11 +151,9 @@ void refuse_nonlinear(const FitSettings& settings, const Material& material) {
   };
   const auto pair = std::ranges::find_if(material.components, is_pair);
   if (pair == material.components.end() || settings.fit.convexity == Convexity::free) return;
-  Material elastic = material;
-  elastic.limits.clear();
-  if (solid_density(elastic, {.friction = false}).law->is_linear()) return;
+  if (solid_density(by_green_strains(material), {.friction = false}).law->is_linear()) return;
   refuse(settings, pair->first,
-         "cannot be kept convex beside laws that are not linear in their numbers",
+         "cannot be kept convex beside laws of Green strains that are not linear in their numbers",
          "splines, energies, constants and lines beside it, or `fit: {convexity: free}`");
 }
 

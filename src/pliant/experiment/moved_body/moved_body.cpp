@@ -266,7 +266,26 @@ std::vector<std::string> MovedBodyTest::differences(const Eigen::VectorXd& predi
 }
 
 std::unique_ptr<Predictor> MovedBodyTest::predictor(const Material& material) const {
-  return std::make_unique<MovedBodyPredictor>(*this, material);
+  std::vector<Eigen::Vector3d> shifts;
+  for (const Frame& frame : frames_) {
+    const int measured = readings_[static_cast<std::size_t>(frame.first)].frame;
+    shifts.push_back(shifts_[static_cast<std::size_t>(measured)]);
+  }
+  return std::make_unique<MovedBodyPredictor>(
+      setup(), MovedBodyPredictor::Schedule{frames_, std::move(shifts), *this}, material);
+}
+
+BodyReadout MovedBodyTest::read(int row, const Eigen::Matrix3Xd& positions,
+                                const Eigen::Vector3d& force) const {
+  const BodyReading& reading = readings_[static_cast<std::size_t>(row)];
+  const Eigen::Vector3d along = Eigen::Vector3d::Unit(reading.axis) / reading.noise;
+  if (reading.mark < 0) return {along.dot(force), along};
+  const SurfacePlace& place = marks_[static_cast<std::size_t>(reading.mark)].place;
+  BodyReadout readout{along.dot(place.at(positions) - place.at(setup().mesh.positions))};
+  for (int i = 0; i < 3; ++i) {
+    readout.by_node.emplace_back(place.nodes(i), place.shares(i) * along);
+  }
+  return readout;
 }
 
 }  // namespace pliant

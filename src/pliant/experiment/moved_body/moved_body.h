@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/experiment/moved_body/body_observable.h"
 #include "pliant/experiment/moved_body/moved_body_type.h"
 #include "pliant/experiment/solid_experiment.h"
 #include "pliant/measurement/data_source.h"
@@ -28,7 +29,7 @@ struct BodyMark {
 
 /// Forces that move a body, and positions of marks on its surface: a mix of readings, each in units
 /// of its stated noise. Of marks the way from where they are at rest counts.
-class MovedBodyTest : public SolidExperiment {
+class MovedBodyTest : public SolidExperiment, public BodyObservable {
  public:
   /// @param points  rows of the marks' positions; null: none were measured
   /// @throws InputError for unusable data
@@ -48,6 +49,8 @@ class MovedBodyTest : public SolidExperiment {
   std::vector<double> imposed() const override;
   std::vector<std::string> differences(const Eigen::VectorXd& predicted) const override;
   std::unique_ptr<Predictor> predictor(const Material& material) const override;
+  BodyReadout read(int row, const Eigen::Matrix3Xd& positions,
+                   const Eigen::Vector3d& force) const override;
 
  private:
   struct Row {

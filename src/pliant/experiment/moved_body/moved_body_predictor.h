@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/moved_body/moved_body.h"
+#include "pliant/experiment/experiment.h"
+#include "pliant/experiment/moved_body/body_observable.h"
 #include "pliant/experiment/moved_body/moved_body_path.h"
 
 namespace pliant {
@@ -12,8 +13,15 @@ namespace pliant {
 /// equilibrium is looked for from where the last numbers had it.
 class MovedBodyPredictor : public Predictor {
  public:
-  /// @param experiment  outlives it
-  MovedBodyPredictor(const MovedBodyTest& experiment, const Material& material);
+  /// What is measured, and when. The observable outlives it.
+  struct Schedule {
+    std::vector<Frame> frames;
+    std::vector<Eigen::Vector3d> shifts;  ///< of what is moved, one a frame (m)
+    const BodyObservable& observable;
+  };
+
+  /// @param setup  outlives it
+  MovedBodyPredictor(const BodySetup& setup, Schedule schedule, const Material& material);
 
   bool predict(const Eigen::VectorXd& values, const std::vector<int>& by, const Workers& workers,
                FrameSink& rows) override;
@@ -32,7 +40,7 @@ class MovedBodyPredictor : public Predictor {
             const Take& take);
   PredictedFrame rows_of(const Frame& frame, const BodyPoint& point, std::size_t by) const;
 
-  const MovedBodyTest& experiment_;
+  Schedule schedule_;
   HeldBody body_;
   bool remembers_;
   std::vector<Eigen::Matrix3Xd> found_;  // equilibria of the frames; empty before the first

@@ -39,25 +39,35 @@ std::optional<PairMetric::Bump> bump_of(std::string_view text) {
   return PairMetric::Bump{{*x, *y}, {*v, *w}};
 }
 
-// One factor: the strain itself, or g(x - x0) - g(x0).
-MetricJet pair_factor(const LaneView& strain, int column, const std::optional<PairMetric::Bump>& bump,
-                 std::size_t side) {
-  MetricJet jet;
-  jet.value = strain.col(column);
-  jet.gradient.col(column) = 1;
-  if (!bump) return jet;
-  const double place = bump->place[side], square = bump->width[side] * bump->width[side];
-  const Lane way = jet.value - place;
-  const Lane gauss = (-way.square() / (2 * square)).exp();
-  const double at_rest = std::exp(-place * place / (2 * square));
-  return composed(jet, gauss - at_rest, -way / square * gauss,
-                  (way.square() / square - 1) / square * gauss);
-}
+// One factor and its first two derivatives: the strain itself, or g(x - x0) - g(x0).
+struct PairFactor {
+  Lane value, first, second;
+
+  PairFactor(const Lane& strain, const std::optional<PairMetric::Bump>& bump, std::size_t side)
+      : value(strain), first(Lane::Ones()), second(Lane::Zero()) {
+    if (!bump) return;
+    const double place = bump->place[side], square = bump->width[side] * bump->width[side];
+    const Lane way = strain - place;
+    const Lane gauss = (-way.square() / (2 * square)).exp();
+    value = gauss - std::exp(-place * place / (2 * square));
+    first = -way / square * gauss;
+    second = (way.square() / square - 1) / square * gauss;
+  }
+};
 
 }  // namespace
 
 MetricJet PairMetric::jet(const LaneView& strain) const {
-  return product(pair_factor(strain, strains[0], bump, 0), pair_factor(strain, strains[1], bump, 1));
+  const auto [x, y] = strains;
+  const PairFactor f(strain.col(x), bump, 0), g(strain.col(y), bump, 1);
+  MetricJet jet;
+  jet.value = f.value * g.value;
+  jet.gradient.col(x) = f.first * g.value;
+  jet.gradient.col(y) = f.value * g.first;
+  jet.set_hessian(x, x, f.second * g.value);
+  jet.set_hessian(y, y, f.value * g.second);
+  jet.set_hessian(x, y, f.first * g.first);
+  return jet;
 }
 
 std::array<std::string, 2> PairMetric::of() const {

@@ -58,19 +58,21 @@ std::string numbers_text(const std::string& name, const MaterialComponent& compo
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Whether the energy is convex in the two strains of a term, with all that the material has in them.
+/// Whether the energy is convex in the two strains of a term, with all that the material has in
+/// them.
 Json pair_convexity(const Material& material, const std::string& name, FileInfo& info) {
   const auto domain = stated_domain(material, name);
   if (!domain) {
-    info.lines.push_back(labelled("convex", "not looked at: no range of both strains is stated", 1));
+    info.lines.push_back(
+        labelled("convex", "not looked at: no range of both strains is stated", 1));
     return nullptr;
   }
   const double least = least_convexity(material, *domain);
   constexpr double kRounding = 1e-5;
   const bool convex = least > -kRounding;
   info.lines.push_back(labelled(
-      "convex", convex ? "the energy of all Green strains in these two" : "not in these two strains",
-      1));
+      "convex",
+      convex ? "the energy of all Green strains in these two" : "not in these two strains", 1));
   const std::string warning = fmt::format(
       "the energy is not convex in {}: its least second derivative is {} of the largest",
       fmt::join(find_pair_metric(name)->of(), " and "), format_number(least, kDigits));

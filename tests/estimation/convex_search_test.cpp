@@ -54,8 +54,7 @@ const VectorXd kOutside = numbers_of((Matrix2d() << 1, 2, 2, -0.5).finished());
 
 TEST(ConvexSearch, TheNearestPositiveMatrixIsThePositivePart) {
   const Solver solver(matrix_of(kOutside));
-  const Matrix2d part = solver.eigenvectors() *
-                        solver.eigenvalues().cwiseMax(0).asDiagonal() *
+  const Matrix2d part = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
                         solver.eigenvectors().transpose();
   const LeastSquaresProblem problem = distance(Eigen::Matrix3d::Identity(), kOutside);
   const VectorXd nearest = nearest_within(positive_matrices(), problem, kOutside, {});

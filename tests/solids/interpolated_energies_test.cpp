@@ -39,7 +39,8 @@ StudyResult fit(const Material& truth, const std::vector<test::AnyTest>& tests,
 /// Pulls along both axes, in five ratios.
 std::vector<test::AnyTest> biaxial_pulls(double noise = 0) {
   std::vector<test::AnyTest> tests;
-  for (const auto& [x, y] : {std::pair{1.5, 1.0}, {1.5, 1.25}, {1.5, 1.5}, {1.25, 1.5}, {1.1, 1.5}}) {
+  for (const auto& [x, y] :
+       {std::pair{1.5, 1.0}, {1.5, 1.25}, {1.5, 1.5}, {1.25, 1.5}, {1.1, 1.5}}) {
     VirtualHomogeneous test = test::homogeneous(HomogeneousMode::biaxial, {x});
     test.name = fmt::format("pull-{}-{}", static_cast<int>(100 * x), static_cast<int>(100 * y));
     test.peaks_2 = {y};
@@ -103,8 +104,7 @@ TEST(InterpolatedEnergies, FindsABilinearTerm) {
 
 TEST(InterpolatedEnergies, FindsAGaussianTerm) {
   const std::string term = "green.xx*green.yy@0.625/0.625~0.625/0.625";
-  const StudyResult result =
-      fit(crossed(term, 1e5), biaxial_pulls(), model_with("{gaussians: 1}"));
+  const StudyResult result = fit(crossed(term, 1e5), biaxial_pulls(), model_with("{gaussians: 1}"));
   EXPECT_TRUE(result.converged);
   EXPECT_NEAR(value_of(result, term + ".linear.c"), 1e5, 1e-6 * 1e5);
 }
@@ -116,42 +116,44 @@ double rms_of(const StudyResult& result) {
   return std::sqrt(sum / static_cast<double>(result.experiments.size()));
 }
 
-// [T] 4.3.3, as published and by conditions within the search: a material whose cross term is too
-// strong to be convex.
+// [T] 4.3.3, as published and by conditions within the search: materials whose terms of two strains
+// are too strong to be convex.
 TEST(SlowInterpolatedEnergies, StayConvexAndBestBySearchesWithin) {
   const PairDomain domain{{0, 1}, {{{0.0, 0.625}, {0.0, 0.625}}}};
-  const Material truth = crossed(kPair, 5e5);
-  ASSERT_LT(least_convexity(truth, domain), -0.1);
-  for (const char* model : {"{addends: [linear]}", "{gaussians: 2}"}) {
-    const auto fit_with = [&](const char* convexity) {
+  const std::vector<std::pair<Material, const char*>> cases{
+      {crossed(kPair, 5e5), "{addends: [linear]}"},
+      {crossed("green.xx*green.yy@0.625/0.625~0.3125/0.3125", 1e5), "{gaussians: 2}"}};
+  for (const auto& [truth, model] : cases) {
+    ASSERT_LT(least_convexity(truth, domain), -0.1);
+    const auto fit_with = [&, &truth = truth, &model = model](const char* convexity) {
       return fit(truth, biaxial_pulls(2000), model_with(model),
                  fmt::format("fit: {{convexity: {}}}\n", convexity));
     };
     const StudyResult free = fit_with("free"), within = fit_with("within"),
                       projected = fit_with("projected");
-    fmt::print("{}: rms free {:.2f}, within {:.2f}, projected {:.2f} % of the peak, least convexity {:.1e}, {:.1e}\n",
-               model,
-               100 * rms_of(free), 100 * rms_of(within), 100 * rms_of(projected),
-               least_convexity(within.material, domain), least_convexity(projected.material, domain));
+    fmt::print("{:<20} rms, % of the peaks: free {:5.2f}, within {:5.2f}, projected {:5.2f}\n",
+               model, 100 * rms_of(free), 100 * rms_of(within), 100 * rms_of(projected));
     EXPECT_LT(least_convexity(free.material, domain), -0.01) << model;
     EXPECT_GT(least_convexity(within.material, domain), -2e-6) << model;
     EXPECT_GT(least_convexity(projected.material, domain), -2e-6) << model;
-    EXPECT_THAT(free.warnings, ::testing::Contains(HasSubstr("is not convex in green.xx"))) << model;
+    EXPECT_THAT(free.warnings, ::testing::Contains(HasSubstr("is not convex in green.xx")))
+        << model;
     EXPECT_THAT(within.warnings, ::testing::Contains(HasSubstr("convexity in green.xx"))) << model;
     EXPECT_LT(rms_of(free), rms_of(within)) << model;
-    EXPECT_LT(rms_of(within), 1.001 * rms_of(projected)) << model;
+    EXPECT_LT(rms_of(within), rms_of(projected)) << model;
   }
 }
 
 TEST(InterpolatedEnergies, RefuseWhatCannotBeKeptConvexOrToldApart) {
   const auto refusal = [](const std::string& model) {
-    const InputError error = test::input_error_of(
-        [&] { fit(crossed(kPair, 1e5), biaxial_pulls(), model); });
+    const InputError error =
+        test::input_error_of([&] { fit(crossed(kPair, 1e5), biaxial_pulls(), model); });
     return std::string(error.what());
   };
-  EXPECT_THAT(refusal("components: {green.xx: {addends: [exponential]}, green.xx*green.yy: {addends: "
-                      "[linear]}}"),
-              HasSubstr("cannot be kept convex"));
+  EXPECT_THAT(
+      refusal("components: {green.xx: {addends: [exponential]}, green.xx*green.yy: {addends: "
+              "[linear]}}"),
+      HasSubstr("cannot be kept convex"));
   EXPECT_THAT(refusal("components: {I1-bar: {addends: [linear]}, green.xx*green.yy: {}}"),
               HasSubstr("gaussians"));
   EXPECT_THAT(refusal("components: {I1-bar: {addends: [linear]}, green.xx*green.yz: {gaussians: "

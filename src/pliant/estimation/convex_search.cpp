@@ -77,10 +77,9 @@ double go_towards(const LeastSquaresProblem& problem, Eigen::VectorXd next, Stan
   return 0;
 }
 
-// The least of the problem linearised at a point, within the set and not too far away.
+// The least of the problem linearised at a point, within the set.
 std::optional<Eigen::VectorXd> linear_best(const ConvexSet& set, const LeastSquaresProblem& problem,
-                                           const Eigen::VectorXd& at, double damping,
-                                           const StopToken& stop) {
+                                           const Eigen::VectorXd& at, const StopToken& stop) {
   Eigen::VectorXd residual(problem.residuals);
   Eigen::MatrixXd jacobian;
   if (!problem.evaluate(at, residual, &jacobian)) return std::nullopt;
@@ -88,8 +87,7 @@ std::optional<Eigen::VectorXd> linear_best(const ConvexSet& set, const LeastSqua
   const Eigen::VectorXd sizes =
       (jacobian * problem.scale.asDiagonal()).colwise().norm().cwiseMax(1e-12);
   Eigen::MatrixXd rows(jacobian.rows() + count, count);
-  rows << jacobian,
-      Eigen::MatrixXd((damping * sizes.cwiseQuotient(problem.scale)).asDiagonal());
+  rows << jacobian, Eigen::MatrixXd((kDamping * sizes.cwiseQuotient(problem.scale)).asDiagonal());
   Eigen::VectorXd target(rows.rows());  // rows (p - at) + target
   target << residual, Eigen::VectorXd::Zero(count);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
@@ -142,9 +140,8 @@ LeastSquaresSummary solve_within(const ConvexSet& set, LeastSquaresProblem probl
     problem.not_negative = set.rows;
     return solve_least_squares(problem, start, options, stop);
   }
-  return search_by(set, problem, start, options, stop, [&](const Stand& stand) {
-    return linear_best(set, problem, stand.at, kDamping, stop);
-  });
+  return search_by(set, problem, start, options, stop,
+                   [&](const Stand& stand) { return linear_best(set, problem, stand.at, stop); });
 }
 
 Eigen::VectorXd nearest_within(const ConvexSet& set, const LeastSquaresProblem& problem,

@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// A convex set of the unknowns of a least-squares problem: linear conditions, and further ones that
-/// are told where they do not hold.
+/// A convex set of the unknowns of a least-squares problem: linear conditions, and further ones
+/// that are told where they do not hold.
 struct ConvexSet {
   Eigen::MatrixXd rows;  ///< A with A p >= 0
   /// Further rows of the kind, which hold in the whole set and not at p; none where p is in it.
@@ -30,8 +30,8 @@ Eigen::VectorXd nearest_within(const ConvexSet& set, const LeastSquaresProblem& 
                                const Eigen::VectorXd& point, const StopToken& stop);
 
 /// The published search ([T] 4.3): an update of the unknowns without conditions, and the nearest
-/// point of the set, in turn, until that gains nothing. It ends at no best point where the set is in
-/// the way of the update: the nearest point is not the one of least cost.
+/// point of the set, in turn, until that gains nothing. It ends at no best point where the set is
+/// in the way of the update: the nearest point is not the one of least cost.
 /// @return as `solve_least_squares`
 LeastSquaresSummary solve_projected(const ConvexSet& set, const LeastSquaresProblem& problem,
                                     const Eigen::VectorXd& start,

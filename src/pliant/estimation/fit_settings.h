@@ -40,8 +40,8 @@ struct PlanStage {
 /// `fit:` of a study. Keys of the maps are parameter names or patterns with `*`.
 struct FitOptions {
   EstimatorKind estimator = EstimatorKind::path;
-  int control_points = 5;        ///< most control points of a hermite stiffness
-  bool monotone_stress = false;  ///< elastic stress never falls where strain rises
+  int control_points = 5;                   ///< most control points of a hermite stiffness
+  bool monotone_stress = false;             ///< elastic stress never falls where strain rises
   Convexity convexity = Convexity::within;  ///< of solids
   RobustLoss loss = RobustLoss::none;
   std::map<std::string, std::pair<double, double>> bounds;

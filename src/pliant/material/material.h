@@ -123,8 +123,8 @@ const std::vector<std::string>& solid_component_names();
 /// Those of a kind of material.
 const std::vector<std::string>& component_names(MaterialKind kind);
 
-/// The components that a material has, in their order: those of `component_names`, then terms of two
-/// strains (pair_metric.h).
+/// The components that a material has, in their order: those of `component_names`, then terms of
+/// two strains (pair_metric.h).
 std::vector<std::string> ordered_components(
     const std::map<std::string, MaterialComponent>& components, MaterialKind kind);
 

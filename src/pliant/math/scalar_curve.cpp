@@ -287,8 +287,8 @@ Eigen::VectorXd ScalarCurve::slope_weights(double x) const {
   if (kind_ == CurveKind::affine) return pair(0, sign(x));
   if (is_of_energy()) {
     const double at = even_ ? std::abs(x) : x;
-    const auto weights_of =
-        kind_ == CurveKind::spline ? spline_secant_slope_weights : hermite_energy_secant_slope_weights;
+    const auto weights_of = kind_ == CurveKind::spline ? spline_secant_slope_weights
+                                                       : hermite_energy_secant_slope_weights;
     return (even_ ? sign(x) : 1) * weights_of(knots_, at);
   }
   const HermiteShape shape{knots_, tangents_};

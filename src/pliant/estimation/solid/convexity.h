@@ -13,7 +13,7 @@ namespace pliant {
 
 /// Where an energy shall be convex in two components of the Green strain, all others being zero.
 struct PairDomain {
-  std::array<int, 2> strains{};                   ///< columns of the Green strain
+  std::array<int, 2> strains{};                    ///< columns of the Green strain
   std::array<std::pair<double, double>, 2> range;  ///< of either
 };
 
@@ -29,12 +29,12 @@ struct PairDomain {
 ConvexSet convex_numbers(const Material& form, const std::vector<PairDomain>& domains);
 
 /// The elastic components of a solid that act on components of the Green strain, their sums and
-/// traces: an energy that laws of one strain, each convex, leave convex in these strains. Volume and
-/// invariants are no such functions of them.
+/// traces: an energy that laws of one strain, each convex, leave convex in these strains. Volume
+/// and invariants are no such functions of them.
 Material by_green_strains(const Material& material);
 
-/// The least eigenvalue of second derivatives of that energy in two strains over a grid of samples, as
-/// a share of the largest one there; below 0 the energy is not convex.
+/// The least eigenvalue of second derivatives of that energy in two strains over a grid of samples,
+/// as a share of the largest one there; below 0 the energy is not convex.
 double least_convexity(const Material& material, const PairDomain& domain);
 
 /// What a material tells of where its terms of two strains hold: ranges of the components of either

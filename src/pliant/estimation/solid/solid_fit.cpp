@@ -99,12 +99,13 @@ void refuse_unseen(const FitSettings& settings, const Problem& problem) {
 
 /// What convexity in two strains has to do with the fitted numbers.
 void tell_convexity(const FitSettings& settings, SolidProblem& problem, SolidFit& fit) {
-  constexpr double kTouching = 1e-5;  // of the largest second derivative
+  const bool free = settings.fit.convexity == Convexity::free;
+  const double touching = free ? -1e-5 : 1e-5;  // of the largest second derivative
   for (const auto& [pair, domain] : problem.pair_domains(fit.material)) {
     const double least = least_convexity(fit.material, domain);
-    if (least > kTouching) continue;
+    if (least > touching) continue;
     fit.notes.push_back(
-        settings.fit.convexity == Convexity::free
+        free
             ? fmt::format("the energy is not convex in {} over what the data show", pair)
             : fmt::format("convexity in {} holds back what the data would have: numbers lie at its "
                           "limit, which their errors do not know",
@@ -171,8 +172,8 @@ SolidFit fit_solid(const FitSettings& settings,
   grown = grow_energies(problem, grown);
   append_stages(grown.stages, "control point", fit);
   if (grown.stages.empty()) {
-    fit.stages.push_back(
-        {"solid", "law", kDifferenceUnit, rms_of(grown.solution, problem.rows()), /*accepted=*/true});
+    fit.stages.push_back({"solid", "law", kDifferenceUnit, rms_of(grown.solution, problem.rows()),
+                          /*accepted=*/true});
   }
   if (!samples.at.empty()) {
     const SampleOptions& options = *settings.model.samples;

@@ -11,8 +11,8 @@ namespace pliant {
 
 /// Follows the stages that a study states for a solid ([T] 4.4: addends are estimated one after the
 /// other, each from the examples that tell it). A stage looks for the numbers of its components in
-/// its experiments. Components of earlier stages keep what these have found, those of later ones are
-/// not there yet, but for what resists changes of volume, without which nothing would have one.
+/// its experiments. Components of earlier stages keep what these have found, those of later ones
+/// are not there yet, but for what resists changes of volume, without which nothing would have one.
 ///
 /// What is found is where the search for all numbers in all experiments begins.
 /// @param material     at its starts; gets the numbers

@@ -105,8 +105,8 @@ void refuse(const FitSettings& settings, const std::string& component, std::stri
                    std::move(expected));
 }
 
-/// The choices of where the addends of a component begin. The lines of terms of two strains begin at
-/// zero: those add to an energy that has a start without them.
+/// The choices of where the addends of a component begin. The lines of terms of two strains begin
+/// at zero: those add to an energy that has a start without them.
 std::vector<std::vector<Addend>> first_addends(const std::string& name, const ComponentModel& model,
                                                const DataScale& scale) {
   const bool is_line = model.addends.size() == 1 && model.addends.front() == &linear_addend();
@@ -187,8 +187,8 @@ std::vector<Material> solid_starts(const FitSettings& settings,
     }
     std::vector<Material> more;
     for (const DataScale& scale : first_scales(name, problem)) {
-      add_component(name, first_component(name, model, data, scale), first_addends(name, model, scale),
-                    starts, more);
+      add_component(name, first_component(name, model, data, scale),
+                    first_addends(name, model, scale), starts, more);
     }
     refuse_memory(settings, name, more.front().components.at(name));
     starts = std::move(more);

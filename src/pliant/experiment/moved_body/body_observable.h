@@ -10,7 +10,7 @@ namespace pliant {
 /// A number that is read off a body at an equilibrium, and how it changes ([T] Eq. 4.10).
 struct BodyReadout {
   double value = 0;
-  Eigen::Vector3d by_force = Eigen::Vector3d::Zero();  ///< 1/N
+  Eigen::Vector3d by_force = Eigen::Vector3d::Zero();         ///< 1/N
   std::vector<std::pair<int, Eigen::Vector3d>> by_node = {};  ///< 1/m; of nodes that it hangs on
 };
 

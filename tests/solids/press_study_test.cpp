@@ -105,6 +105,26 @@ TEST(PressStudy, RefusesWhatCannotBePressed) {
               HasSubstr("volume mesh"));
 }
 
+/// What is wrong with a table of such a test.
+InputError refusal_of_table(const TestType& kind, const std::string& text) {
+  const VirtualPress press = pressed_block(kind);
+  const LabFolder folder = measured(neo_hookean_solid(15e3, 300e3), {press});
+  folder.write(press.name + ".csv", text);
+  return test::input_error_of([&] { fit_study(study_of(folder), {}, {}); });
+}
+
+// Of a body of 20 x 20 x 10 mm held at its underside.
+TEST(PressStudy, RefusesWhatNoPressLeadsTo) {
+  const InputError deep =
+      refusal_of_table(indentation_type(), "depth_mm,force_N\n0.5,1\n31,2\n1,1\n");
+  EXPECT_EQ(deep.problem(), "31 mm is more than the body is large, 30 mm");
+  EXPECT_EQ(deep.where().line, 3);
+  EXPECT_EQ(deep.where().field, "depth");
+  const InputError wide = refusal_of_table(press_type(), "area_cm2,force_N\n5,1\n20,2\n6,1\n");
+  EXPECT_THAT(wide.problem(), HasSubstr("more than all of the body that is not held"));
+  EXPECT_EQ(wide.where().line, 3);
+}
+
 TEST(PressStudy, RefusesAMaterialWhoseVolumeIsFree) {
   Material material = neo_hookean_solid(15e3, 300e3);
   material.components.erase("J");

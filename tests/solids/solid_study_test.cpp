@@ -94,6 +94,89 @@ TEST_P(SolidRecovery, FindsTheNumbersThatMadeTheData) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, SolidRecovery, ::testing::ValuesIn(recoveries()));
 
+/// Uniaxial and equibiaxial tests of Neo-Hookean solids that differ, in one folder.
+LabFolder two_modes(const std::array<double, 2>& c, const std::array<double, 2>& noise = {},
+                    std::uint64_t seed = 1) {
+  test::MeasuredFiles files;
+  for (const std::size_t i : {0, 1}) {
+    std::vector<test::AnyTest> tests = test::three_modes(noise[i]);
+    tests.pop_back();
+    const Material material = solid_of({{"I1-bar", component_of({linear(c[i])})}});
+    const auto own = test::measurements_of(test::lab_of(material, tests), 2 * seed + i);
+    for (const auto& [name, content] : own) {
+      if (i == 0 || name == "equibiaxial.csv") files.emplace_back(name, content);
+    }
+  }
+  return LabFolder(files);
+}
+
+// Differences are shares of the largest stress, which a Neo-Hookean solid multiplies: of the two
+// materials c1 and c2 the sum of w (c / c_i - 1)^2 is least where c sum w / c_i^2 = sum w / c_i,
+// with the mean squares of both modes alike in w.
+TEST(SolidStudy, CountsExperimentsByTheirWeights) {
+  const LabFolder folder = two_modes({1e5, 2e5});
+  Study study = solid_study(folder, "law: neo-hookean");
+  const auto c_at = [&](double weight) {
+    study.experiments.front().weight = weight;
+    return value_of(fit_study(study, {}, {}), "I1-bar.linear.c");
+  };
+  const double even = c_at(1), first = c_at(1e6), second = c_at(1e-6);
+  EXPECT_GT(even, 1.2e5);
+  EXPECT_LT(even, 1.8e5);
+  EXPECT_NEAR(first, 1e5, 1);
+  EXPECT_NEAR(second, 2e5, 2);
+  // With a = sum of squares of the second mode over those of the first the two ends give `even`:
+  // (1 / c1 + a / c2) / (1 / c1^2 + a / c2^2). Four times the weight of the first is a quarter of
+  // a.
+  const double a = (1 / first - even / (first * first)) / (even / (second * second) - 1 / second);
+  EXPECT_NEAR(c_at(4),
+              (1 / first + a / 4 / second) / (1 / (first * first) + a / 4 / (second * second)), 1);
+}
+
+// Both modes count alike by their stress, though one is ten times as noisy: standard errors are
+// those of this estimate, and not of the best there is.
+TEST(SlowSolidStudy, KnowsTheErrorOfRowsThatCountOtherwiseThanByTheirNoise) {
+  int held = 0;
+  double squares = 0, told = 0;
+  constexpr int kSeeds = 40;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const LabFolder folder = two_modes({1e5, 1e5}, {1e3, 2e4}, static_cast<std::uint64_t>(seed));
+    const StudyResult result = fit(folder, "law: neo-hookean");
+    const ParameterEstimate& c = result.parameters.front();
+    squares += std::pow(c.value - 1e5, 2);
+    told += std::pow(c.std_error.value(), 2);
+    held += c.lower.value() < 1e5 && 1e5 < c.upper.value() ? 1 : 0;
+  }
+  fmt::print("{} of {} hold the truth; scatter over error {:.3g}\n", held, kSeeds,
+             std::sqrt(squares / told));
+  EXPECT_GE(held, 35);
+  EXPECT_NEAR(std::sqrt(squares / told), 1, 0.3);
+}
+
+// One reading in eight is a fifth too large.
+TEST(SolidStudy, ARobustLossLeavesSlipsOut) {
+  const LabFolder folder = two_modes({1e5, 1e5});
+  std::string table = "stretch,nominal_stress_MPa\n";
+  RandomStream random(3);
+  for (int i = 1; i <= 40; ++i) {
+    const double stretch = 1 + 0.05 * i, slip = i % 8 == 0 ? 1.2 : 1;
+    const double stress = 2e5 * (stretch - std::pow(stretch, -2));  // 2 c (l - 1 / l^2)
+    table += fmt::format("{:.6f},{:.6f}\n", stretch, slip * stress / 1e6 + 1e-3 * random.normal());
+  }
+  folder.write("uniaxial.csv", table);
+  Study study = solid_study(folder, "law: neo-hookean");
+  const auto error_with = [&](RobustLoss loss) {
+    study.fit.loss = loss;
+    const StudyResult result = fit_study(study, {}, {});
+    const ParameterEstimate& c = result.parameters.front();
+    fmt::print("{}: {:.6g} +- {:.2g} Pa\n", name_of(loss), c.value, c.std_error.value());
+    return std::abs(c.value - 1e5);
+  };
+  EXPECT_GT(error_with(RobustLoss::none), 1000);
+  EXPECT_LT(error_with(RobustLoss::cauchy), 100);
+  EXPECT_LT(error_with(RobustLoss::huber), 300);
+}
+
 TEST(SlowSolidStudy, AConvexSplineEnergyFollowsOgdensMaterial) {
   const LabFolder folder = measured(
       solid_of({{"stretch-bar", component_of({ogden(0.5e6, 1.4), ogden(3e3, 5)})}}), 1000, 3);

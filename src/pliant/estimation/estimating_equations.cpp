@@ -11,11 +11,13 @@ namespace {
 class SummedFrames : public FrameSink {
  public:
   SummedFrames(int part, const Experiment& experiment, const Eigen::VectorXd& weight,
-               const std::vector<Eigen::Index>& free, std::vector<char> told)
+               const Eigen::VectorXd& scatter, const std::vector<Eigen::Index>& free,
+               std::vector<char> told)
       : part_(part),
         experiment_(experiment),
         frames_(experiment.frames()),
         weight_(weight),
+        scatter_(scatter),
         free_(free),
         told_(std::move(told)),
         sums_(frames_.size()) {}
@@ -28,7 +30,8 @@ class SummedFrames : public FrameSink {
         weight.cwiseProduct(rows.value - experiment_.measured().segment(at.first, at.count));
     const Eigen::MatrixXd jacobian =
         weight.asDiagonal() * Eigen::MatrixXd(rows.by(Eigen::all, free_));
-    sums_[index] = group_sum(part_, jacobian, residual, told_);
+    sums_[index] =
+        group_sum(part_, jacobian, residual, scatter_.segment(at.first, at.count), told_);
   }
 
   std::vector<GroupSum> sums() && { return std::move(sums_); }
@@ -37,7 +40,7 @@ class SummedFrames : public FrameSink {
   int part_;
   const Experiment& experiment_;
   std::vector<Frame> frames_;
-  const Eigen::VectorXd& weight_;
+  const Eigen::VectorXd &weight_, &scatter_;
   const std::vector<Eigen::Index>& free_;
   std::vector<char> told_;
   std::vector<GroupSum> sums_;
@@ -78,12 +81,15 @@ Eigen::VectorXd units_of(const std::vector<Unknown>& unknowns,
 
 EstimatingSums estimating_sums(const Problem& problem, const std::vector<PredictedRows>& rows,
                                const std::vector<Eigen::VectorXd>& weight,
+                               const std::vector<Eigen::VectorXd>& scatter,
                                const std::vector<Eigen::Index>& free,
                                const std::vector<std::vector<char>>& told) {
   EstimatingSums sums;
   for (std::size_t p = 0; p < rows.size(); ++p) {
     const Experiment& experiment = *problem.parts()[p].experiment;
-    SummedFrames summed(static_cast<int>(p), experiment, weight[p], free, told_of(told, p, free));
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(weight[p].size());
+    SummedFrames summed(static_cast<int>(p), experiment, weight[p],
+                        scatter.empty() ? one : scatter[p], free, told_of(told, p, free));
     int number = 0;
     for (const Frame& frame : experiment.frames()) {
       summed.take(number++, {rows[p].value.segment(frame.first, frame.count),
@@ -101,7 +107,8 @@ std::optional<EstimatingSums> predicted_sums(const Problem& problem, const Eigen
                                              const std::vector<std::vector<char>>& told) {
   EstimatingSums sums;
   for (std::size_t p = 0; p < problem.parts().size(); ++p) {
-    SummedFrames summed(static_cast<int>(p), *problem.parts()[p].experiment, weight[p], free,
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(weight[p].size());
+    SummedFrames summed(static_cast<int>(p), *problem.parts()[p].experiment, weight[p], one, free,
                         told_of(told, p, free));
     if (!problem.predict(p, values, summed)) return std::nullopt;
     std::ranges::move(std::move(summed).sums(), std::back_inserter(sums.groups));

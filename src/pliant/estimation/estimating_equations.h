@@ -22,9 +22,11 @@ Eigen::VectorXd units_of(const std::vector<Unknown>& unknowns,
 /// The equations that the free unknowns of a problem solve: a group for each frame of each part,
 /// and the priors.
 /// @param rows    of each part, with derivatives
-/// @param weight  of the rows: 1 / (sd sqrt(L))
+/// @param weight   of the rows: 1 / (sd sqrt(L)), or what they count otherwise
+/// @param scatter  sd sqrt(L) of the weighted rows; empty: 1
 EstimatingSums estimating_sums(const Problem& problem, const std::vector<PredictedRows>& rows,
                                const std::vector<Eigen::VectorXd>& weight,
+                               const std::vector<Eigen::VectorXd>& scatter,
                                const std::vector<Eigen::Index>& free,
                                const std::vector<std::vector<char>>& told);
 

@@ -32,7 +32,8 @@ void weigh_alike(Problem& problem) {
   constexpr double kShare = 0.01;
   for (std::size_t p = 0; p < problem.parts().size(); ++p) {
     const Experiment& experiment = *problem.parts()[p].experiment;
-    problem.set_weight(p, experiment.weights() / (kShare * experiment.reference()));
+    problem.set_weight(
+        p, experiment.weights() * problem.emphasis(p) / (kShare * experiment.reference()));
   }
 }
 

@@ -64,13 +64,17 @@ ExperimentResiduals residuals_of(const ProblemPart& part, const PredictedRows& r
   return result;
 }
 
-void weigh(const ProblemPart& part, std::size_t p, RobustLoss loss, MeasuredNoise& noise) {
+void weigh(const Problem& problem, std::size_t p, MeasuredNoise& noise) {
+  const ProblemPart& part = problem.parts()[p];
+  const RobustLoss loss = problem.loss();
   const ExperimentNoise& own = noise.of[p];
   const Eigen::ArrayXd carried = carried_noise(part.experiment->info(), noise.rows[p]);
   noise.row_sd[p] = (carried.square() + own.sd * own.sd).sqrt();
-  noise.weight[p] =
-      (part.weight.array() > 0)
-          .select(1 / (noise.row_sd[p].array() * std::sqrt(own.correlation_length)), 0.0);
+  const Eigen::ArrayXd sd = noise.row_sd[p].array() * std::sqrt(own.correlation_length);
+  Eigen::ArrayXd each = problem.emphasis(p) / sd;
+  if (part.unit) each.setConstant(problem.emphasis(p) / *part.unit);
+  noise.weight[p] = (part.weight.array() > 0).select(each, 0.0);
+  noise.scatter[p] = each * sd;
   const Eigen::VectorXd residual = noise.rows[p].value - part.experiment->measured();
   for (Eigen::Index i = 0; loss != RobustLoss::none && i < residual.size(); ++i) {
     const double in_sd = residual(i) / noise.row_sd[p](i);
@@ -91,7 +95,8 @@ double change(const std::vector<ExperimentNoise>& now, const std::vector<Experim
 void measure_leverages(const Problem& problem, const ToldUnknowns& told, MeasuredNoise& noise) {
   const std::vector<Eigen::Index> free = free_unknowns(problem.unknowns());
   if (free.empty()) return;
-  const EstimatingSums sums = estimating_sums(problem, noise.rows, noise.weight, free, told);
+  const EstimatingSums sums =
+      estimating_sums(problem, noise.rows, noise.weight, noise.scatter, free, told);
   const Eigen::VectorXd unit = units_of(problem.unknowns(), free);
   const std::vector<double> infinite(noise.of.size(), INFINITY);
   noise.inverse_slope = formula_covariance(sums, unit, infinite).inverse_slope;
@@ -128,6 +133,7 @@ MeasuredNoise measure_noise(const Problem& problem, const Eigen::VectorXd& value
   }
   noise.row_sd.resize(parts.size());
   noise.weight.resize(parts.size());
+  noise.scatter.resize(parts.size());
   std::vector<ExperimentNoise> before;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<ExperimentResiduals> residuals;
@@ -136,7 +142,7 @@ MeasuredNoise measure_noise(const Problem& problem, const Eigen::VectorXd& value
           residuals_of(parts[p], noise.rows[p], counted[p], noise.leverage[p], problem.loss()));
     }
     noise.of = measure_noise(residuals);
-    for (std::size_t p = 0; p < parts.size(); ++p) weigh(parts[p], p, problem.loss(), noise);
+    for (std::size_t p = 0; p < parts.size(); ++p) weigh(problem, p, noise);
     measure_leverages(problem, told, noise);
     if (change(noise.of, before) < kSettled) break;
     before = noise.of;

@@ -16,8 +16,11 @@ using ToldUnknowns = std::vector<std::vector<char>>;
 /// How the parts of a problem scatter about its solution, and what their rows count for that.
 struct MeasuredNoise {
   std::vector<ExperimentNoise> of;        ///< each part
-  std::vector<Eigen::VectorXd> weight;    ///< of its rows: 1 / (sd sqrt(L)), 0 where left out; with
-                                          ///< a robust loss less for what is far off
+  std::vector<Eigen::VectorXd> weight;    ///< of its rows: 1 / (sd sqrt(L)), or what else they
+                                          ///< count; 0 where left out; with a robust loss less for
+                                          ///< what is far off
+  std::vector<Eigen::VectorXd> scatter;   ///< sd sqrt(L) of weighted rows: 1 unless they count
+                                          ///< otherwise than by noise
   std::vector<Eigen::VectorXd> row_sd;    ///< sd, with what noise of the length adds
   std::vector<PredictedRows> rows;        ///< with derivatives
   std::vector<Eigen::VectorXd> leverage;  ///< of each row

@@ -83,6 +83,16 @@ int Problem::rows() const {
   return static_cast<int>(rows);
 }
 
+double Problem::emphasis(std::size_t part) const {
+  double rows = 0, sum = 0;
+  for (const ProblemPart& each : parts_) {
+    const double own = each.experiment->weights().sum();
+    rows += own;
+    sum += own * each.experiment->info().weight;
+  }
+  return std::sqrt(parts_[part].experiment->info().weight * rows / sum);
+}
+
 std::optional<PredictedRows> Problem::predict(std::size_t part, const Eigen::VectorXd& values,
                                               bool derivatives) const {
   const Stopwatch watch;

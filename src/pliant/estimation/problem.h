@@ -24,6 +24,8 @@ struct ProblemPart {
   Eigen::VectorXd weight = {};
   /// Whether what the study states of the noise holds for the differences.
   bool takes_stated_noise = true;
+  /// What a difference of 1 is, whatever the noise; absent: differences count by their noise.
+  std::optional<double> unit = {};
 };
 
 /// Gives a problem the bounds and scales of its unknowns.
@@ -54,6 +56,9 @@ class Problem {
 
   /// Rows that count.
   int rows() const;
+  /// What the differences of a part are multiplied by because the study gives experiments weights
+  /// ([T] 4.3): the root of its own over the mean of all rows.
+  double emphasis(std::size_t part) const;
 
   /// @return nothing where the laws cannot carry the loads
   std::optional<PredictedRows> predict(std::size_t part, const Eigen::VectorXd& values,

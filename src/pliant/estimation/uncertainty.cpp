@@ -197,8 +197,8 @@ Uncertainty uncertainty_of(const Problem& problem, const Eigen::VectorXd& values
     result.told_by.push_back(free ? shares_of(problem, result.noise, told, u) : "");
   }
   if (result.free.empty()) return result;
-  const EstimatingSums sums =
-      estimating_sums(problem, result.noise.rows, result.noise.weight, result.free, told);
+  const EstimatingSums sums = estimating_sums(problem, result.noise.rows, result.noise.weight,
+                                              result.noise.scatter, result.free, told);
   if (told.empty()) {
     const auto unit = result.unit.asDiagonal();
     result.singular_values = (unit * sums.slope() * unit).jacobiSvd().singularValues().cwiseSqrt();

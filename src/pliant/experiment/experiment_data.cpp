@@ -39,6 +39,7 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   info.used = used_rows(spec, data.rows());
   info.force_noise = spec.noise.force;
   info.length_noise = spec.noise.length;
+  info.weight = spec.weight;
   if (data.is_stated("time")) {
     info.time = data.quantity("time", Dimension::time);
   } else if (unit_conversion(data.quantity_unit("time"), Dimension::time)) {
@@ -56,6 +57,10 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
   for (const ExcludedRows& range : spec.excluded) {
     info.handled.push_back(
         fmt::format("rows {}-{} are left out: {}", range.first, range.last, range.reason));
+  }
+  if (spec.weight != 1) {
+    info.handled.push_back(fmt::format(
+        "its squared differences count {:.4g} times, as the study states", spec.weight));
   }
   for (const std::string& column : data.unused_columns()) {
     info.handled.push_back(fmt::format("column {} is not used", quoted_value(column)));

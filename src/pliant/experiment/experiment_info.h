@@ -31,6 +31,7 @@ struct ExperimentInfo {
   std::vector<char> used;              ///< a row: does it take part in the fit
   std::optional<double> force_noise;   ///< stated standard deviation of the force (N or N/m)
   std::optional<double> length_noise;  ///< of the length (m)
+  double weight = 1;                   ///< of its squared differences, beside those of others
   std::vector<std::string> handled;    ///< what was found in the data and how it was dealt with
   std::vector<std::string> warnings;
   std::vector<std::string> questions;  ///< units and sizes that are hardly right, as warnings

@@ -36,6 +36,7 @@ struct ExperimentSpec {
   DataSource data;
   std::shared_ptr<const TestSpec> test;  ///< what the type has beside
   StatedNoise noise;
+  double weight = 1;  ///< of its squared differences, beside those of other experiments
   std::vector<ExcludedRows> excluded;
   std::vector<std::string> told;  ///< what the data files told and the study did not, in sentences
   std::vector<std::string> doubts;  ///< what they tell otherwise than the study, as questions

@@ -97,6 +97,10 @@ ExperimentSpec read_experiment(const Value& node, const SpecimenDefaults& defaul
   doubt_stated_sizes(spec);
   if (type.facts.only_predicted) spec.role = ExperimentRole::validate;
   if (auto v = fields.optional("standard")) spec.standard = v->text();
+  if (auto v = type.facts.only_predicted ? std::nullopt : fields.optional("weight")) {
+    spec.weight = v->number();
+    if (!(spec.weight > 0)) v->fail("is not positive", "a weight above 0; 1 counts as usual");
+  }
   // Of sheets noise is estimated, and a frame is not a row.
   const bool in_rows = !type.channels.empty();
   if (auto v = in_rows ? fields.optional("noise") : std::nullopt) {

@@ -73,6 +73,7 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
   if (spec.noise.force || spec.noise.length) {
     node["noise"] = noise_node(spec.noise, spec.test->type().channels);
   }
+  if (spec.weight != 1) node["weight"] = spec.weight;
   for (const ExcludedRows& rows : spec.excluded) {
     YAML::Node excluded;
     excluded["rows"] = std::to_string(rows.first) + "-" + std::to_string(rows.last);

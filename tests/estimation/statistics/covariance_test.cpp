@@ -46,6 +46,18 @@ TEST(FormulaCovariance, IsTheInverseOfTheNormalMatrix) {
   EXPECT_EQ(formula.unseen.cols(), 0);
 }
 
+// The mean of rows of sd 1 and 3 that count alike.
+TEST(FormulaCovariance, KnowsTheNoiseOfRowsThatCountOtherwiseThanByIt) {
+  EstimatingSums sums;
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(10, 1);
+  for (const int experiment : {0, 1}) {
+    const Eigen::VectorXd sd = Eigen::VectorXd::Constant(10, experiment == 0 ? 1 : 3);
+    sums.groups.push_back(group_sum(experiment, one, Eigen::VectorXd::Zero(10), sd, {}));
+  }
+  const auto formula = formula_covariance(sums, Eigen::VectorXd::Ones(1), {9, 9});
+  EXPECT_NEAR(formula.covariance(0, 0), (10 * 1 + 10 * 9) / (20.0 * 20), kRounding);
+}
+
 // A prior counts with its own sd, however strongly residuals go together.
 TEST(FormulaCovariance, GivesWhatOnlyAPriorTellsItsSd) {
   EstimatingSums sums;

@@ -126,7 +126,7 @@ void SheetProblem::set_noise(double noise) {
   noise_ = noise;
   for (std::size_t t = 0; t < tests_.size(); ++t) {
     const double sd = noise * scales_[t] / scales_.front();
-    problem_.set_weight(t, tests_[t]->weights() / sd);
+    problem_.set_weight(t, tests_[t]->weights() * problem_.emphasis(t) / sd);
   }
 }
 

@@ -67,14 +67,15 @@ Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Pro
   for (std::size_t t = 0; t < coarser.size(); ++t) {
     const ExperimentNoise& noise = known.noise.of[t];
     parts.push_back({coarser[t], coarser[t]->predictor(material)});
-    weight.push_back(coarser[t]->weights() / (noise.sd * std::sqrt(noise.correlation_length)));
+    weight.push_back(coarser[t]->weights() * problem.emphasis(t) /
+                     (noise.sd * std::sqrt(noise.correlation_length)));
   }
   const Problem coarse(std::move(parts), fine.unknowns, {context.threads, context.stop});
   const auto there = predicted_sums(coarse, fine.values, weight, known.free, told);
   if (!there) return {};
   work += coarse.work();
   const EstimatingSums here =
-      estimating_sums(problem, known.noise.rows, known.noise.weight, known.free, told);
+      estimating_sums(problem, known.noise.rows, known.noise.weight, {}, known.free, told);
   const std::vector<double> infinite(coarser.size(), INFINITY);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
   shift(known.free) = formula_covariance(*there, known.unit, infinite).inverse_slope *

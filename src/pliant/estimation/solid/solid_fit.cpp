@@ -155,6 +155,16 @@ void grow_samples(const SampleOptions& options, const MaterialSamples& choices,
   grown = std::move(sampled);
 }
 
+/// Weights of a robust loss and numbers depend on each other.
+void settle_loss(const FitSettings& settings, int rounds, SolidProblem& problem, Material& material,
+                 LeastSquaresSummary& solution) {
+  constexpr double kSettled = 1e-3;
+  if (settings.fit.loss == RobustLoss::none) return;
+  for (int round = 0; round < rounds && problem.count_by_loss(material) > kSettled; ++round) {
+    solution = problem.solve(material);
+  }
+}
+
 }  // namespace
 
 SolidFit fit_solid(const FitSettings& settings,
@@ -168,6 +178,7 @@ SolidFit fit_solid(const FitSettings& settings,
   const Material first = starts.front();
   Start best = search(settings, problem, std::move(starts), fit);
   best.solution = add_limits(problem, settings.model.limits, first, best.material, best.solution);
+  settle_loss(settings, /*rounds=*/1, problem, best.material, best.solution);
   GrownSolid grown = grow_splines(problem, {best.material, best.solution, {}});
   grown = grow_energies(problem, grown);
   append_stages(grown.stages, "control point", fit);
@@ -179,6 +190,7 @@ SolidFit fit_solid(const FitSettings& settings,
     const SampleOptions& options = *settings.model.samples;
     (options.grown > 0 ? grow_samples : add_samples)(options, samples, problem, grown, fit);
   }
+  settle_loss(settings, /*rounds=*/30, problem, grown.material, grown.solution);
   const Problem own = problem.problem(grown.material);
   fit.unknowns = own.unknowns();
   fit.values = grown.solution.parameters;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/estimation/measured_noise.h"
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/metric.h"
@@ -86,8 +87,8 @@ Unknown unknown_of(const EnergyLimit& limit) {
   return unknown;
 }
 
-double weight_of(const Experiment& experiment) {
-  return 1 / experiment.info().stated_noise().value_or(kShare * experiment.reference());
+double unit_of(const Experiment& experiment) {
+  return experiment.info().stated_noise().value_or(kShare * experiment.reference());
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ Problem SolidProblem::problem(const Material& material) {
   std::vector<ProblemPart> parts;
   for (const Experiment* experiment : experiments_) {
     ProblemPart part{experiment, experiment->predictor(material)};
-    part.weight = experiment->weights() * weight_of(*experiment);
+    part.unit = unit_of(*experiment);
     parts.push_back(std::move(part));
   }
   std::vector<Unknown> unknowns;
@@ -156,7 +157,23 @@ Problem SolidProblem::problem(const Material& material) {
   apply_options(settings_.fit, unknowns);
   Problem problem(std::move(parts), std::move(unknowns), {context_.threads, context_.stop});
   problem.set_loss(settings_.fit.loss);
+  for (std::size_t p = 0; p < experiments_.size(); ++p) {
+    const double each = problem.emphasis(p) / *problem.parts()[p].unit;
+    problem.set_weight(p, by_loss_.empty() ? experiments_[p]->weights() * each : by_loss_[p]);
+  }
   return problem;
+}
+
+double SolidProblem::count_by_loss(const Material& material) {
+  const Problem own = problem(material);
+  const MeasuredNoise noise = measure_noise(own, starts_of(own.unknowns()));
+  double change = 0;
+  for (std::size_t p = 0; p < experiments_.size(); ++p) {
+    const Eigen::VectorXd& before = own.parts()[p].weight;
+    change = std::max(change, (noise.weight[p] - before).norm() / before.norm());
+  }
+  by_loss_ = noise.weight;
+  return change;
 }
 
 LeastSquaresSummary SolidProblem::solve_convex(const Material& material,

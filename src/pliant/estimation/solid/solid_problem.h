@@ -59,6 +59,10 @@ class SolidProblem {
   /// these, by their names.
   std::map<std::string, PairDomain> pair_domains(const Material& material);
 
+  /// From here on rows count by the study's loss as they stand to a material.
+  /// @return the largest relative change of an experiment's weights
+  double count_by_loss(const Material& material);
+
   /// Numbers of the material that make the differences least, from its own on: of those, where the
   /// search came to no better ones.
   LeastSquaresSummary solve(Material& material, const LeastSquaresOptions& options = {});
@@ -75,6 +79,7 @@ class SolidProblem {
   double energy_ = 0;                               // largest of the data, roughly
   std::vector<std::unique_ptr<Predictor>> probes_;  // of the experiments
   std::map<std::string, MetricData> data_;
+  std::vector<Eigen::VectorXd> by_loss_;  // weights of rows; empty: squares count
 };
 
 /// Gives the laws of a material's components other numbers, in the order of `unknowns_of` a solid.

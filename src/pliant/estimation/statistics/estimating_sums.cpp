@@ -24,13 +24,19 @@ Eigen::MatrixXd EstimatingSums::scatter() const {
 
 GroupSum group_sum(int experiment, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
                    const std::vector<char>& told) {
+  return group_sum(experiment, jacobian, residual, Eigen::VectorXd::Ones(residual.size()), told);
+}
+
+GroupSum group_sum(int experiment, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
+                   const Eigen::VectorXd& scatter, const std::vector<char>& told) {
   PLIANT_ASSERT(jacobian.rows() == residual.size(), "one residual per row");
   Eigen::MatrixXd telling = jacobian;
   for (size_t u = 0; u < told.size(); ++u) {
     if (!told[u]) telling.col(static_cast<Eigen::Index>(u)).setZero();
   }
+  const Eigen::MatrixXd scattered = scatter.asDiagonal() * telling;
   return {experiment, telling.transpose() * jacobian, telling.transpose() * residual,
-          telling.transpose() * telling};
+          scattered.transpose() * scattered};
 }
 
 std::vector<GroupSum> clustered(const std::vector<GroupSum>& groups,

@@ -16,7 +16,8 @@ struct GroupSum {
   int experiment = 0;       ///< index among the experiments
   Eigen::MatrixXd slope;    ///< G_i = J_told^T J: zero rows for unknowns that it does not tell
   Eigen::VectorXd part;     ///< g_i = J_told^T r: zero there likewise
-  Eigen::MatrixXd scatter;  ///< M_i = J_told^T J_told: covariance of g_i under independent noise
+  Eigen::MatrixXd scatter;  ///< M_i = J_told^T S^2 J_told: covariance of g_i under independent
+                            ///< noise; S is 1 where rows count by their noise
 };
 
 /// The equations sum g_i + (prior) = 0 at an estimate.
@@ -34,7 +35,11 @@ struct EstimatingSums {
 
 /// @param jacobian  rows of the group by unknowns, divided by sd sqrt(L)
 /// @param residual  likewise
+/// @param scatter   S of the rows
 /// @param told      which unknowns the group tells; empty: all
+GroupSum group_sum(int experiment, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
+                   const Eigen::VectorXd& scatter, const std::vector<char>& told);
+/// Of rows that count by their noise.
 GroupSum group_sum(int experiment, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
                    const std::vector<char>& told = {});
 

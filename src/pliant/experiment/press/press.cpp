@@ -5,6 +5,9 @@
 #include <numbers>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "pliant/base/quantity.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/press/press_predictor.h"
 
@@ -12,6 +15,17 @@ namespace pliant {
 namespace {
 
 constexpr int kFewestRows = 3;
+
+/// No press leads there: what is stated is hardly in the unit that is stated of it.
+void refuse_beyond(const std::vector<double>& set, double most, const std::string& what,
+                   Dimension dimension, const DataRows& data, const char* column) {
+  const auto beyond = std::ranges::find_if(set, [&](double value) { return value > most; });
+  if (beyond == set.end()) return;
+  throw InputError(data.location(static_cast<int>(beyond - set.begin()), column),
+                   fmt::format("{} is more than {}, {}", format_quantity(*beyond, dimension), what,
+                               format_quantity(most, dimension)),
+                   "less; are the column and the mesh in the units that are stated of them?");
+}
 
 }  // namespace
 
@@ -22,6 +36,13 @@ PressTest::PressTest(const ExperimentSpec& spec, const DataRows& data)
   set_ = data.quantity(column, at_areas_ ? Dimension::area : Dimension::length);
   require_change(set_, data, column);
   if (at_areas_) require_positive(set_, data, column);
+  if (at_areas_) {
+    refuse_beyond(set_, area_to_touch(setup()), "all of the body that is not held", Dimension::area,
+                  data, column);
+  } else {
+    refuse_beyond(set_, extent_of(setup().mesh), "the body is large", Dimension::length, data,
+                  column);
+  }
   const std::vector<double> force = data.quantity("force", Dimension::force);
   require_change(force, data, "force");
   measured_ = Eigen::Map<const Eigen::VectorXd>(force.data(), std::ssize(force));

@@ -34,6 +34,12 @@ std::vector<int> nodes_to_touch(const PressSetup& setup) {
   return nodes;
 }
 
+double area_to_touch(const PressSetup& setup) {
+  const Eigen::VectorXd areas =
+      node_areas(setup.mesh.positions, boundary_surface(setup.mesh).triangles);
+  return areas(nodes_to_touch(setup)).sum();
+}
+
 std::optional<double> first_touch(const PressSetup& setup) {
   std::optional<double> first;
   for (const int node : nodes_to_touch(setup)) {

@@ -23,6 +23,9 @@ struct PressSetup {
 /// Nodes of a mesh that an indenter can touch: those of its surface that are not held.
 std::vector<int> nodes_to_touch(const PressSetup& setup);
 
+/// Area of the surface that an indenter can touch, at rest (m^2).
+double area_to_touch(const PressSetup& setup);
+
 /// How far the indenter's surface is along its direction where it first touches a node at rest (m):
 /// of a plane from the origin, of a sphere's centre from `through`.
 /// @return nothing where a sphere passes beside the body

@@ -125,7 +125,9 @@ SheetTest SheetTest::without(const std::vector<int>& frames) const {
   for (const int frame : frames | std::views::reverse) {
     session.frames.erase(session.frames.begin() + frame);
   }
-  return {info_.name, std::move(session), objective_, friction_};
+  SheetTest kept(info_.name, std::move(session), objective_, friction_);
+  kept.set_weight(info_.weight);
+  return kept;
 }
 
 void SheetTest::add_cords() {
@@ -299,7 +301,9 @@ SheetTest sheet_test_of(const ExperimentSpec& spec, Session session) {
         "`cord_friction` where forces are compared");
   }
   try {
-    return {spec.name, std::move(session), objective, own.cord_friction};
+    SheetTest test(spec.name, std::move(session), objective, own.cord_friction);
+    test.set_weight(spec.weight);
+    return test;
   } catch (const InputError& error) {
     throw InputError(spec.where, error.problem(), error.expected());
   }

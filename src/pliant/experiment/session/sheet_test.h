@@ -38,6 +38,9 @@ class SheetTest : public Experiment {
   SheetTest(std::string name, Session session, SheetObjective objective,
             CordFriction friction = {});
 
+  /// What its squared differences count beside those of other tests; 1 to begin with.
+  void set_weight(double weight) { info_.weight = weight; }
+
   /// The same without some frames, as if they had not been measured.
   /// @param frames  in ascending order
   SheetTest without(const std::vector<int>& frames) const;

@@ -162,6 +162,7 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
                     session.rest.triangle_count(), session.frame_count(), measured, offsets(s)));
     sheets.tests.emplace_back(offsets.size() == 1 ? spec.name : spec.name + "." + specimen,
                               std::move(session), SheetObjective::axial_clip_forces);
+    sheets.tests.back().set_weight(spec.weight);
   }
   sheets.handled.emplace_back(
       "where the force has gone the strip keeps its length until the clamps come back to it; it "

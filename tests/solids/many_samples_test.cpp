@@ -16,10 +16,19 @@
 namespace pliant {
 namespace {
 
-// [T] 4.2.4: a number at each of 300 places of a body of 5,040 elements.
+/// Of 5,184 tetrahedra.
+VirtualMovedBody fine_block() {
+  VirtualMovedBody test = test::moved_block();
+  test.setup.mesh = block_of_tetrahedra({0.04, 0.02, 0.02}, {16, 6, 9});
+  test.setup.held = nodes_at(test.setup.mesh, 0, 0);
+  test.setup.moved = nodes_at(test.setup.mesh, 0, 0.04);
+  return test;
+}
+
+// [T] 4.2.4: a number at each of 300 places.
 TEST(SlowManySamples, StayFast) {
-  const test::LabFolder folder(test::measurements_of(
-      test::lab_of(neo_hookean_solid(5e3, 50e3), {test::moved_block({24, 15, 14})}), 1));
+  const test::LabFolder folder(
+      test::measurements_of(test::lab_of(neo_hookean_solid(5e3, 50e3), {fine_block()}), 1));
   const Study study =
       test::solid_study(folder, "law: neo-hookean, samples: {grid: [10, 6, 5], of: [I1-bar]}");
   const ExperimentSpec& spec = study.experiments.front();
@@ -42,11 +51,10 @@ TEST(SlowManySamples, StayFast) {
   const double alone = seconds_of(*uniform, 0), sampled = seconds_of(*predictor, 0);
   const double derived = seconds_of(*predictor, 300);
   fmt::print(
-      "two frames from rest {:.2f} s, of 300 samples {:.2f} s; their 300 derivatives {:.2f} s "
-      "more\n",
+      "two frames from rest {:.2f} s, of 300 samples {:.2f} s, with their derivatives {:.2f} s\n",
       alone, sampled, derived);
   EXPECT_LT(sampled, 2 * alone);
-  EXPECT_LT(derived, 10 * alone);
+  EXPECT_LT(derived, 4 * alone);
 }
 
 }  // namespace

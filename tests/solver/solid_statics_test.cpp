@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "pliant/math/root.h"
@@ -98,10 +99,9 @@ TEST(HangingColumn, PullsAtItsTopWithItsWeight) {
 }
 
 /// Deflection of the tip of a cantilever of 2 x 1 x 1 m by a shear of its end face.
-double tip_deflection(Cells cells, int across) {
+double tip_deflection(Cells cells, int across, const SolidLaw& law) {
   test::SolidSystem solid =
-      test::solid_system(test::block_of(cells, {2, 1, 1}, {2 * across, across, across}),
-                         test::pointwise_rubber_law({1000, 0}));
+      test::solid_system(test::block_of(cells, {2, 1, 1}, {2 * across, across, across}), law);
   solid.hold(nodes_at(solid.mesh, 0, 0));
   const std::vector<int> tip = nodes_at(solid.mesh, 0, 2);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(solid.mesh.node_count());
@@ -122,19 +122,29 @@ double tip_deflection(Cells cells, int across) {
 }
 
 TEST(SlowCantilever, ConvergesAtSecondOrderToTheBeam) {
-  // F L^3 / (3 E I) + F L / (5/6 G A) (Timoshenko).
-  constexpr double kBeam = 0.01 * 8 / (3 * 1000 / 12.0) + 0.01 * 2 / (5.0 / 6 * 500);
-  std::vector<double> limits;
-  for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
-    std::vector<double> deflections;
-    for (const int across : {3, 6, 12}) deflections.push_back(tip_deflection(cells, across));
-    EXPECT_GT(order_of(deflections), 1.5) << name_of(cells);
-    EXPECT_LT(order_of(deflections), 2.3) << name_of(cells);
-    limits.push_back(limit_of(deflections));
-    // A bar no longer than two of its widths is no beam to better than that.
-    EXPECT_NEAR(limits.back(), kBeam, 0.05 * kBeam) << name_of(cells);
+  for (const double poisson : {0.0, 0.49, 0.499}) {
+    // Where a solid that keeps its volume is clamped, its corners are singular: the order falls,
+    // and the clamp, which holds the section's shape, makes a short bar stiffer than a beam.
+    const double least_order = poisson == 0 ? 1.5 : 1.1, near_beam = poisson == 0 ? 0.05 : 0.1;
+    const SolidLaw law =
+        poisson == 0 ? test::pointwise_rubber_law({1000, 0}) : test::rubber_law({1000, poisson});
+    // F L^3 / (3 E I) + F L / (5/6 G A) (Timoshenko).
+    const double beam =
+        0.01 * 8 / (3 * 1000 / 12.0) + 0.01 * 2 / (5.0 / 6 * 1000 / (2 * (1 + poisson)));
+    std::vector<double> limits;
+    for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
+      std::vector<double> deflections;
+      for (const int across : {3, 6, 12}) deflections.push_back(tip_deflection(cells, across, law));
+      fmt::print("{:<11} {:5.3f} order {:.2f} limit {:.4g} m, of the beam {:.4g}\n", name_of(cells),
+                 poisson, order_of(deflections), limit_of(deflections), beam);
+      EXPECT_GT(order_of(deflections), least_order) << name_of(cells) << ", " << poisson;
+      EXPECT_LT(order_of(deflections), 2.3) << name_of(cells) << ", " << poisson;
+      limits.push_back(limit_of(deflections));
+      // A bar no longer than two of its widths is no beam to better than that.
+      EXPECT_NEAR(limits.back(), beam, near_beam * beam) << name_of(cells) << ", " << poisson;
+    }
+    EXPECT_NEAR(limits[0], limits[1], 0.015 * limits[1]) << poisson;
   }
-  EXPECT_NEAR(limits[0], limits[1], 0.01 * limits[1]);
 }
 
 /// Cook's membrane (48 x 44 to 60 mm, clamped on the left, sheared on the right by 1/16 N/mm^2 in
@@ -220,7 +230,7 @@ double twist_energy(Cells cells, int across, double poisson) {
 }
 
 TEST(SlowTwistedBlock, ConvergesFromAbove) {
-  for (const double poisson : {0.3, 0.499}) {
+  for (const double poisson : {0.3, 0.49, 0.499}) {
     std::vector<double> limits;
     for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
       std::vector<double> energies;

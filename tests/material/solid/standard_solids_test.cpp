@@ -92,6 +92,30 @@ SolidMatrix inverse_tangent(const Eigen::Matrix3d& inverse) {
   return result;
 }
 
+/// How I1-bar and I2-bar change with the strain, once and twice.
+struct BarInvariants {
+  explicit BarInvariants(const Deformed& at) {
+    const Eigen::Matrix3d inverse = at.c.inverse();
+    const double less = std::pow(at.volume, -2.0 / 3), square = less * less;
+    const SolidVector one = test::stress_vector(kIdentity), back = test::stress_vector(inverse),
+                      rest = at.first * one - test::stress_vector(at.c);  // d I2 / dE / 2
+    const SolidMatrix turn = inverse_tangent(inverse);
+    const SolidMatrix mixed = one * back.transpose() + back * one.transpose();
+    first = 2 * less * (one - at.first / 3 * back);
+    second = 2 * square * (rest - 2.0 / 3 * at.second * back);
+    first_twice =
+        4 * less * (-mixed / 3 + at.first / 9 * back * back.transpose() - at.first / 6 * turn);
+    second_twice = 2 * square *
+                       (2 * one * one.transpose() -
+                        2.0 / 3 * (2 * back * rest.transpose() + at.second * turn)) -
+                   4.0 / 3 * second * back.transpose();
+    second_twice.diagonal() -= 2 * square * (SolidVector() << 2, 2, 2, 1, 1, 1).finished();
+  }
+
+  SolidVector first, second;
+  SolidMatrix first_twice, second_twice;
+};
+
 TEST(StandardSolids, NeoHookeanIsItsClosedForm) {
   RandomStream random(42);
   constexpr double kC = 0.8, kKappa = 12;
@@ -102,13 +126,10 @@ TEST(StandardSolids, NeoHookeanIsItsClosedForm) {
     const double j = at.volume, less = std::pow(j, -2.0 / 3);
     const Eigen::Matrix3d stress =
         2 * kC * less * (kIdentity - at.first / 3 * inverse) + kKappa * (j - 1) * j * inverse;
-    const SolidVector one = test::stress_vector(kIdentity), back = test::stress_vector(inverse);
-    const SolidMatrix mixed = one * back.transpose() + back * one.transpose();
-    const SolidMatrix turn = inverse_tangent(inverse);
+    const SolidVector back = test::stress_vector(inverse);
     const SolidMatrix tangent =
-        4 * kC * less *
-            (-mixed / 3 + at.first / 9 * back * back.transpose() - at.first / 6 * turn) +
-        kKappa * j * ((2 * j - 1) * back * back.transpose() + (j - 1) * turn);
+        kC * BarInvariants(at).first_twice +
+        kKappa * j * ((2 * j - 1) * back * back.transpose() + (j - 1) * inverse_tangent(inverse));
     EXPECT_NEAR(law.energy, kC * (at.first * less - 3) + kKappa / 2 * (j - 1) * (j - 1), kRounding);
     EXPECT_LT((law.stress - test::stress_vector(stress)).norm(), kRounding);
     EXPECT_LT((law.tangent - tangent).norm(), kRounding * kKappa);
@@ -127,18 +148,44 @@ TEST(StandardSolids, MooneyRivlinAndYeohAreTheirClosedForms) {
     const Eigen::Matrix3d inverse = at.c.inverse();
     const double j = at.volume, less = std::pow(j, -2.0 / 3), square = less * less;
     const double first = at.first * less - 3, second = at.second * square - 3;
-    const Eigen::Matrix3d by_first = 2 * less * (kIdentity - at.first / 3 * inverse);
-    const Eigen::Matrix3d by_second =
-        2 * square * (at.first * kIdentity - at.c - 2.0 / 3 * at.second * inverse);
+    const BarInvariants by(at);
+    const SolidVector back = test::stress_vector(inverse);
     const test::SolidAnswer law = answer_of(mooney, at.strain);
-    const Eigen::Matrix3d stress = 0.7 * by_first + 0.2 * by_second + 9 * std::log(j) * inverse;
+    const SolidVector stress = 0.7 * by.first + 0.2 * by.second + 9 * std::log(j) * back;
+    const SolidMatrix tangent =
+        0.7 * by.first_twice + 0.2 * by.second_twice +
+        9 * (back * back.transpose() + std::log(j) * inverse_tangent(inverse));
     EXPECT_NEAR(law.energy, 0.7 * first + 0.2 * second + 4.5 * std::pow(std::log(j), 2), kRounding);
-    EXPECT_LT((law.stress - test::stress_vector(stress)).norm(), kRounding);
+    EXPECT_LT((law.stress - stress).norm(), kRounding);
+    EXPECT_LT((law.tangent - tangent).norm(), kRounding);
     const test::SolidAnswer cubic = answer_of(yeoh, at.strain);
     const double slope = 0.6 - 0.1 * first + 0.06 * first * first;
     EXPECT_NEAR(cubic.energy, first * (0.6 - 0.05 * first + 0.02 * first * first), kRounding);
-    EXPECT_LT((cubic.stress - test::stress_vector(slope * by_first)).norm(), kRounding);
+    EXPECT_LT((cubic.stress - slope * by.first).norm(), kRounding);
+    const SolidMatrix cubic_tangent =
+        slope * by.first_twice + (-0.1 + 0.12 * first) * by.first * by.first.transpose();
+    EXPECT_LT((cubic.tangent - cubic_tangent).norm(), kRounding);
   }
+}
+
+/// The tangent of an isotropic law from its principal stresses.
+/// @param by  how those change with the principal strains
+SolidMatrix principal_tangent(const Eigen::Vector3d& stress, const Eigen::Matrix3d& by,
+                              const Eigen::Vector3d& stretch, const Eigen::Matrix3d& axes) {
+  SolidMatrix tangent = SolidMatrix::Zero();
+  const auto dyad = [&](int i, int j) {
+    const Eigen::Matrix3d product = axes.col(i) * axes.col(j).transpose();
+    return SolidVector(test::stress_vector((product + product.transpose()) / 2));
+  };
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) tangent += by(i, j) * dyad(i, i) * dyad(j, j).transpose();
+    for (int j = 0; j < i; ++j) {
+      const double shear =
+          (stress(i) - stress(j)) / (stretch(i) * stretch(i) - stretch(j) * stretch(j));
+      tangent += 4 * shear * dyad(i, j) * dyad(i, j).transpose();
+    }
+  }
+  return tangent;
 }
 
 TEST(StandardSolids, OgdenIsItsClosedFormOnItsAxes) {
@@ -154,16 +201,29 @@ TEST(StandardSolids, OgdenIsItsClosedFormOnItsAxes) {
     const Eigen::Array3d bar = stretch / std::cbrt(stretch.prod());
     double energy = 0;
     Eigen::Array3d by_log = Eigen::Array3d::Zero();
+    Eigen::Matrix3d twice = Eigen::Matrix3d::Zero();  // by logarithms of stretches
     for (const auto& [mu, alpha] : kTerms) {
       const Eigen::Array3d power = bar.pow(alpha);
       energy += 2 * mu / (alpha * alpha) * (power.sum() - 3);
       by_log += 2 * mu / alpha * (power - power.mean());
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          const double own = i == j ? power(i) : 0;
+          twice(i, j) += 2 * mu * (own - (power(i) + power(j) - power.mean()) / 3);
+        }
+      }
     }
     const Eigen::Vector3d principal = by_log / stretch.array().square();
     const Eigen::Matrix3d stress = axes * principal.asDiagonal() * axes.transpose();
     const test::SolidAnswer law = answer_of(material, at.strain);
     EXPECT_NEAR(law.energy, energy, kRounding);
     EXPECT_LT((law.stress - test::stress_vector(stress)).norm(), kRounding);
+    const Eigen::Vector3d square = stretch.array().square();
+    twice.diagonal() -= 2 * by_log.matrix();
+    const Eigen::Matrix3d by =
+        square.cwiseInverse().asDiagonal() * twice * square.cwiseInverse().asDiagonal();
+    const SolidMatrix tangent = principal_tangent(principal, by, stretch, axes);
+    EXPECT_LT((law.tangent - tangent).norm(), kRounding * std::max(1.0, tangent.norm()));
   }
 }
 
@@ -197,7 +257,19 @@ TEST(StandardSolids, ArrudaBoyceIsItsSeriesAndNeoHookeanWhereChainsAreLong) {
         0.9 * ((i - 3) / 2 + (i * i - 9) / (20 * n) + 11 * (std::pow(i, 3) - 27) / (1050 * n * n) +
                19 * (std::pow(i, 4) - 81) / (7000 * std::pow(n, 3)) +
                519 * (std::pow(i, 5) - 243) / (673750 * std::pow(n, 4)));
-    EXPECT_NEAR(answer_of(chains(2.5), at.strain).energy, series, kRounding);
+    const double slope = 0.9 * (0.5 + i / (10 * n) + 11 * i * i / (350 * n * n) +
+                                19 * std::pow(i, 3) / (1750 * std::pow(n, 3)) +
+                                519 * std::pow(i, 4) / (134750 * std::pow(n, 4)));
+    const double twice =
+        0.9 * (1 / (10 * n) + 11 * i / (175 * n * n) + 57 * i * i / (1750 * std::pow(n, 3)) +
+               2 * 519 * std::pow(i, 3) / (67375 * std::pow(n, 4)));
+    const BarInvariants by(at);
+    const test::SolidAnswer law = answer_of(chains(2.5), at.strain);
+    EXPECT_NEAR(law.energy, series, kRounding);
+    EXPECT_LT((law.stress - slope * by.first).norm(), kRounding);
+    EXPECT_LT(
+        (law.tangent - slope * by.first_twice - twice * by.first * by.first.transpose()).norm(),
+        kRounding);
     const test::SolidAnswer neo =
         answer_of(solid_of({{"I1-bar", component({linear(0.45)})}}), at.strain);
     EXPECT_LT((answer_of(chains(1e6), at.strain).stress - neo.stress).norm(), 1e-10);

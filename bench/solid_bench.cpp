@@ -3,8 +3,10 @@
 // forces, 25 a hexahedron); and what an equilibrium costs beside its factorisations.
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include <Eigen/CholmodSupport>
 #include <benchmark/benchmark.h>
 
 #include "pliant/geometry/block_mesh.h"
@@ -198,22 +200,45 @@ void BM_Equilibrium(benchmark::State& run) {
 }
 BENCHMARK(BM_Equilibrium)->Unit(benchmark::kMillisecond);
 
-// One factorisation of the Hessian of the same system.
+/// The Hessian of the same system at rest.
+struct RestHessian {
+  VolumeMesh mesh = block(true);
+  System system{mesh.positions, 1000 * node_volumes(mesh)};
+  std::optional<Workspace> workspace;
+
+  RestHessian() {
+    add_solid(system, mesh, solid_law(rubber()));
+    for (const int node : nodes_at(mesh, 0, 0)) system.coordinates().prescribe(node);
+    system.finish();
+    workspace.emplace(system);
+    const State state = system.initial_state();
+    Eigen::Matrix3Xd gradient;
+    Objective(system, {state})
+        .linearize(state.configuration, Curvature::convex, gradient, workspace->hessian);
+  }
+};
+
 void BM_Factorization(benchmark::State& run) {
-  const VolumeMesh mesh = block(true);
-  System system(mesh.positions, 1000 * node_volumes(mesh));
-  add_solid(system, mesh, solid_law(rubber()));
-  for (const int node : nodes_at(mesh, 0, 0)) system.coordinates().prescribe(node);
-  system.finish();
-  const State state = system.initial_state();
-  Workspace workspace(system);
-  Eigen::Matrix3Xd gradient;
-  Objective(system, {state})
-      .linearize(state.configuration, Curvature::convex, gradient, workspace.hessian);
+  RestHessian at;
   for (auto _ : run) {
-    if (!workspace.solver->factorize(workspace.hessian.matrix)) run.SkipWithError("indefinite");
+    if (!at.workspace->solver->factorize(at.workspace->hessian.matrix)) {
+      run.SkipWithError("indefinite");
+    }
   }
 }
 BENCHMARK(BM_Factorization)->Unit(benchmark::kMillisecond);
+
+// With its pattern analysed before.
+void BM_FactorizationByCholmod(benchmark::State& run) {
+  const RestHessian at;
+  const Eigen::SparseMatrix<double> lower = at.workspace->hessian.matrix.lower_triangle();
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor;
+  factor.analyzePattern(lower);
+  for (auto _ : run) {
+    factor.factorize(lower);
+    if (factor.info() != Eigen::Success) run.SkipWithError("indefinite");
+  }
+}
+BENCHMARK(BM_FactorizationByCholmod)->Unit(benchmark::kMillisecond);
 
 }  // namespace

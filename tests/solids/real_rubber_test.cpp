@@ -146,7 +146,7 @@ StudyResult fit_of(const TemporaryFolder& folder, const std::string& experiments
       {}, {});
 }
 
-// Marechal et al. 2020: silicones pulled to failure, one specimen each.
+// Marechal et al. 2020: silicones pulled to failure, one specimen each; every fourth row.
 TEST(RealSilicone, IsMetByStandardLaws) {
   const auto file = [](const std::string& name) {
     return measurement("silicone_tensile_srmd/" + name + ".csv");
@@ -155,17 +155,18 @@ TEST(RealSilicone, IsMetByStandardLaws) {
   for (const char* silicone : {"Ecoflex_00-30", "Ecoflex_00-50", "Dragon_Skin_10_MEDIUM"}) {
     const TemporaryFolder folder;
     std::string csv = "stretch,nominal_stress_MPa\n";
+    int rows = 0;
     for (const std::vector<double>& row : numbers_in(file(silicone), ';')) {
-      if (row.size() == 5) csv += fmt::format("{},{}\n", 1 + row[3], row[4]);
+      if (row.size() == 5 && rows++ % 4 == 0) csv += fmt::format("{},{}\n", 1 + row[3], row[4]);
     }
     folder.write("pull.csv", csv);
-    for (const char* law : {"neo-hookean", "mooney-rivlin", "arruda-boyce", "yeoh"}) {
+    for (const char* law : kLaws) {
       const StudyResult result =
           fit_of(folder, "  - {name: pull, type: homogeneous, mode: uniaxial, data: pull.csv}\n",
                  std::string("law: ") + law);
       print(silicone, law, result);
-      if (std::string(law) == "yeoh") {
-        EXPECT_GT(worst(result), 0.99);
+      if (std::string(law) == "yeoh" || std::string(law) == "additive") {
+        EXPECT_GT(worst(result), 0.99) << law;
       }
     }
   }

@@ -10,6 +10,7 @@
 #include "pliant/material/solid/standard_solids.h"
 #include "pliant/study/study_evaluation.h"
 
+#include "solids/bodies.h"
 #include "solids/solid_labs.h"
 #include "support/refusal.h"
 
@@ -357,6 +358,17 @@ std::string study_of(const std::string& experiment, const std::string& model) {
          "\n";
 }
 
+// A pull along the axes strains no component of shear, which the moved body has.
+TEST(SolidStudy, RefusesATestThatShowsNothingOfTheMaterial) {
+  std::vector<test::AnyTest> tests{test::three_modes().front(), test::moved_block({2, 1, 1})};
+  const LabFolder folder(
+      test::measurements_of(test::lab_of(neo_hookean_solid(1e5, 1e6), tests), 1));
+  const Study study = solid_study(folder, "components: {green.xy: {stiffness: constant}}");
+  const InputError error = test::input_error_of([&] { fit_study(study, {}, {}); });
+  EXPECT_THAT(error.problem(), HasSubstr("\"uniaxial\" shows nothing of the material"));
+  EXPECT_EQ(error.where().field, "experiments");
+}
+
 TEST(SolidStudy, RefusesBadInputWhereItStands) {
   const test::TemporaryFolder folder;
   folder.write("good.csv", "stretch,nominal_stress_MPa\n1.1,0.1\n1.5,0.4\n2,0.6\n");
@@ -373,6 +385,12 @@ TEST(SolidStudy, RefusesBadInputWhereItStands) {
       refused("{name: pull, type: homogeneous, mode: uniaxial, data: zero.csv}", "{kind: solid}");
   EXPECT_EQ(zero.where().line, 3);
   EXPECT_THAT(std::string(zero.what()), HasSubstr("stretch 0 is not above 0"));
+  folder.write("second.csv",
+               "stretch,stretch_2,nominal_stress_MPa\n1.1,1,0.1\n1.5,1,0.4\n2,-1.2,0.6\n");
+  const InputError second =
+      refused("{name: pull, type: homogeneous, mode: biaxial, data: second.csv}", "{kind: solid}");
+  EXPECT_EQ(second.where().line, 4);
+  EXPECT_THAT(std::string(second.what()), HasSubstr("stretch_2: the stretch -1.2 is not above 0"));
   const InputError mode =
       refused("{name: pull, type: homogeneous, data: modes.csv}", "{kind: solid}");
   EXPECT_EQ(mode.where().line, 3);

@@ -90,10 +90,13 @@ FileInfo volume_info(const std::filesystem::path& path) {
   const VolumeFile file = read_volume_file(path, {.unit = 1});
   FileInfo info = begin_info(path, "volume mesh");
   add_counts(file.mesh, info);
-  const auto problems = find_volume_problems(file.mesh, file.numbering);
+  auto problems = find_volume_problems(file.mesh, file.numbering);
   if (file.mesh.node_count() > 0) add_extents(file.mesh, info);
   add_regions(file.mesh, info);
-  if (problems.empty()) add_quality(file.mesh, info);
+  if (problems.empty()) {
+    add_quality(file.mesh, info);
+    problems = find_slivers(file.mesh, file.numbering);
+  }
   for (const MeshProblem& problem : problems) {
     const std::string line = problem.line > 0 ? fmt::format("line {}: ", problem.line) : "";
     info.warnings.push_back(fmt::format("{}{}; needed: {}", line, problem.text, problem.expected));

@@ -86,5 +86,26 @@ TEST(VolumeQuality, IsOneOfRegularElements) {
   EXPECT_NEAR(quality.longest_edge, quality.mean_edge, 1e-14);
 }
 
+TEST(VolumeSlivers, AreNamedTheWorstFirst) {
+  VolumeMesh mesh;
+  mesh.positions.resize(3, 6);
+  mesh.positions << 0, 1, 0, 0.3, 0.3, 2,  //
+      0, 0, 1, 0.3, 0.3, 2,                //
+      0, 0, 0, 0.005, -0.002, 2;
+  mesh.tetrahedra.resize(4, 3);
+  mesh.tetrahedra << 0, 0, 1,  //
+      1, 2, 2,                 //
+      2, 1, 3,                 //
+      3, 4, 5;
+  EXPECT_TRUE(find_volume_problems(mesh).empty());
+  const std::vector<MeshProblem> slivers =
+      find_slivers(mesh, {.file = "thin.msh", .first = 1, .element_lines = {11, 12, 13}});
+  ASSERT_EQ(slivers.size(), 2U);
+  EXPECT_EQ(slivers[0].text, "tetrahedron 2 is a sliver: its shape is 0.022");
+  EXPECT_EQ(slivers[0].line, 12);
+  EXPECT_EQ(slivers[1].line, 11);
+  EXPECT_TRUE(find_slivers(block_of_tetrahedra({1, 1, 1}, {2, 2, 2})).empty());
+}
+
 }  // namespace
 }  // namespace pliant

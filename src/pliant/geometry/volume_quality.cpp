@@ -68,6 +68,18 @@ std::vector<std::vector<int>> sides_of(const std::vector<int>& nodes) {
   return sides;
 }
 
+/// What is said of an element, where its file has it.
+MeshProblem element_problem(const VolumeMesh& mesh, const VolumeNumbering& numbering, int element,
+                            const std::string& text, const std::string& expected) {
+  const bool tetrahedron = element < mesh.tetrahedron_count();
+  const int number = tetrahedron ? element : element - mesh.tetrahedron_count();
+  const int line =
+      numbering.element_lines.empty() ? 0 : numbering.element_lines[static_cast<size_t>(element)];
+  return {fmt::format("{} {} {}", tetrahedron ? "tetrahedron" : "hexahedron",
+                      numbering.first + number, text),
+          expected, line};
+}
+
 /// Looks for what is wrong, one kind after the other.
 class VolumeJudge {
  public:
@@ -95,14 +107,8 @@ class VolumeJudge {
   }
 
   void add_element(int element, const std::string& text, const std::string& expected) {
-    const bool tetrahedron = element < mesh_.tetrahedron_count();
-    const int number = tetrahedron ? element : element - mesh_.tetrahedron_count();
-    const int line = numbering_.element_lines.empty()
-                         ? 0
-                         : numbering_.element_lines[static_cast<size_t>(element)];
-    add(fmt::format("{} {} {}", tetrahedron ? "tetrahedron" : "hexahedron",
-                    numbering_.first + number, text),
-        expected, line);
+    if (problems_.size() == kMaxMeshProblems) return;
+    problems_.push_back(element_problem(mesh_, numbering_, element, text, expected));
   }
 
   void check_numbers() {
@@ -185,6 +191,11 @@ double hexahedron_shape(const VolumeMesh& mesh, int element) {
   return least;
 }
 
+double shape_of(const VolumeMesh& mesh, int element) {
+  return element < mesh.tetrahedron_count() ? tetrahedron_shape(mesh, element)
+                                            : hexahedron_shape(mesh, element);
+}
+
 }  // namespace
 
 std::vector<MeshProblem> find_volume_problems(const VolumeMesh& mesh,
@@ -200,8 +211,26 @@ void require_good_volume_mesh(const VolumeMesh& mesh, const VolumeNumbering& num
   throw InputError({numbering.file, problems.front().line}, text, problems.front().expected);
 }
 
+std::vector<MeshProblem> find_slivers(const VolumeMesh& mesh, const VolumeNumbering& numbering) {
+  constexpr double kSliver = 0.05;
+  std::vector<std::pair<double, int>> slivers;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const double shape = shape_of(mesh, e);
+    if (shape < kSliver) slivers.emplace_back(shape, e);
+  }
+  std::ranges::sort(slivers);
+  slivers.resize(std::min<size_t>(slivers.size(), kMaxMeshProblems));
+  std::vector<MeshProblem> problems;
+  for (const auto& [shape, e] : slivers) {
+    problems.push_back(element_problem(mesh, numbering, e,
+                                       fmt::format("is a sliver: its shape is {:.2g}", shape),
+                                       "elements of 0.05 at least; 1 is regular"));
+  }
+  return problems;
+}
+
 VolumeQuality volume_quality(const VolumeMesh& mesh) {
-  VolumeQuality quality{INFINITY, 0, 0, INFINITY, 0, 0};
+  VolumeQuality quality{INFINITY, 0, 0, INFINITY, 0};
   size_t edges = 0;
   for (int e = 0; e < mesh.element_count(); ++e) {
     for (const double length : edge_lengths(mesh, e)) {
@@ -210,13 +239,9 @@ VolumeQuality volume_quality(const VolumeMesh& mesh) {
       quality.mean_edge += length;
       ++edges;
     }
-    const double shape =
-        e < mesh.tetrahedron_count() ? tetrahedron_shape(mesh, e) : hexahedron_shape(mesh, e);
+    const double shape = shape_of(mesh, e);
     quality.mean_shape += shape / mesh.element_count();
-    if (shape < quality.least_shape) {
-      quality.least_shape = shape;
-      quality.least_shape_element = e;
-    }
+    quality.least_shape = std::min(quality.least_shape, shape);
   }
   quality.mean_edge /= static_cast<double>(edges);
   return quality;

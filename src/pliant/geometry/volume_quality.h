@@ -28,6 +28,12 @@ std::vector<MeshProblem> find_volume_problems(const VolumeMesh& mesh,
 /// @throws InputError with the first problem and the number of others
 void require_good_volume_mesh(const VolumeMesh& mesh, const VolumeNumbering& numbering = {});
 
+/// Elements that are not flat, but whose shape (`VolumeQuality`) is below 0.05: they make a system
+/// stiff and its forces inexact. The worst first, at most kMaxMeshProblems.
+/// @param mesh  without problems
+std::vector<MeshProblem> find_slivers(const VolumeMesh& mesh,
+                                      const VolumeNumbering& numbering = {});
+
 /// How well the elements of a mesh are shaped.
 struct VolumeQuality {
   double shortest_edge = 0, mean_edge = 0, longest_edge = 0;  ///< m, each edge as often as elements
@@ -35,7 +41,6 @@ struct VolumeQuality {
   /// Of tetrahedra 12 (3 V)^(2/3) over the sum of the squares of the edges (Liu and Joe 1994), of
   /// hexahedra the least det of the unit edges at a corner: 1 for the best, 0 for a flat one.
   double least_shape = 1, mean_shape = 1;
-  int least_shape_element = 0;
 };
 
 /// @param mesh  without problems

@@ -11,6 +11,7 @@
 #include "pliant/report/sheet_picture.h"
 
 #include "report/sample_sheets.h"
+#include "support/decoded_base64.h"
 
 namespace pliant::report {
 namespace {
@@ -19,27 +20,9 @@ using testing::hanging_sheet;
 using testing::stretched_sheet;
 using testing::with_residuals;
 
-std::string decoded(const std::string& text) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> count & 0xff);
-  }
-  return bytes;
-}
-
 /// Coordinates of a view (m), frame after frame.
 std::vector<double> coordinates(const nlohmann::json& view, const char* side) {
-  const std::string bytes = decoded(view[side].get<std::string>());
+  const std::string bytes = test::decoded_base64(view[side].get<std::string>());
   std::vector<double> values;
   for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
     const int steps =

@@ -1,13 +1,19 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/standard_solids.h"
+#include "pliant/study/body_map.h"
 
 #include "io/input_error_of.h"
 #include "solids/bodies.h"
 #include "solids/solid_labs.h"
+#include "support/decoded_base64.h"
 
 namespace pliant {
 namespace {
@@ -61,6 +67,44 @@ TEST(SlowMovedBodyStudy, FindsTheNumbersOfSamplesAndOfWhatTheyShare) {
   const MaterialComponent& sampled = result.material.samples.at[1].components.at("I1-bar");
   EXPECT_GT(sampled.errors.at("linear.c").std_error.value_or(0), 0);
   EXPECT_THAT(result.experiments.front().handled, Contains(HasSubstr("ways of marks off by")));
+}
+
+/// A field of a .vtu file whose blocks are base64 text: their size, then their numbers.
+std::vector<double> field_of(const std::string& vtu, const std::string& name) {
+  const std::size_t at = vtu.find("Name=\"" + name + "\"");
+  EXPECT_NE(at, std::string::npos) << name;
+  const std::size_t first = vtu.find('>', at) + 1;
+  const std::string bytes = test::decoded_base64(vtu.substr(first, vtu.find('<', first) - first));
+  std::uint64_t size = 0;
+  std::memcpy(&size, bytes.data(), sizeof size);
+  std::vector<double> numbers(size / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data() + sizeof size, size);
+  return numbers;
+}
+
+// [T] 4.2.4: the body's numbers and how well they are known, in each element.
+TEST(SlowMovedBodyStudy, MapsTheNumbersOfTheBodyAndTheirErrors) {
+  const Material truth = two_halves(5e3, 15e3);
+  VirtualMovedBody body = moved_block();
+  body.force_noise = 5e-3;
+  body.length_noise = 1e-4;
+  const StudyResult result = fit_study(solid_study(measured(truth, body), kSampled), {}, {});
+  const std::string map = body_map(result);
+  const std::vector<double> c = field_of(map, "I1-bar.linear.c"),
+                            error = field_of(map, "I1-bar.linear.c.std_error");
+  const VolumeMesh& mesh = *result.body;
+  ASSERT_EQ(std::ssize(c), mesh.element_count());
+  ASSERT_EQ(error.size(), c.size());
+  double largest = 0;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const Eigen::Vector3d middle = mesh.positions(Eigen::all, mesh.nodes_of(e)).rowwise().mean();
+    const auto i = static_cast<std::size_t>(e);
+    EXPECT_NEAR(c[i], number_at(result.material, middle), 1e-9 * c[i]);
+    EXPECT_NEAR(c[i], number_at(truth, middle), 4 * error[i]);
+    largest = std::max(largest, error[i] / c[i]);
+  }
+  EXPECT_GT(largest, 1e-3);
+  EXPECT_LT(largest, 0.2);
 }
 
 TEST(SlowMovedBodyStudy, SaysWhereSamplesExplainNothing) {

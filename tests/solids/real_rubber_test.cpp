@@ -70,6 +70,11 @@ void print(const std::string& rubber, const std::string& law, const StudyResult&
                e.role == ExperimentRole::validate ? " (predicted)" : "", e.rms_percent,
                e.r_squared.value());
   }
+  for (const ExperimentResult& e : result.experiments) {
+    for (const std::string& line : e.handled) {
+      if (line.find("the prediction") != line.npos) fmt::print("\n    {}: {}", e.name, line);
+    }
+  }
   fmt::print("\n");
 }
 

@@ -24,6 +24,7 @@ using test::ogden;
 using test::solid_of;
 using test::solid_study;
 using test::value_of;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 StudyResult fit(const LabFolder& folder, const std::string& model, const std::string& more = "") {
@@ -152,6 +153,21 @@ TEST(SlowSolidStudy, KnowsTheErrorOfRowsThatCountOtherwiseThanByTheirNoise) {
              std::sqrt(squares / told));
   EXPECT_GE(held, 35);
   EXPECT_NEAR(std::sqrt(squares / told), 1, 0.3);
+}
+
+// A mode that is not fitted: the band by the errors of the numbers holds what was measured.
+TEST(SolidStudy, TellsTheBandOfAPrediction) {
+  const LabFolder folder = measured(
+      solid_of({{"I1-bar", component_of({linear(3e5)})}, {"I2-bar", component_of({linear(2e4)})}}),
+      /*noise=*/0);
+  const StudyResult exact =
+      fit_study(solid_study(folder, "law: mooney-rivlin", "validate: [planar]\n"), {}, {});
+  EXPECT_THAT(exact.experiments.back().handled, Contains(HasSubstr("the 95 % band")));
+  const LabFolder noisy = measured(solid_of({{"I1-bar", component_of({linear(3e5)})}}), 2e3);
+  const StudyResult fitted =
+      fit_study(solid_study(noisy, "law: neo-hookean", "validate: [planar]\n"), {}, {});
+  EXPECT_THAT(fitted.experiments.back().handled,
+              Contains(::testing::ContainsRegex("is .- 0\\.[0-9]+ % of the peak")));
 }
 
 // One reading in eight is a fifth too large.

@@ -10,6 +10,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
+#include "pliant/estimation/problem.h"
 #include "pliant/experiment/stored_rows.h"
 #include "pliant/material/material_samples.h"
 
@@ -101,6 +102,32 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   std::ranges::move(experiment.differences(result.predicted), std::back_inserter(result.handled));
   result.noise = result.rms;
   return result;
+}
+
+std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
+                               const ExperimentResult& compared) {
+  const std::string unknown = "how far the prediction may be off the data do not tell: it ";
+  std::vector<ProblemPart> parts;
+  parts.push_back({&experiment, experiment.predictor(fit.material)});
+  const Problem problem(std::move(parts), fit.unknowns, {});
+  const auto rows = problem.predict(0, fit.values, /*derivatives=*/true);
+  if (!rows) return unknown + "has no derivatives there";
+  double squares = 0, largest = 0;
+  int inside = 0;
+  for (Eigen::Index i = 0; i < rows->value.size(); ++i) {
+    const auto error = fit.uncertainty.error_of(rows->by.row(i));
+    if (!error) return unknown + "depends on numbers that they do not determine";
+    const double missed = std::abs(rows->value(i) - experiment.measured()(i));
+    squares += error->half_width * error->half_width;
+    largest = std::max(largest, error->half_width);
+    inside += missed <= error->half_width ? 1 : 0;
+  }
+  const double count = static_cast<double>(rows->value.size());
+  const double percent = 100 / compared.peak_force;
+  return fmt::format(
+      "the 95 % band of the prediction, by the errors of the fitted numbers, is +- {:.3g} % of the "
+      "peak (root mean square), {:.3g} % at most; {:.0f} % of the rows lie in it",
+      percent * std::sqrt(squares / count), percent * largest, 100 * inside / count);
 }
 
 void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult& result) {

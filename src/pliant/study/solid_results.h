@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "pliant/estimation/fit_result.h"
 #include "pliant/estimation/solid/solid_fit.h"
 #include "pliant/experiment/experiment.h"
@@ -9,6 +11,11 @@ namespace pliant {
 /// An experiment of a solid as a material predicts it.
 /// @throws SolverError where it has no prediction
 ExperimentResult compare_solid(const Experiment& experiment, const Material& material);
+
+/// How far the errors of fitted numbers let the prediction of an experiment be off, in a sentence.
+/// @param compared  the experiment as the fitted material predicts it
+std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
+                               const ExperimentResult& compared);
 
 /// Adds the numbers of a fit, its curves and what is to be said of it to the result of a study.
 void add_solid_fit(const SolidFit& fit, StudyResult& result);

@@ -135,7 +135,7 @@ TEST(SolidStudy, CountsExperimentsByTheirWeights) {
               (1 / first + a / 4 / second) / (1 / (first * first) + a / 4 / (second * second)), 1);
 }
 
-// Both modes count alike by their stress, though one is ten times as noisy: standard errors are
+// Both modes count alike by their stress, though one is twenty times as noisy: standard errors are
 // those of this estimate, and not of the best there is.
 TEST(SlowSolidStudy, KnowsTheErrorOfRowsThatCountOtherwiseThanByTheirNoise) {
   int held = 0;

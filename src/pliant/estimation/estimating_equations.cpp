@@ -87,9 +87,8 @@ EstimatingSums estimating_sums(const Problem& problem, const std::vector<Predict
   EstimatingSums sums;
   for (std::size_t p = 0; p < rows.size(); ++p) {
     const Experiment& experiment = *problem.parts()[p].experiment;
-    const Eigen::VectorXd one = Eigen::VectorXd::Ones(weight[p].size());
-    SummedFrames summed(static_cast<int>(p), experiment, weight[p],
-                        scatter.empty() ? one : scatter[p], free, told_of(told, p, free));
+    SummedFrames summed(static_cast<int>(p), experiment, weight[p], scatter[p], free,
+                        told_of(told, p, free));
     int number = 0;
     for (const Frame& frame : experiment.frames()) {
       summed.take(number++, {rows[p].value.segment(frame.first, frame.count),

@@ -23,7 +23,7 @@ Eigen::VectorXd units_of(const std::vector<Unknown>& unknowns,
 /// and the priors.
 /// @param rows    of each part, with derivatives
 /// @param weight   of the rows: 1 / (sd sqrt(L)), or what they count otherwise
-/// @param scatter  sd sqrt(L) of the weighted rows; empty: 1
+/// @param scatter  sd sqrt(L) of the weighted rows
 EstimatingSums estimating_sums(const Problem& problem, const std::vector<PredictedRows>& rows,
                                const std::vector<Eigen::VectorXd>& weight,
                                const std::vector<Eigen::VectorXd>& scatter,

@@ -107,8 +107,8 @@ class VolumeJudge {
   }
 
   void add_element(int element, const std::string& text, const std::string& expected) {
-    if (problems_.size() == kMaxMeshProblems) return;
-    problems_.push_back(element_problem(mesh_, numbering_, element, text, expected));
+    const MeshProblem problem = element_problem(mesh_, numbering_, element, text, expected);
+    add(problem.text, problem.expected, problem.line);
   }
 
   void check_numbers() {

@@ -105,11 +105,11 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
 }
 
 std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
-                               const ExperimentResult& compared) {
+                               const ExperimentResult& compared, const RunContext& context) {
   const std::string unknown = "how far the prediction may be off the data do not tell: it ";
   std::vector<ProblemPart> parts;
   parts.push_back({&experiment, experiment.predictor(fit.material)});
-  const Problem problem(std::move(parts), fit.unknowns, {});
+  const Problem problem(std::move(parts), fit.unknowns, {context.threads, context.stop});
   const auto rows = problem.predict(0, fit.values, /*derivatives=*/true);
   if (!rows) return unknown + "has no derivatives there";
   double squares = 0, largest = 0;

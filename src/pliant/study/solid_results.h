@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "pliant/base/run_context.h"
 #include "pliant/estimation/fit_result.h"
 #include "pliant/estimation/solid/solid_fit.h"
 #include "pliant/experiment/experiment.h"
@@ -15,7 +16,7 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
 /// How far the errors of fitted numbers let the prediction of an experiment be off, in a sentence.
 /// @param compared  the experiment as the fitted material predicts it
 std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
-                               const ExperimentResult& compared);
+                               const ExperimentResult& compared, const RunContext& context);
 
 /// Adds the numbers of a fit, its curves and what is to be said of it to the result of a study.
 void add_solid_fit(const SolidFit& fit, StudyResult& result);

@@ -74,8 +74,8 @@ Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Pro
   const auto there = predicted_sums(coarse, fine.values, weight, known.free, told);
   if (!there) return {};
   work += coarse.work();
-  const EstimatingSums here =
-      estimating_sums(problem, known.noise.rows, known.noise.weight, {}, known.free, told);
+  const EstimatingSums here = estimating_sums(problem, known.noise.rows, known.noise.weight,
+                                              known.noise.scatter, known.free, told);
   const std::vector<double> infinite(coarser.size(), INFINITY);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
   shift(known.free) = formula_covariance(*there, known.unit, infinite).inverse_slope *

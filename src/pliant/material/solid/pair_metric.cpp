@@ -77,10 +77,11 @@ std::array<std::string, 2> PairMetric::of() const {
 
 std::string PairMetric::name() const {
   std::string name = fmt::format("{}", fmt::join(of(), "*"));
-  if (bump)
+  if (bump) {
     name +=
         fmt::format("@{}/{}~{}/{}", format_number(bump->place[0]), format_number(bump->place[1]),
                     format_number(bump->width[0]), format_number(bump->width[1]));
+  }
   return name;
 }
 

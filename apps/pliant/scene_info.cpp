@@ -166,7 +166,7 @@ void describe_solid(const SceneSolid& solid, const SolidPiece& piece, FileInfo& 
 
 /// What a simulation would refuse of a material.
 void warn_of_material(const Material& material, FileInfo& info) {
-  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
+  for (const std::string& warning : use_warnings(material, components_of_sheet(material))) {
     info.warnings.push_back(warning);
   }
   const auto warn_where_refused = [&](auto check) {

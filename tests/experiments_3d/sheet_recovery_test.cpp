@@ -7,7 +7,7 @@
 
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/geometry/irregular_mesh.h"
-#include "pliant/material/density/cross_modal_strain.h"
+#include "pliant/material/material.h"
 #include "pliant/study/study.h"
 #include "pliant/study/study_fit.h"
 

@@ -13,18 +13,18 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
-#include "pliant/material/density/combined_strain.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/density/dahl_constant_slope.h"
 #include "pliant/material/density/dahl_friction.h"
 #include "pliant/material/density/dahl_published.h"
 #include "pliant/material/density/damping.h"
+#include "pliant/material/density/in_plane.h"
 #include "pliant/material/density/linearized_dahl_friction.h"
 #include "pliant/material/density/plastic_density.h"
 #include "pliant/material/density/rubber_energies.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
+#include "pliant/material/solid/solid_density.h"
 #include "pliant/math/check_derivatives.h"
 
 #include "material/quasi_static_step.h"
@@ -266,16 +266,23 @@ const std::vector<RegisteredLaw>& registered_laws() {
        is_amid_a_branch, 2},
       {"damping", "Damping",
        [](RandomStream& random) { return std::make_unique<Damping>(2, random.uniform(0, 5)); }},
-      {"combined_strain", "CombinedStrain",
+      {"in_plane", "InPlaneOnSumOfStrains",
        [](RandomStream& random) {
          const auto law = std::make_shared<Sum>();
          law->add_addend(stiff(0, ScalarCurve::constant(random.uniform(1, 9))));
          law->add_addend(std::make_unique<DahlFriction>(0, slow_dahl(random)));
-         return std::make_unique<CombinedStrain>(Eigen::Vector3d(1, -0.7, 0), law);
+         return std::make_unique<InPlane>(law_on_metric("green.xx+yy", law));
        }},
-      {"cross_modal_strain", "CrossModalStrain",
+      {"in_plane", "InPlaneOnSquaresOfStrains",
        [](RandomStream&) {
-         return std::make_unique<CrossModalStrain>(stiff(0, ScalarCurve::affine(3, 4)));
+         return std::make_unique<InPlane>(
+             law_on_metric("trace-of-square", stiff(0, ScalarCurve::affine(3, 4))));
+       }},
+      {"in_plane", "InPlaneOnTwoStrains",
+       [](RandomStream& random) {
+         return std::make_unique<InPlane>(
+             law_on_metric("green.xx*green.xy@0.1/0.1~0.2/0.3",
+                           stiff(0, ScalarCurve::constant(random.uniform(1, 9)))));
        }},
       {"sum", "Sum", draw_sum},
       {"sum", "SumWithLinearizedFriction",

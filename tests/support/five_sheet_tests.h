@@ -16,8 +16,9 @@ namespace pliant::test {
 class FiveSheetTests {
  public:
   /// @param model  further keys of the study's model, e.g. ", variant: linear-orthotropic"
+  /// @param positions  whether those between clips tell the shapes of the sheets, too
   explicit FiveSheetTests(const Material& material, const std::string& model = "", int nodes = 13,
-                          int frames = 6) {
+                          int frames = 6, bool positions = false) {
     add(virtual_stretch(material, 0, nodes, frames));
     add(virtual_stretch(material, 1, nodes, frames));
     add(virtual_shear(material, nodes, frames));
@@ -26,6 +27,9 @@ class FiveSheetTests {
     std::string text = "pliant: study/1\nname: five\nexperiments:\n";
     for (const std::string& name : names_) {
       text += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", name);
+      if (!positions || name.starts_with("bend")) continue;
+      text += fmt::format(
+          "  - {{name: {0}-shape, type: session, data: {0}, objective: positions}}\n", name);
     }
     text += "model: {mesh: measured" + model + "}\n";
     folder_.write("study.yaml", text);

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace pliant {
 
-/// Adds a text, such as a warning that several things share, unless it is there.
-inline void add_once(const std::string& text, std::vector<std::string>& texts) {
-  if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+/// Adds what several things share, such as a warning, to a list unless it is there.
+template <class Given, class T>
+void add_once(const Given& given, std::vector<T>& list) {
+  if (std::ranges::find(list, given) == list.end()) list.emplace_back(given);
 }
 
 }  // namespace pliant

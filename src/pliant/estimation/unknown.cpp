@@ -105,6 +105,18 @@ std::vector<Unknown> unknowns_of(const ComponentLaw& law, const ComponentGroup& 
   return unknowns;
 }
 
+Unknown unknown_of(const EnergyLimit& limit, MaterialKind kind) {
+  constexpr double kLeast = 1e-6, kStep = 0.1;  // of where it begins
+  Unknown unknown;
+  unknown.name = unknown.owner = limit_name(limit.of);
+  unknown.unit = kind == MaterialKind::solid ? "Pa" : "J/m^2";
+  unknown.parameters = {unknown.name};
+  unknown.start = limit.energy;
+  unknown.lower = kLeast * limit.energy;
+  unknown.scale = kStep * limit.energy;
+  return unknown;
+}
+
 std::vector<Unknown> unknowns_of(const Experiment& experiment) {
   std::vector<Unknown> unknowns;
   for (const NuisanceParameter& own : experiment.nuisance()) {

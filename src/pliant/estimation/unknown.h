@@ -9,7 +9,7 @@
 
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/experiment/experiment.h"
-#include "pliant/material/component_law.h"
+#include "pliant/material/material.h"
 
 namespace pliant {
 
@@ -47,6 +47,9 @@ struct DataScale {
 /// thousandth of the largest strain and three times it.
 std::vector<Unknown> unknowns_of(const ComponentLaw& law, const ComponentGroup& group,
                                  const DataScale& data);
+
+/// The limit of energies of a material, which begins at its value.
+Unknown unknown_of(const EnergyLimit& limit, MaterialKind kind);
 
 /// The nuisance parameters of an experiment.
 std::vector<Unknown> unknowns_of(const Experiment& experiment);

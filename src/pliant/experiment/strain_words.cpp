@@ -5,7 +5,6 @@
 #include "pliant/base/number_text.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/bending_strain.h"
-#include "pliant/material/density/cross_modal_strain.h"
 
 namespace pliant {
 
@@ -16,8 +15,10 @@ std::string strain_in_words(std::string_view component, double strain, MembraneM
     return fmt::format("curvature {} 1/m", format_number(strain / kStrainPerCurvature, kDigits));
   }
   if (component == "shear") return "shear strain " + percent(strain);
-  if (component == kCoupling) return "sum of both strains " + percent(strain);
-  if (component == kCrossModal) return "squares of principal strains " + percent(strain);
+  if (const SheetMetric* metric = find_sheet_metric(component)) {
+    return fmt::format("{} {}", metric->meaning, percent(strain));
+  }
+  if (is_sheet_pair(component)) return fmt::format("{} {}", component, format_number(strain, kDigits));
   const std::string extension = percent(extension_at(measure, strain)) + " extension";
   if (measure != MembraneMeasure::stvk) return extension;
   return fmt::format("{} (Green strain {})", extension, percent(strain));

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/material/density/cross_modal_strain.h"
 
 namespace pliant {
 namespace {
@@ -67,10 +66,18 @@ const std::vector<std::string>& sheet_component_names() {
   return names;
 }
 
+std::vector<std::string> components_of_sheet(const Material& material) {
+  std::vector<std::string> names = sheet_component_names();
+  for (const std::string& name : ordered_components(material.components, material.kind)) {
+    if (solid_metric_of(name) && is_known(material, name)) names.push_back(name);
+  }
+  return names;
+}
+
 std::vector<std::string> fillable_components(const Material& material, const Material& filler) {
   std::vector<std::string> names;
   for (const std::string& name : cloth_component_names()) {
-    if (name == kCoupling || name == kCrossModal) continue;
+    if (solid_metric_of(name)) continue;
     if (!is_known(material, name) && is_known(filler, name)) names.push_back(name);
   }
   return names;

@@ -16,6 +16,10 @@ bool is_known(const Material& material, const std::string& component);
 /// directions.
 const std::vector<std::string>& sheet_component_names();
 
+/// Those that a sheet of a cloth takes: the six, and all that act on metrics (sheet_metric.h) or on
+/// two strains.
+std::vector<std::string> components_of_sheet(const Material& material);
+
 /// The components that `filler` knows and `material` does not, in the order of their names in
 /// `cloth_component_names`.
 std::vector<std::string> fillable_components(const Material& material, const Material& filler);

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/assert.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
@@ -64,9 +63,12 @@ bool is_even(std::string_view component) {
 }
 
 const std::vector<std::string>& cloth_component_names() {
-  static const std::vector<std::string> names{"stretch.weft", "stretch.warp", "stretch.bias",
-                                              "shear",        kCoupling,      kCrossModal,
-                                              "bend.weft",    "bend.warp",    "bend.diagonal"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"stretch.weft", "stretch.warp", "stretch.bias", "shear"};
+    for (const SheetMetric& metric : sheet_metrics()) all.emplace_back(metric.name);
+    all.insert(all.end(), {"bend.weft", "bend.warp", "bend.diagonal"});
+    return all;
+  }();
   return names;
 }
 
@@ -86,11 +88,23 @@ std::string limit_name(const std::vector<std::string>& components) {
 
 std::vector<std::string> limitable_components(MaterialKind kind) {
   if (kind == MaterialKind::solid) return solid_component_names();
-  return {"stretch.weft", "stretch.warp", "shear", kCoupling};
+  std::vector<std::string> names{"stretch.weft", "stretch.warp", "shear"};
+  for (const SheetMetric& metric : sheet_metrics()) names.emplace_back(metric.name);
+  return names;
 }
 
 const std::vector<std::string>& component_names(MaterialKind kind) {
   return kind == MaterialKind::solid ? solid_component_names() : cloth_component_names();
+}
+
+std::optional<std::string> pair_term_name(std::string_view component, MaterialKind kind) {
+  if (kind == MaterialKind::cloth) return sheet_pair_name(component);
+  const auto pair = find_pair_metric(component);
+  return pair ? std::optional(pair->name()) : std::nullopt;
+}
+
+bool is_pair_term(std::string_view component, MaterialKind kind) {
+  return pair_term_name(component, kind).has_value();
 }
 
 std::vector<std::string> ordered_components(
@@ -100,7 +114,7 @@ std::vector<std::string> ordered_components(
     if (components.contains(name)) names.push_back(name);
   }
   for (const auto& [name, component] : components) {
-    if (find_pair_metric(name)) names.push_back(name);
+    if (is_pair_term(name, kind)) names.push_back(name);
   }
   return names;
 }

@@ -11,6 +11,7 @@
 #include "pliant/material/component_law.h"
 #include "pliant/material/density/dahl.h"
 #include "pliant/material/number_error.h"
+#include "pliant/material/sheet_metric.h"
 #include "pliant/math/scalar_curve.h"
 
 namespace pliant {
@@ -109,12 +110,8 @@ LawUnits units_of(std::string_view component);
 /// Whether a component's curves are functions of |strain|: shear and bending.
 bool is_even(std::string_view component);
 
-/// The component of a cloth that acts on the sum of its strains along weft and warp: what one
-/// thread resists where the other is stretched. A sheet is whole without it.
-inline constexpr const char* kCoupling = "coupling";
-
-/// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear, coupling,
-/// bend.weft, ...
+/// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear, those of
+/// `sheet_metrics`, bend.weft, ...
 const std::vector<std::string>& cloth_component_names();
 
 /// Those of a solid: the metrics of the Green strain.
@@ -123,8 +120,16 @@ const std::vector<std::string>& solid_component_names();
 /// Those of a kind of material.
 const std::vector<std::string>& component_names(MaterialKind kind);
 
+/// The name of a term of two strains, "green.xx*green.yy" of solids, "stretch.weft*shear" of cloth,
+/// as materials write it.
+/// @return nothing for names of other components
+std::optional<std::string> pair_term_name(std::string_view component, MaterialKind kind);
+
+/// Whether a component is such a term.
+bool is_pair_term(std::string_view component, MaterialKind kind);
+
 /// The components that a material has, in their order: those of `component_names`, then terms of
-/// two strains (pair_metric.h).
+/// two strains.
 std::vector<std::string> ordered_components(
     const std::map<std::string, MaterialComponent>& components, MaterialKind kind);
 

@@ -11,9 +11,9 @@
 #include "pliant/io/fields.h"
 #include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/green_strain_check.h"
 #include "pliant/material/limit_fields.h"
 #include "pliant/material/material_samples.h"
-#include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
@@ -195,20 +195,22 @@ void read_sheet(Fields& fields, Material& material) {
 /// was which.
 void require_no_memory(const std::string& name, const Value& node,
                        const MaterialComponent& component) {
-  if (!find_principal_metric(name) || !component.stiffness) return;
+  if (!find_principal_metric(solid_metric_of(name).value_or(name))) return;
+  if (!component.stiffness) return;
   if (!law_of(component).remembers()) return;
   node.fail("has friction or another law that remembers, on principal stretches",
-            "such laws on another metric: green.xx, I1-bar, ...");
+            "such laws on another strain");
 }
 
 /// Terms of two strains, whose names are formulas.
-void read_pair_terms(Fields& fields, std::map<std::string, MaterialComponent>& components) {
+void read_pair_terms(Fields& fields, MaterialKind kind,
+                     std::map<std::string, MaterialComponent>& components) {
   for (const std::string& name : fields.keys()) {
-    const auto pair = find_pair_metric(name);
-    const auto component = pair ? fields.optional(name) : std::nullopt;
+    if (!is_pair_term(name, kind)) continue;
+    const auto component = fields.optional(name);
     if (!component) continue;
-    if (pair->name() != name) {
-      component->fail("has its numbers written in another way", "the name " + pair->name());
+    if (const std::string usual = *pair_term_name(name, kind); usual != name) {
+      component->fail("has its numbers written in another way", "the name " + usual);
     }
     components[name] = read_component(*component, /*even=*/false);
   }
@@ -223,7 +225,7 @@ std::map<std::string, MaterialComponent> read_components(const Value& node, Mate
       require_no_memory(name, *component, components[name]);
     }
   }
-  if (kind == MaterialKind::solid) read_pair_terms(fields, components);
+  read_pair_terms(fields, kind, components);
   fields.finish();
   return components;
 }
@@ -378,7 +380,12 @@ Material material_of(const Document& document) {
   if (kind == name_of(MaterialKind::solid)) material.kind = MaterialKind::solid;
   if (auto density = fields.optional("density")) material.density = positive(*density);
   if (material.kind == MaterialKind::cloth) read_sheet(fields, material);
-  material.components = read_components(fields.require("components"), material.kind);
+  const Value components = fields.require("components");
+  material.components = read_components(components, material.kind);
+  for (const auto& [name, component] : material.components) {
+    if (material.kind != MaterialKind::cloth) break;
+    require_green_strain(name, material.membrane, components);
+  }
   if (auto limits = fields.optional("limits")) material.limits = read_limits(*limits, material);
   if (material.kind == MaterialKind::solid) {
     if (auto samples = fields.optional("samples")) read_samples(*samples, material);

@@ -9,9 +9,10 @@
 #include "pliant/geometry/hinges.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/component_sum.h"
-#include "pliant/material/density/combined_strain.h"
-#include "pliant/material/density/cross_modal_strain.h"
+#include "pliant/material/density/in_plane.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/solid/principal_metric.h"
+#include "pliant/material/solid/solid_density.h"
 #include "pliant/material/strain/discrete_shells.h"
 #include "pliant/material/strain/soft_constraint_membrane.h"
 #include "pliant/material/strain/spring.h"
@@ -33,6 +34,26 @@ const std::vector<std::string>& membrane_components() {
   return names;
 }
 
+// The components that act on metrics of the strains of triangles.
+std::vector<std::string> metric_components(const Material& material) {
+  std::vector<std::string> names = ordered_components(material.components, material.kind);
+  std::erase_if(names, [&](const std::string& name) {
+    return !solid_metric_of(name) || !is_known(material, name);
+  });
+  return names;
+}
+
+void add_metrics(const Material& material, const DensityOptions& options, ComponentSum& sum) {
+  for (const std::string& name : metric_components(material)) {
+    const std::string metric = *solid_metric_of(name);
+    DensityOptions own = options;
+    if (find_principal_metric(metric)) own.damping_fraction = 0;  // which is which changes
+    sum.add(name, /*strain=*/0, own, [&](std::shared_ptr<Sum> law) {
+      return std::make_shared<InPlane>(law_on_metric(metric, std::move(law)));
+    });
+  }
+}
+
 Law make_law(const Material& material, const std::vector<std::string>& components,
              const DensityOptions& options, System& system) {
   ComponentSum sum(material);
@@ -41,16 +62,7 @@ Law make_law(const Material& material, const std::vector<std::string>& component
     sum.add(components[i], static_cast<int>(i), options);
     law.field_names.push_back("strain." + components[i]);
   }
-  if (components == membrane_components() && is_known(material, kCoupling)) {
-    sum.add(kCoupling, /*strain=*/0, options, [](std::shared_ptr<Sum> coupling) {
-      return std::make_shared<CombinedStrain>(Eigen::Vector3d(1, 1, 0), std::move(coupling));
-    });
-  }
-  if (components == membrane_components() && is_known(material, kCrossModal)) {
-    sum.add(kCrossModal, /*strain=*/0, options, [](std::shared_ptr<Sum> cross_modal) {
-      return std::make_shared<CrossModalStrain>(std::move(cross_modal));
-    });
-  }
+  if (components == membrane_components()) add_metrics(material, options, sum);
   NamedLaw named = std::move(sum).finish();
   law.sum = std::move(named.law);
   std::ranges::move(named.names.history, std::back_inserter(law.field_names));
@@ -192,10 +204,9 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
                                            law(membrane_components()), cloth);
       break;
     case MembraneMeasure::spring:
-      for (const char* component : {kCoupling, kCrossModal}) {
-        if (!is_known(material, component)) continue;
+      for (const std::string& component : metric_components(material)) {
         cloth.warnings.push_back("springs of weft and warp are not coupled: the component `" +
-                                 std::string(component) + "` is left out");
+                                 component + "` is left out");
       }
       add_springs(system, springs->along_u, first_point, false, law({"stretch.weft"}), cloth);
       add_springs(system, springs->along_v, first_point, false, law({"stretch.warp"}), cloth);

@@ -11,7 +11,6 @@
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/bending_strain.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/report/number_format.h"
 
 namespace pliant::report {
@@ -75,10 +74,11 @@ ShownStrain::ShownStrain(std::string_view component, std::optional<MembraneMeasu
     factor_ = 1 / kStrainPerCurvature;
   } else if (component.starts_with("shear")) {
     label_ = {"Shear strain", "%"};
-  } else if (component == kCoupling) {
-    label_ = {"Sum of both strains", "%"};
-  } else if (component == kCrossModal) {
-    label_ = {"Squares of both principal strains", "%"};
+  } else if (const SheetMetric* metric = find_sheet_metric(component)) {
+    label_ = {capitalised(std::string(metric->meaning)), "%"};
+  } else if (is_sheet_pair(component)) {
+    label_ = {std::string(component), ""};
+    factor_ = 1;
   } else if (component.empty() || units_of(component) == LawUnits::solid) {
     label_ = component.empty() ? QuantityLabel{"Strain", "%"}
                                : QuantityLabel{std::string(component), ""};

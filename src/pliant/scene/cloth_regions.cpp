@@ -16,7 +16,7 @@ namespace {
 Material usable(const SceneMaterial& given, const std::optional<Material>& filler,
                 std::vector<std::string>& warnings) {
   Material material = given.material;
-  for (const std::string& warning : use_warnings(material, sheet_component_names())) {
+  for (const std::string& warning : use_warnings(material, components_of_sheet(material))) {
     add_once(warning, warnings);
   }
   if (filler) {

@@ -5,6 +5,13 @@
 #include "pliant/material/limit_barriers.h"
 
 namespace pliant {
+namespace {
+
+/// Of the largest force that holds the points: less is rounding, as a limit that is nearly reached
+/// makes forces of differences of energies that differ in their last digits.
+constexpr double kBalance = 1e-6;
+
+}  // namespace
 
 NewtonSummary minimize_within_limits(const System& system, const Conditions& under,
                                      const NewtonOptions& options, Workspace& workspace,
@@ -13,10 +20,15 @@ NewtonSummary minimize_within_limits(const System& system, const Conditions& und
     return minimize(Objective(system, under, seconds), options, workspace, at);
   }
   NewtonSummary summary;
+  double held_with = 0;  // N
   const auto follow = [&](const LimitBarrier& limits) {
     Conditions then = under;
     then.time.limits = limits;
-    NewtonSummary found = minimize(Objective(system, then, seconds), options, workspace, at);
+    const Objective objective(system, then, seconds);
+    NewtonOptions own = options;
+    own.tolerance = std::max(own.tolerance, kBalance * held_with);
+    NewtonSummary found = minimize(objective, own, workspace, at);
+    held_with = objective.gradient(at).colwise().norm().maxCoeff();
     found.iterations += summary.iterations;
     found.factorizations += summary.factorizations;
     found.linear_iterations += summary.linear_iterations;

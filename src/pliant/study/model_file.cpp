@@ -5,8 +5,8 @@
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
+#include "pliant/material/green_strain_check.h"
 #include "pliant/material/limit_fields.h"
-#include "pliant/material/solid/pair_metric.h"
 
 namespace pliant {
 namespace {
@@ -73,12 +73,12 @@ void read_sheet_mesh(const Value& node, ModelOptions& model) {
   fields.finish();
 }
 
-std::vector<std::vector<std::string>> read_model_limits(const Value& list) {
+std::vector<std::vector<std::string>> read_model_limits(const Value& list, MaterialKind kind) {
   std::vector<std::vector<std::string>> limits;
   std::vector<std::string> taken;
   for (const Value& item : list.items()) {
     Fields fields = item.fields();
-    limits.push_back(read_limited_components(fields.require("of"), MaterialKind::solid, taken));
+    limits.push_back(read_limited_components(fields.require("of"), kind, taken));
     fields.finish();
   }
   return limits;
@@ -124,36 +124,42 @@ SampleOptions read_samples(const Value& node) {
   return samples;
 }
 
+/// @param curves  that stiffnesses may have
+std::map<std::string, ComponentModel> read_components(const Value& node, MaterialKind kind,
+                                                      const std::vector<std::string_view>& curves) {
+  Fields fields = node.fields();
+  std::map<std::string, ComponentModel> components;
+  for (const std::string& name : component_names(kind)) {
+    if (auto c = fields.optional(name)) components[name] = read_component_model(*c, curves);
+  }
+  for (const std::string& name : fields.keys()) {
+    // Places of Gaussians come from the data.
+    if (!is_pair_term(name, kind) || name.find('@') != std::string::npos) continue;
+    if (auto c = fields.optional(name)) components[name] = read_pair_model(*c);
+  }
+  fields.finish();
+  return components;
+}
+
 /// The model of a solid: a law by its name, or components with theirs.
 ModelOptions read_solid_model(Fields& fields) {
   ModelOptions model;
   model.kind = MaterialKind::solid;
   if (auto v = fields.optional("law")) model.solid_law = v->choice(solid_laws());
   if (auto v = fields.optional("components")) {
-    Fields components = v->fields();
-    for (const std::string& name : solid_component_names()) {
-      if (auto c = components.optional(name)) {
-        model.components[name] =
-            read_component_model(*c, {"none", "constant", "affine", "spline", "energy"});
-      }
-    }
-    for (const std::string& name : components.keys()) {
-      const auto pair = find_pair_metric(name);
-      if (!pair || pair->bump) continue;
-      if (auto c = components.optional(name)) model.components[name] = read_pair_model(*c);
-    }
-    components.finish();
+    model.components =
+        read_components(*v, model.kind, {"none", "constant", "affine", "spline", "energy"});
     if (model.components.empty()) v->fail("is empty", "at least one component");
     if (fields.optional("law")) {
       v->fail("stands beside `law`, which names components itself", "one of both");
     }
   }
-  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v);
+  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v, model.kind);
   if (auto v = fields.optional("samples")) {
     model.samples = read_samples(*v);
     if (!model.limits.empty()) v->fail("stands beside `limits`", "one of both");
     const auto is_pair = [](const auto& component) {
-      return find_pair_metric(component.first).has_value();
+      return is_pair_term(component.first, MaterialKind::solid);
     };
     if (std::ranges::any_of(model.components, is_pair)) {
       v->fail("stands beside a term of two strains", "one of both");
@@ -192,15 +198,13 @@ ModelOptions read_model(Fields& study, MaterialKind kind) {
   }
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
-    Fields components = v->fields();
-    for (const std::string& name : cloth_component_names()) {
-      if (auto c = components.optional(name)) {
-        model.components[name] =
-            read_component_model(*c, {"none", "constant", "affine", "hermite"});
-      }
+    model.components = read_components(
+        *v, kind, {"none", "constant", "affine", "hermite", "spline", "energy"});
+    for (const auto& [name, component] : model.components) {
+      require_green_strain(name, model.membrane, *v);
     }
-    components.finish();
   }
+  if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v, kind);
   fields.finish();
   return model;
 }

@@ -13,7 +13,6 @@
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/blank_fields.h"
 #include "pliant/study/model_file.h"
@@ -159,12 +158,13 @@ PlanStage read_plan_stage(const Value& node, MaterialKind kind) {
   Fields fields = node.fields();
   PlanStage stage;
   stage.where = node.location();
-  const std::vector<std::string_view> known{"stretch.weft", "stretch.warp", "shear",
-                                            kCoupling,      kCrossModal,    "bend.weft",
-                                            "bend.warp",    "bend.diagonal"};
+  std::vector<std::string_view> known(cloth_component_names().begin(),
+                                      cloth_component_names().end());
+  std::erase(known, "stretch.bias");  // of strips alone
   const Value components = fields.require("components");
   for (const Value& item : components.items()) {
-    stage.components.push_back(kind == MaterialKind::cloth ? item.choice(known) : item.text());
+    const bool any = kind == MaterialKind::solid || is_sheet_pair(item.text());
+    stage.components.push_back(any ? item.text() : item.choice(known));
   }
   if (stage.components.empty()) components.fail("is empty", "at least one component");
   stage.experiments = read_texts(fields.require("experiments"));

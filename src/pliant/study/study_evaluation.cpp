@@ -16,7 +16,6 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/use_warnings.h"
 #include "pliant/study/conclusion.h"
@@ -39,7 +38,7 @@ void refuse_solid(const Study& study, const Material& material) {
 void warn_of_guesses(const Material& material, StudyResult& result) {
   std::vector<std::string> used;
   for (const ExperimentResult& row : result.experiments) {
-    if (row.sheet) used = sheet_component_names();
+    if (row.sheet) used = components_of_sheet(material);
   }
   for (const ExperimentResult& row : result.experiments) used.push_back(row.component);
   std::ranges::move(undetermined_warnings(material, used), std::back_inserter(result.warnings));
@@ -167,8 +166,8 @@ void warn_of_limits(const Material& material, const Experiments& experiments, St
   const bool pulled = std::ranges::any_of(experiments, [](const auto& experiment) {
     return !is_bending(experiment->info().component);
   });
-  for (const char* component : {kCoupling, kCrossModal}) {
-    if (pulled && is_known(material, component)) leave_out(component);
+  for (const std::string& component : components_of_sheet(material)) {
+    if (pulled && solid_metric_of(component)) leave_out(component);
   }
   for (const EnergyLimit& limit : material.limits) {
     const bool concerned = std::ranges::any_of(experiments, [&](const auto& experiment) {

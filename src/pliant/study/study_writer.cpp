@@ -96,6 +96,14 @@ void write_components(const ModelOptions& model, YAML::Node& node) {
   }
 }
 
+void write_limits(const ModelOptions& model, YAML::Node& node) {
+  for (const std::vector<std::string>& limit : model.limits) {
+    YAML::Node inner;
+    inner["of"] = limit;
+    node["limits"].push_back(inner);
+  }
+}
+
 YAML::Node samples_node(const SampleOptions& samples) {
   YAML::Node node;
   for (const Eigen::Vector3d& place : samples.places) {
@@ -117,11 +125,7 @@ YAML::Node model_node(const ModelOptions& model) {
   if (model.kind == MaterialKind::solid) {
     if (model.components.empty()) node["law"] = model.solid_law;
     write_components(model, node);
-    for (const std::vector<std::string>& limit : model.limits) {
-      YAML::Node inner;
-      inner["of"] = limit;
-      node["limits"].push_back(inner);
-    }
+    write_limits(model, node);
     if (model.samples) node["samples"] = samples_node(*model.samples);
     return node;
   }
@@ -137,6 +141,7 @@ YAML::Node model_node(const ModelOptions& model) {
   if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
   node["friction"] = std::string(name_of(model.friction));
   write_components(model, node);
+  write_limits(model, node);
   return node;
 }
 

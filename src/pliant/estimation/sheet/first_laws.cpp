@@ -8,7 +8,7 @@
 
 #include "pliant/estimation/addend_starts.h"
 #include "pliant/estimation/sheet/sheet_options.h"
-#include "pliant/material/density/cross_modal_strain.h"
+#include "pliant/estimation/solid/pair_terms.h"
 
 namespace pliant {
 namespace {
@@ -31,15 +31,20 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
       std::ranges::any_of(known, [](const auto& component) { return is_bending(component.first); });
   material.bending_of = bends ? "sheet" : "hinges";
   const bool springs = material.bending == "spring";
-  const auto give = [&](const char* component, double stiffness) {
+  const auto give = [&](const std::string& component, double stiffness) {
     material.components[component].stiffness = ScalarCurve::hermite(
         {0.0}, {fixed_stiffness(settings.fit, {component}).value_or(stiffness)},
         is_even(component));
   };
   for (const char* component : {"stretch.weft", "stretch.warp"}) give(component, 100);
   give("shear", 20);
-  for (const char* component : {kCoupling, kCrossModal}) {
-    if (asks_for(settings, component)) give(component, 1);
+  for (const std::string& component : asked_metrics(settings)) {
+    if (is_sheet_pair(component)) {
+      set_law(material.components[component],
+              first_pair_law(model_of(settings, {component}).addends));
+    } else {
+      give(component, 1);
+    }
   }
   for (const char* component : {"bend.weft", "bend.warp", "bend.diagonal"}) {
     give(component, springs ? 0.1 : 3e-6);
@@ -53,6 +58,43 @@ bool asks_for(const FitSettings& settings, const std::string& component) {
          std::ranges::any_of(settings.fit.plan, [&](const PlanStage& stage) {
            return std::ranges::find(stage.components, component) != stage.components.end();
          });
+}
+
+std::vector<std::string> asked_metrics(const FitSettings& settings) {
+  std::vector<std::string> names;
+  for (const SheetMetric& metric : sheet_metrics()) {
+    if (asks_for(settings, std::string(metric.name))) names.emplace_back(metric.name);
+  }
+  for (const auto& [name, model] : settings.model.components) {
+    if (is_sheet_pair(name)) names.push_back(name);
+  }
+  return names;
+}
+
+ComponentLaw first_pair_law(const std::vector<const AddendKind*>& addends) {
+  ComponentLaw law{ScalarCurve::none()};
+  for (const AddendKind* kind : addends) {
+    law.addends.emplace_back(*kind, Eigen::VectorXd::Zero(std::ssize(kind->parameters)));
+  }
+  return law;
+}
+
+std::vector<std::string> sheet_gaussians(const std::string& pair, int count,
+                                         const std::array<double, 2>& strains) {
+  const PairMetric metric = *find_pair_metric(*solid_metric_of(pair));
+  std::array<std::vector<double>, 2> places;
+  std::array<double, 2> width{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool signs = metric.of()[side] == "green.xy";  // sheets are sheared both ways
+    const double low = signs ? -strains[side] : 0;
+    width[side] = (strains[side] - low) / count;
+    for (int i = 0; i < count; ++i) places[side].push_back(low + (i + 0.5) * width[side]);
+  }
+  std::vector<std::string> names;
+  for (const PairMetric& term : gaussians_at(metric, places, width)) {
+    names.push_back(sheet_term_of(term));
+  }
+  return names;
 }
 
 std::vector<ComponentLaw> first_bending(const Material& material, const ComponentGroup& group) {
@@ -75,14 +117,37 @@ std::vector<ComponentLaw> first_bending(const Material& material, const Componen
   return laws;
 }
 
-ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int power) {
+CurveKind grown_kind(const FitSettings& settings, const ComponentGroup& group) {
+  const std::optional<CurveKind> own = model_of(settings, group).stiffness;
+  return own == CurveKind::spline || own == CurveKind::energy ? *own : CurveKind::hermite;
+}
+
+ScalarCurve with_points(const ScalarCurve& curve, CurveKind kind, int points, double strain,
+                        int power) {
+  const bool of_energies = kind == CurveKind::energy;  // rest is no point of theirs
   std::vector<double> knots, values;
   for (int i = 0; i < points; ++i) {
-    const double share = static_cast<double>(i) / (points - 1);
-    knots.push_back(strain * std::pow(share, power));
-    values.push_back(curve.value(knots.back()));
+    const double share = of_energies ? (i + 1.0) / points : i / std::max(points - 1.0, 1.0);
+    const double at = knots.emplace_back(strain * std::pow(share, power));
+    switch (kind) {
+      case CurveKind::energy:
+        values.push_back(curve.first_moment(at));
+        break;
+      case CurveKind::spline:
+        values.push_back(curve.value(at) + at * curve.slope(at));
+        break;
+      default:
+        values.push_back(curve.value(at));
+    }
   }
-  return ScalarCurve::hermite(knots, values, curve.even());
+  switch (kind) {
+    case CurveKind::energy:
+      return ScalarCurve::energy(knots, values, curve.even());
+    case CurveKind::spline:
+      return ScalarCurve::spline(knots, values, curve.even());
+    default:
+      return ScalarCurve::hermite(knots, values, curve.even());
+  }
 }
 
 ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,14 +24,31 @@ Material first_sheet_material(const FitSettings& settings, const KnownComponents
 /// plan.
 bool asks_for(const FitSettings& settings, const std::string& component);
 
+/// The components on metrics of triangles and on two strains (sheet_metric.h) that it asks for.
+std::vector<std::string> asked_metrics(const FitSettings& settings);
+
+/// The law of a term of two strains where its search begins: nothing of any addend.
+ComponentLaw first_pair_law(const std::vector<const AddendKind*>& addends);
+
+/// Gaussian terms of two strains of a cloth that stand for the one that a study asks them of.
+/// @param strains  the largest of either
+std::vector<std::string> sheet_gaussians(const std::string& pair, int count,
+                                         const std::array<double, 2>& strains);
+
 /// Laws of one stiffness that a search for bending may begin at, stiff ones first: soft sheets
 /// fold, and take long. What bends diagonally is not far from what bends along the threads.
 /// @param material  so far
 std::vector<ComponentLaw> first_bending(const Material& material, const ComponentGroup& group);
 
-/// A curve through other control points, from 0 to a strain: at equal distances, or by a power of
-/// them denser towards rest.
-ScalarCurve with_points(const ScalarCurve& curve, int points, double strain, int power = 1);
+/// The kind of a group's stiffness where it grows.
+CurveKind grown_kind(const FitSettings& settings, const ComponentGroup& group);
+
+/// A curve of a kind through other control points, up to a strain: at equal distances, or by a power
+/// of them denser towards rest. At the points it is, or its energy or second derivative is, what it
+/// was.
+/// @param kind  with control points
+ScalarCurve with_points(const ScalarCurve& curve, CurveKind kind, int points, double strain,
+                        int power = 1);
 
 /// What a study asks of the law of a group: what it says of the first component that it names.
 ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group);

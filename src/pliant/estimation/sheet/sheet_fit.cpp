@@ -1,24 +1,27 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/sheet/stage_search.h"
 #include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/experiment/session/lost_frames.h"
+#include "pliant/material/addend/rubber_addends.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kUsualStrain = 0.01;
 constexpr double kClearFall = 0.5;  // of the residual, that a curve cannot make up for
 
 class Fitter {
@@ -43,6 +46,7 @@ class Fitter {
     for (std::size_t s = 0; s < fit_.plan.size(); ++s) {
       context_.stop.throw_if_requested();
       leave_out_lost_frames(fit_.plan[s]);
+      place_gaussians(fit_.plan[s]);
       run_stage(fit_.plan[s]);
       task.advance(static_cast<double>(s + 1));
     }
@@ -58,12 +62,13 @@ class Fitter {
   void run_stage(const SheetStage& stage) {
     if (stage.kind == StageKind::hold) return;
     if (stage.kind == StageKind::friction) return fit_friction(stage, stage.groups.front());
+    if (stage.kind == StageKind::limit) return fit_limits(stage);
     for (const ComponentGroup& group : stage.groups) {
       if (!is_fitted(group)) guess(stage, group);
     }
     double rms = solve(stage);
     // Without a test of its own shear follows stretch.
-    if (stage.groups.front().front().starts_with("stretch") && guess_shear()) rms = solve(stage);
+    if (is_stretch(stage.groups.front()) && guess_shear()) rms = solve(stage);
     record(stage, rms, true);
     if (stage.kind == StageKind::grow) grow(stage, stage.groups.front(), rms);
     for (const ComponentGroup& group : stage.groups) {
@@ -92,11 +97,101 @@ class Fitter {
     }
   }
 
+  /// Terms of two strains at several places, where the model asks for them, over the strains that
+  /// the sheets have without them.
+  void place_gaussians(const SheetStage& stage) {
+    const std::vector<ComponentGroup> groups = stage.groups;
+    for (const ComponentGroup& group : groups) {
+      const int count = model_of(settings_, group).gaussians;
+      if (count == 0) continue;
+      const auto [first, second] = strains_of_sheet_pair(group.front());
+      SheetProblem problem = problem_of(stage);
+      const std::array<double, 2> strains{search_.largest_strain(stage, problem, {first}),
+                                          search_.largest_strain(stage, problem, {second})};
+      fit_.material.components.erase(group.front());
+      std::vector<ComponentGroup> terms;
+      for (const std::string& name : sheet_gaussians(group.front(), count, strains)) {
+        set_law(fit_.material.components[name], first_pair_law({&linear_addend()}));
+        terms.push_back({name});
+      }
+      replace(group, terms);
+    }
+  }
+
+  void replace(const ComponentGroup& group, const std::vector<ComponentGroup>& by) {
+    for (SheetStage& stage : fit_.plan) {
+      const auto place = std::ranges::find(stage.groups, group);
+      if (place == stage.groups.end()) continue;
+      const auto next = stage.groups.erase(place);
+      stage.groups.insert(next, by.begin(), by.end());
+    }
+    fit_.groups = groups_of(fit_.plan);
+  }
+
   void replace(const SheetTest& test, std::shared_ptr<const SheetTest> by) {
     for (SheetStage& stage : fit_.plan) {
       std::ranges::replace(stage.tests, &test, by.get());
     }
     fit_.thinned.push_back(std::move(by));
+  }
+
+  /// Limits of energies ([T] 4.2.5), each fitted together with the curves; what fits best is kept.
+  /// @throws SolverError where no limit lets the sheets be predicted
+  void fit_limits(const SheetStage& stage) {
+    // A curve without a limit has become stiff in place of one.
+    constexpr std::array kSofter{1.0, 0.3, 0.1};
+    for (const std::vector<std::string>& components : settings_.model.limits) {
+      const State without = state();
+      State best;
+      StartRecord record{limit_name(components), "limit", unit_of(stage), {}, 0};
+      const auto follow = [&](std::size_t start, double least) {
+        restore(without);
+        const bool begun = begin_at_limit(stage, components, kSofter[start]);
+        const double rms = (begun ? solved(stage) : std::nullopt).value_or(INFINITY);
+        record.ends.push_back(in_unit(stage, rms));
+        if (rms < least) best = state();
+        return rms;
+      };
+      const StartSearch starts = search_from(kSofter.size(), follow);
+      if (!starts.found()) throw SolverError("the limit " + limit_name(components), 0, 0);
+      record.reached_best = starts.reached_best;
+      fit_.starts.push_back(std::move(record));
+      restore(best);
+      this->record(stage, starts.costs[starts.best], true);
+    }
+  }
+
+  /// Gives components a limit of the share of the largest energy that the sheets reach without it
+  /// from which the differences are least.
+  /// @param softer  than now, the components
+  /// @return false where the sheets have no equilibria with any
+  bool begin_at_limit(const SheetStage& stage, const std::vector<std::string>& components,
+                      double softer) {
+    constexpr std::array kShares{1.1, 0.8, 0.6, 0.4, 0.2};  // of the first the data tell nothing
+    SheetProblem problem = problem_of(stage);
+    const double most = softer * search_.largest_energy(stage, problem, fit_.material, components);
+    for (const std::string& component : components) {
+      MaterialComponent& own = fit_.material.components.at(component);
+      own = scaled(own, softer);
+    }
+    fit_.material.limits.push_back({components, most});
+    const auto begin = [&](std::size_t start, double least) {
+      fit_.material.limits.back().energy = kShares[start] * most;
+      SheetProblem trial = problem_of(stage);
+      return search_.at_start(stage, trial, least).cost;
+    };
+    const StartSearch starts = search_from(kShares.size(), begin);
+    fit_.material.limits.back().energy = kShares[starts.best] * most;
+    return starts.found();
+  }
+
+  /// As `solve`; nothing where the search begins without equilibria.
+  std::optional<double> solved(const SheetStage& stage) {
+    try {
+      return solve(stage);
+    } catch (const SolverError&) {
+      return std::nullopt;
+    }
   }
 
   /// Friction, where the loops of a stage are not those of its cords. Now that something makes the
@@ -170,6 +265,10 @@ class Fitter {
     });
   }
 
+  static bool is_stretch(const ComponentGroup& group) {
+    return group.front() == "stretch.weft" || group.front() == "stretch.warp";
+  }
+
   bool is_fitted(const ComponentGroup& group) const {
     return std::ranges::find(fitted_, group) != fitted_.end();
   }
@@ -185,7 +284,8 @@ class Fitter {
     SheetProblem problem = problem_of(stage);
     const double largest = search_.largest_strain(stage, problem, group);
     for (const std::string& component : group) fit_.strains[component] = largest;
-    if (!is_fixed(group) && guess_addends(stage, group, /*remembering=*/false)) {
+    if (!is_fixed(group) && !is_sheet_pair(group.front()) &&
+        guess_addends(stage, group, /*remembering=*/false)) {
       rms = solve_and_record(stage);
     }
     if (with_cords(stage)) {
@@ -214,7 +314,8 @@ class Fitter {
     const auto fit_of = [&](int points) -> std::optional<FittedModel> {
       if (points > first) {
         give_stiffness(going_along({group}).front(),
-                       with_points(stiffness_of(group), points, strain_of(group)));
+                       with_points(stiffness_of(group), grown_kind(settings_, group), points,
+                                   strain_of(group)));
         rms = solve(stage);
       }
       states.push_back(state());
@@ -238,7 +339,8 @@ class Fitter {
     if (curve.size() < 3 || even < accuracy_of(stage)) return even;
     const State before = state();
     give_stiffness(going_along({group}).front(),
-                   with_points(curve, curve.size(), curve.knots().back(), /*power=*/2));
+                   with_points(curve, curve.kind(), curve.size(), curve.knots().back(),
+                               /*power=*/2));
     const double graded = solve(stage);
     const bool worthwhile = is_worth(stage, 0, even, graded);
     record(stage, graded, worthwhile);
@@ -339,7 +441,7 @@ class Fitter {
   /// Without a test of shear the sheet has a fifth of its stretch stiffness.
   bool guess_shear() {
     const auto stretched = std::ranges::find_if(fit_.groups, [](const ComponentGroup& group) {
-      return group.front().starts_with("stretch");
+      return is_stretch(group);
     });
     if (stretched == fit_.groups.end() || is_fitted({"shear"}) || is_fixed({"shear"})) return false;
     const double stretch = law_of(fit_.material, *stretched).elastic_secant(0);
@@ -401,6 +503,7 @@ class Fitter {
                            ? "addends alone"
                            : fmt::format("{} control point{}", points, points == 1 ? "" : "s");
     if (stage.groups.size() > 1) what = "together";
+    if (stage.kind == StageKind::limit) what += " with a limit of energy";
     if (stage.kind == StageKind::friction) {
       const bool rubs = law_of(fit_.material, stage.groups.front()).remembers();
       what += rubs ? " and friction" : " and cords";

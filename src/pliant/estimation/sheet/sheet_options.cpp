@@ -5,7 +5,6 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/estimation/parameter_option.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/material/fill.h"
 
 namespace pliant {
@@ -14,7 +13,7 @@ namespace {
 std::vector<std::string> known_parameters(const std::vector<const SheetTest*>& tests) {
   std::vector<std::string> names;
   std::vector<std::string> components = sheet_component_names();
-  components.insert(components.end(), {kCoupling, kCrossModal});
+  for (const SheetMetric& metric : sheet_metrics()) components.emplace_back(metric.name);
   for (const std::string& component : components) {
     names.push_back(component + ".k");
     if (is_bending(component)) continue;

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/add_once.h"
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/estimation/sheet/first_laws.h"
-#include "pliant/material/density/cross_modal_strain.h"
 #include "pliant/measurement/session/frame_measures.h"
 
 namespace pliant {
@@ -16,7 +16,8 @@ namespace {
 
 using Tests = std::vector<const SheetTest*>;
 
-/// How often shear and bending, which have a little influence on each other, are fitted again.
+/// How often what clips pull and bending, which have a little influence on each other, are fitted
+/// again.
 constexpr int kPassesAgain = 2;
 
 Tests named(const Tests& tests, const std::vector<std::string>& names) {
@@ -35,7 +36,7 @@ std::vector<ComponentGroup> grouped(const std::vector<std::string>& components, 
   };
   for (const std::string& component : components) {
     const bool weft = component.ends_with(".weft"), warp = component.ends_with(".warp");
-    if (!isotropic || !(weft || warp)) {
+    if (!isotropic || !(weft || warp) || is_sheet_pair(component)) {
       groups.push_back({component});
       continue;
     }
@@ -86,22 +87,41 @@ std::vector<SheetStage> plan_of_thesis(const FitSettings& settings, const Tests&
   add_stretch(StageKind::grow);
   add({"shear"}, shear, StageKind::grow);
   ComponentGroup of_triangles{"stretch.weft", "stretch.warp", "shear"};
-  for (const char* component : {kCoupling, kCrossModal}) {
-    if (!asks_for(settings, component)) continue;
-    const Tests pulled = named(tests, {"stretch-weft", "stretch-warp", "shear", "bias-extension"});
-    of_triangles.emplace_back(component);
+  const std::vector<std::string> metrics = asked_metrics(settings);
+  const Tests pulled = named(tests, {"stretch-weft", "stretch-warp", "shear", "bias-extension"});
+  for (const std::string& component : metrics) {
+    of_triangles.push_back(component);
     add({component}, pulled, StageKind::grow);
     add(of_triangles, pulled, StageKind::again);
   }
+  if (!settings.model.limits.empty()) add(of_triangles, pulled, StageKind::limit);
   add_bending(StageKind::constant);
   add(bends, bending, StageKind::again);
   add_bending(StageKind::grow);
   for (int pass = 0; pass < kPassesAgain; ++pass) {
     add(bends, bending, StageKind::again);
     if (springs_bend && !bending.empty()) add_stretch(StageKind::again);
-    if (!bending.empty()) add({"shear"}, shear, StageKind::again);
+    if (bending.empty()) continue;
+    if (metrics.empty() && settings.model.limits.empty()) {
+      add({"shear"}, shear, StageKind::again);
+    } else {
+      add(of_triangles, pulled, StageKind::again);
+    }
   }
   return plan;
+}
+
+/// After the stages of a study limits of energies of triangles, beside all curves of theirs and from
+/// all tests that tell those.
+void add_limits(const FitSettings& settings, std::vector<SheetStage>& plan) {
+  if (settings.model.limits.empty() || settings.fit.plan.empty()) return;
+  SheetStage limits{{}, {}, StageKind::limit};
+  for (const SheetStage& stage : plan) {
+    if (is_bending(stage.groups.front().front())) continue;
+    for (const ComponentGroup& group : stage.groups) add_once(group, limits.groups);
+    for (const SheetTest* test : stage.tests) add_once(test, limits.tests);
+  }
+  if (!limits.tests.empty()) plan.push_back(std::move(limits));
 }
 
 /// Friction and addends that remember of what is pulled by clips, from sequences that return, where
@@ -111,7 +131,7 @@ void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
   for (const ComponentGroup& group : groups_of(plan)) {
     const bool remembers_more = std::ranges::any_of(
         model_of(settings, group).addends, [](const AddendKind* kind) { return remembers(*kind); });
-    if (is_bending(group.front())) continue;
+    if (is_bending(group.front()) || is_sheet_pair(group.front())) continue;
     if (!asks_for_friction(settings, group) && !remembers_more) continue;
     Tests data;
     for (const SheetStage& stage : plan) {
@@ -180,6 +200,7 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                      "sessions of the tests stretch-weft, stretch-warp, shear, bias-extension, "
                      "bend-weft, bend-warp, or a plan under fit");
   }
+  add_limits(settings, plan);
   add_friction(settings, plan);
   leave_out(known, plan);
   return plan;

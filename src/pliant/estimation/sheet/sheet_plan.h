@@ -15,6 +15,7 @@ enum class StageKind {
   grow,      ///< of a single group: more of them, while the residual falls
   again,     ///< as many as there are
   hold,      ///< nothing is looked for: what the tests tell here a last fit of everything will tell
+  limit,     ///< as many as there are, and limits of energies beside them
   friction,  ///< as many as there are, at equal distances or denser towards rest, and internal
              ///< friction beside them
 };
@@ -32,7 +33,8 @@ struct SheetStage {
 /// first and its curves grow from there: what one direction lacks would bend the curve of another.
 /// Springs that bend resist stretch as well: with them stretch is fitted again, too.
 ///
-/// Last comes friction, of what clips pull, where sequences load and unload and the study does not
+/// Limits of energies that the model has are fitted with all curves of triangles, before bending or
+/// after the stages of a study; last comes friction, of what clips pull, where sequences load and unload and the study does not
 /// say no: the prediction then follows the loop and not its middle.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.

@@ -36,10 +36,12 @@ std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
   return scales;
 }
 
-/// The largest stiffness of a law: of its curve, or where addends alone carry it, at a strain.
+/// The largest stiffness of a law: of its curve, or where that is one of energies or addends alone
+/// carry it, at a strain.
 double stiffness_size(const ComponentLaw& law, double strain) {
   const std::vector<double>& values = law.stiffness.values();
-  return values.empty() ? law.elastic_secant(strain) : *std::ranges::max_element(values);
+  const bool by_value = !values.empty() && law.stiffness.kind() != CurveKind::energy;
+  return by_value ? *std::ranges::max_element(values) : law.elastic_secant(strain);
 }
 
 /// A sheet that gives way freely along a thread at rest, as a curve might that begins with a toe,
@@ -47,8 +49,19 @@ double stiffness_size(const ComponentLaw& law, double strain) {
 void keep_stiff(const ComponentLaw& law, double stiffness, std::vector<Unknown>& unknowns) {
   constexpr double kSoftest = 1e-3;
   for (int i = 0; i < law.stiffness.size(); ++i) {
-    unknowns[static_cast<std::size_t>(i)].lower = kSoftest * stiffness;
+    Unknown& unknown = unknowns[static_cast<std::size_t>(i)];
+    unknown.lower = kSoftest * stiffness;
+    if (law.stiffness.kind() == CurveKind::energy) {
+      unknown.lower *= *unknown.strain * *unknown.strain / 2;
+    }
   }
+}
+
+/// The stiffness by which the number of a term of two strains is scaled, which begins at 0: what
+/// its strains alone resist.
+double stiffness_of_threads(const Material& material) {
+  return std::max(stiffness_size(law_of(material, ComponentGroup{"stretch.weft"}), kUsualStrain),
+                  stiffness_size(law_of(material, ComponentGroup{"stretch.warp"}), kUsualStrain));
 }
 
 /// Springs of the second ring have a stiffness in N, as their energy is per length. They resist
@@ -91,6 +104,9 @@ Problem problem_of(const std::vector<const SheetTest*>& tests, const Material& m
   std::vector<ProblemPart> parts;
   std::vector<Unknown> unknowns =
       unknowns_of(material, groups, strains, shortest_edge(*tests.front()));
+  for (const std::size_t limit : limits_of(material, groups)) {
+    unknowns.push_back(unknown_of(material.limits[limit], material.kind));
+  }
   for (const SheetTest* test : tests) {
     parts.push_back({test, test->predictor(material), {}});
     if (!with_cords) continue;
@@ -148,6 +164,9 @@ Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
     set_law(material, group, law.with_parameters(values.segment(next, law.parameter_count())));
     next += law.parameter_count();
   }
+  for (const std::size_t limit : limits_of(material, groups_)) {
+    material.limits[limit].energy = values(next++);
+  }
   return material;
 }
 
@@ -189,13 +208,30 @@ std::vector<Unknown> unknowns_of(const Material& material,
   std::vector<Unknown> unknowns;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const ComponentLaw law = law_of(material, groups[g]);
-    const double stiffness = std::max(stiffness_size(law, strains[g]), 1e-12);
+    const std::string& name = groups[g].front();
+    const double own_stiffness =
+        is_sheet_pair(name) ? stiffness_of_threads(material) : stiffness_size(law, strains[g]);
+    const double stiffness = std::max(own_stiffness, 1e-12);
     std::vector<Unknown> own = unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
-    if (!is_bending(groups[g].front())) keep_stiff(law, stiffness, own);
+    if (!is_bending(name) && !solid_metric_of(name)) keep_stiff(law, stiffness, own);
     unknowns.insert(unknowns.end(), own.begin(), own.end());
   }
   if (material.bending == "spring") limit_bending_springs(material, cell, unknowns);
   return unknowns;
+}
+
+std::vector<std::size_t> limits_of(const Material& material,
+                                   const std::vector<ComponentGroup>& groups) {
+  const auto is_in_groups = [&](const std::string& component) {
+    return std::ranges::any_of(groups, [&](const ComponentGroup& group) {
+      return std::ranges::find(group, component) != group.end();
+    });
+  };
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < material.limits.size(); ++i) {
+    if (std::ranges::all_of(material.limits[i].of, is_in_groups)) places.push_back(i);
+  }
+  return places;
 }
 
 std::vector<Unknown> cord_unknowns(const SheetTest& test, const CordFrictions& found) {

@@ -12,6 +12,9 @@
 
 namespace pliant {
 
+/// A strain that sheets have in tests, where nothing is known of them yet.
+inline constexpr double kUsualStrain = 0.01;
+
 /// Shapes of the equilibria of tests by name, where searches for the next may begin.
 using SheetGuesses = std::map<std::string, std::vector<Eigen::Matrix3Xd>>;
 
@@ -20,7 +23,7 @@ using CordFrictions = std::map<std::string, double>;
 
 /// What a fit of some groups of a material to some tests of sheets minimises: the differences of
 /// forces or positions of all frames in units of their size. Unknowns are the numbers of the
-/// groups, then the friction of cords, test by test.
+/// groups, the limits of energies of theirs, then the friction of cords, test by test.
 class SheetProblem {
  public:
   /// @param tests     outlive the problem
@@ -75,6 +78,11 @@ void set_law(Material& material, const ComponentGroup& group, const ComponentLaw
 std::vector<Unknown> unknowns_of(const Material& material,
                                  const std::vector<ComponentGroup>& groups,
                                  const std::vector<double>& strains, double cell);
+
+/// The limits of a material that are about components of some groups.
+/// @return places in `Material::limits`
+std::vector<std::size_t> limits_of(const Material& material,
+                                   const std::vector<ComponentGroup>& groups);
 
 /// The friction of a test's cords, where it is unknown, beginning where it was found.
 std::vector<Unknown> cord_unknowns(const SheetTest& test, const CordFrictions& found);

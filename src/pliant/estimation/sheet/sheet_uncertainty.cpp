@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "pliant/base/assert.h"
 #include "pliant/estimation/estimating_equations.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
 #include "pliant/estimation/statistics/covariance.h"
@@ -35,6 +36,12 @@ const SheetStage* last_stage(const std::vector<SheetStage>& plan, const Componen
     if (std::ranges::find(stage.groups, group) != stage.groups.end()) last = &stage;
   }
   return last;
+}
+
+const SheetStage* limit_stage(const std::vector<SheetStage>& plan) {
+  const auto found = std::ranges::find(plan, StageKind::limit, &SheetStage::kind);
+  PLIANT_ASSERT(found != plan.end(), "a limit is fitted by a stage of its own");
+  return &*found;
 }
 
 Eigen::VectorXd gradient_of(const EstimatingSums& sums) {
@@ -96,6 +103,10 @@ SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& option
                     shortest_edge(*fit.plan.front().tests.front()));
     result.unknowns.insert(result.unknowns.end(), own.begin(), own.end());
     stage_of.insert(stage_of.end(), own.size(), last_stage(fit.plan, group));
+  }
+  for (const std::size_t limit : limits_of(fit.material, fit.groups)) {
+    result.unknowns.push_back(unknown_of(fit.material.limits[limit], fit.material.kind));
+    stage_of.push_back(limit_stage(fit.plan));
   }
   std::vector<ProblemPart> parts;
   const auto tests = last_stages(fit.plan);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/limit_energies.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/experiment/session/loop_evidence.h"
 
@@ -37,6 +39,24 @@ double strain_in(const SheetProblem& problem, const ComponentGroup& group, const
                                         (1 - kOutlierShare) * static_cast<double>(strains.size()));
   std::ranges::nth_element(strains, at);
   return std::max(*at, 1e-9);
+}
+
+double energy_in(const SheetProblem& problem, const Material& material,
+                 const std::vector<std::string>& components, const Workers& workers) {
+  double most = 0;
+  for (const ProblemPart& part : problem.rows().parts()) {
+    std::vector<double> energies;  // of each triangle in each frame
+    for (const std::string& component : components) {
+      const ComponentLaw law = *law_of(material, component);
+      const std::vector<double> strains =
+          part.predictor->strains(component, part.predictor->values(), workers);
+      const std::vector<double> own = energies_of_points(component, law, strains);
+      energies.resize(std::max(energies.size(), own.size()), 0.0);
+      std::ranges::transform(own, energies, energies.begin(), std::plus());
+    }
+    for (const double energy : energies) most = std::max(most, energy);
+  }
+  return most;
 }
 
 bool has_loop(const SheetStage& stage, const SheetProblem& problem) {
@@ -119,6 +139,15 @@ double StageSearch::largest_strain(const SheetStage& stage, SheetProblem& proble
     return Numbers{strain_in(problem, group, {context_.threads, context_.stop})};
   };
   return ask("strain", stage, problem, strain).front();
+}
+
+double StageSearch::largest_energy(const SheetStage& stage, SheetProblem& problem,
+                                   const Material& material,
+                                   const std::vector<std::string>& components) {
+  const auto energy = [&] {
+    return Numbers{energy_in(problem, material, components, {context_.threads, context_.stop})};
+  };
+  return ask("energy", stage, problem, energy).front();
 }
 
 bool StageSearch::shows_loop(const SheetStage& stage, SheetProblem& problem) {

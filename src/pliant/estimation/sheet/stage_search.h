@@ -49,6 +49,11 @@ class StageSearch {
   double largest_strain(const SheetStage& stage, SheetProblem& problem,
                         const ComponentGroup& group);
 
+  /// The largest energy per area of some components together in the sheets where a search would
+  /// begin (J/m^2).
+  double largest_energy(const SheetStage& stage, SheetProblem& problem, const Material& material,
+                        const std::vector<std::string>& components);
+
   /// Whether the measured forces lie above the predicted ones while clips go on and below them
   /// while they return, by more than chance.
   bool shows_loop(const SheetStage& stage, SheetProblem& problem);

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "pliant/base/errors.h"
-#include "pliant/material/solid/principal_metric.h"
+#include "pliant/estimation/limit_energies.h"
 
 namespace pliant {
 namespace {
@@ -18,18 +18,6 @@ constexpr std::array kSharesOfLimits{0.9, 0.6, 0.4};
 constexpr double kBeyond = 1.1;  // of the largest energy: the data tell of no limit
 constexpr LeastSquaresOptions kTrial{
     .max_iterations = 25, .function_tolerance = 1e-4, .parameter_tolerance = 1e-4};
-
-/// Energies of a component at the points of a row: of an element or a node, or of a homogeneous
-/// test the row's one.
-std::vector<double> energies_of_points(const std::string& component, const ComponentLaw& law,
-                                       std::span<const double> strains) {
-  const std::size_t each = find_principal_metric(component) ? 3 : 1;
-  std::vector<double> energies(strains.size() / each, 0.0);
-  for (std::size_t i = 0; i < each * energies.size(); ++i) {
-    energies[i / each] += law.elastic_energy(strains[i]);
-  }
-  return energies;
-}
 
 /// The largest energy of some components together at each row of an experiment. Volumes of nodes
 /// are no points of elements: of both the largest energies are added.

@@ -5,7 +5,6 @@
 #include "pliant/base/assert.h"
 #include "pliant/base/number_text.h"
 #include "pliant/estimation/solid/energy_growth.h"
-#include "pliant/material/solid/pair_metric.h"
 
 namespace pliant {
 namespace {
@@ -16,25 +15,32 @@ double rounded(double value) { return *parse_number(format_number(value, kNameDi
 
 }  // namespace
 
+std::vector<PairMetric> gaussians_at(PairMetric pair,
+                                     const std::array<std::vector<double>, 2>& places,
+                                     const std::array<double, 2>& width) {
+  std::vector<PairMetric> terms;
+  for (const double x : places[0]) {
+    for (const double y : places[1]) {
+      pair.bump = PairMetric::Bump{{rounded(x), rounded(y)}, {rounded(width[0]), rounded(width[1])}};
+      terms.push_back(pair);
+    }
+  }
+  return terms;
+}
+
 std::vector<std::string> gaussian_terms(const std::string& pair, int count, SolidProblem& problem) {
-  std::optional<PairMetric> metric = find_pair_metric(pair);
+  const std::optional<PairMetric> metric = find_pair_metric(pair);
   PLIANT_ASSERT(metric && !metric->bump, "a pair of strains");
   std::array<std::vector<double>, 2> places;
-  metric->bump = PairMetric::Bump{};
+  std::array<double, 2> width{};
   for (std::size_t side = 0; side < 2; ++side) {
     const MetricData& data = problem.data_of(metric->of()[side]);
     if (!data.is_seen()) return {};
     places[side] = energy_places(data, /*even=*/false, count);
-    const double span = std::max(data.high(), 0.0) - std::min(data.low(), 0.0);
-    metric->bump->width[side] = rounded(span / count);
+    width[side] = (std::max(data.high(), 0.0) - std::min(data.low(), 0.0)) / count;
   }
   std::vector<std::string> names;
-  for (const double x : places[0]) {
-    for (const double y : places[1]) {
-      metric->bump->place = {rounded(x), rounded(y)};
-      names.push_back(metric->name());
-    }
-  }
+  for (const PairMetric& term : gaussians_at(*metric, places, width)) names.push_back(term.name());
   return names;
 }
 

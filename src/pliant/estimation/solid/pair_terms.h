@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "pliant/estimation/solid/solid_problem.h"
+#include "pliant/material/solid/pair_metric.h"
 
 namespace pliant {
 
@@ -12,5 +14,11 @@ namespace pliant {
 /// @param pair   the two, "green.xx*green.yy"
 /// @param count  of places along either strain
 std::vector<std::string> gaussian_terms(const std::string& pair, int count, SolidProblem& problem);
+
+/// Gaussian terms at all pairs of places along either strain, their numbers rounded.
+/// @param width  along either
+std::vector<PairMetric> gaussians_at(PairMetric pair,
+                                     const std::array<std::vector<double>, 2>& places,
+                                     const std::array<double, 2>& width);
 
 }  // namespace pliant

@@ -75,18 +75,6 @@ void append_unknowns(const Material& material, const std::string& component,
   }
 }
 
-Unknown unknown_of(const EnergyLimit& limit) {
-  constexpr double kLeast = 1e-6, kStep = 0.1;  // of where it begins
-  Unknown unknown;
-  unknown.name = unknown.owner = limit_name(limit.of);
-  unknown.unit = "Pa";
-  unknown.parameters = {unknown.name};
-  unknown.start = limit.energy;
-  unknown.lower = kLeast * limit.energy;
-  unknown.scale = kStep * limit.energy;
-  return unknown;
-}
-
 double unit_of(const Experiment& experiment) {
   return experiment.info().stated_noise().value_or(kShare * experiment.reference());
 }
@@ -153,7 +141,9 @@ Problem SolidProblem::problem(const Material& material) {
     if (is_of_volume(name)) keep_volume_stiff(*law, data_of("fibre.x").scale, own);
     append_unknowns(material, name, own, unknowns);
   }
-  for (const EnergyLimit& limit : material.limits) unknowns.push_back(unknown_of(limit));
+  for (const EnergyLimit& limit : material.limits) {
+    unknowns.push_back(unknown_of(limit, material.kind));
+  }
   apply_options(settings_.fit, unknowns);
   Problem problem(std::move(parts), std::move(unknowns), {context_.threads, context_.stop});
   problem.set_loss(settings_.fit.loss);

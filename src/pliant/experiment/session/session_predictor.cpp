@@ -141,7 +141,7 @@ Eigen::VectorXd SessionPredictor::simulated(const Eigen::VectorXd& values) const
 bool SessionPredictor::usually_strains(const std::string& component) const {
   const std::vector<std::string> usual = usual_components(test_.session().test);
   const bool directed = component.ends_with(".weft") || component.ends_with(".warp");
-  if (usual.empty() || !directed) return true;
+  if (usual.empty() || !directed || is_sheet_pair(component)) return true;
   const auto family = [](const std::string& name) { return name.substr(0, name.find('.')); };
   return usual.front() == component || family(usual.front()) != family(component);
 }

@@ -48,6 +48,7 @@ class SheetEquilibria::Search {
         stop_(stop) {}
 
   const SheetSystem& sheet() const { return held_.sheet; }
+  bool is_limited() const { return system().is_limited(); }
   const Eigen::VectorXd& values() const { return values_; }
 
   NewtonSummary relax(Configuration& at) {
@@ -198,6 +199,12 @@ bool SheetEquilibria::differentiate(int state, Search& search, const std::vector
   const auto s = static_cast<std::size_t>(state);
   Reached& reached = reached_[s];
   const Stopwatch watch;
+  if (search.is_limited()) {
+    reached.differentiated = take_differences(state, by);
+    reached.by = by;
+    reached.work.seconds.derivatives += watch.seconds();
+    return reached.differentiated;
+  }
   const Configuration at =
       search.sheet().configuration(states_.states[s].frame, reached.shape.positions);
   EquilibriumDerivatives derivatives;
@@ -212,6 +219,41 @@ bool SheetEquilibria::differentiate(int state, Search& search, const std::vector
   reached.by = by;
   ++reached.work.counts.differentiated;
   reached.work.seconds.derivatives += watch.seconds();
+  return true;
+}
+
+// Where limits of energies hold, multipliers of hundreds stand against shares of 1e-8 that are left
+// of them: what the exact derivatives are sums of is 1e9 times what they come to, and rounding eats
+// them. Neighbouring equilibria tell them to some parts of a thousand.
+bool SheetEquilibria::take_differences(int state, const std::vector<int>& by) {
+  constexpr double kStep = 1e-4;
+  Reached& reached = reached_[static_cast<std::size_t>(state)];
+  const int frame = states_.states[static_cast<std::size_t>(state)].frame;
+  SheetShape& shape = reached.shape;
+  shape.positions_by_parameter.resize(shape.positions.size(), std::ssize(by));
+  shape.clip_forces_by_parameter.resize(shape.clip_forces.size(), std::ssize(by));
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    const double value = reached.parameters(by[k]);
+    const double step = kStep * (value != 0 ? std::abs(value) : reached.parameters.maxCoeff());
+    std::vector<SheetShape> beside;
+    for (const double side : {step, -step}) {
+      Eigen::VectorXd parameters = reached.parameters;
+      parameters(by[k]) += side;
+      Search search = this->search(state, parameters);
+      Configuration at = search.sheet().configuration(frame, shape.positions);
+      const NewtonSummary newton = search.relax(at);
+      reached.work.counts.iterations += newton.iterations;
+      reached.work.counts.factors += newton.factorizations;
+      if (!newton.converged) return false;
+      beside.push_back(search.shape(at));
+    }
+    const auto column = static_cast<Eigen::Index>(k);
+    shape.positions_by_parameter.col(column) =
+        (beside[0].positions - beside[1].positions).reshaped() / (2 * step);
+    shape.clip_forces_by_parameter.col(column) =
+        (beside[0].clip_forces - beside[1].clip_forces).reshaped() / (2 * step);
+  }
+  ++reached.work.counts.differentiated;
   return true;
 }
 

@@ -48,6 +48,7 @@ class SheetEquilibria : public SheetPredictor {
   bool find_from_measured(int state, Search& search);
   bool find_near_measured(int state, Search& search);
   bool differentiate(int state, Search& search, const std::vector<int>& by);
+  bool take_differences(int state, const std::vector<int>& by);
   void reach(int state, const Eigen::VectorXd& parameters, const std::vector<int>& by);
   void reach_from_neighbours(const Eigen::VectorXd& parameters, const std::vector<int>& by);
   bool found(int frame) const;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "pliant/material/density/cross_modal_strain.h"
+#include "pliant/material/sheet_metric.h"
+#include "pliant/material/solid/metric_values.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/mechanics/point_forces.h"
 
@@ -60,21 +60,7 @@ SheetSystem::SheetSystem(const Session& session, const Material& material,
 
 std::vector<double> SheetSystem::strains(const std::string& component,
                                          const Eigen::Matrix3Xd& positions) const {
-  if (component == kCoupling) {
-    std::vector<double> sums = this->strains("stretch.weft", positions);
-    std::ranges::transform(sums, this->strains("stretch.warp", positions), sums.begin(),
-                           std::plus());
-    return sums;
-  }
-  if (component == kCrossModal) {
-    std::vector<double> squares = this->strains("stretch.weft", positions);
-    const std::vector<double> warp = this->strains("stretch.warp", positions);
-    const std::vector<double> shear = this->strains("shear", positions);
-    for (std::size_t i = 0; i < squares.size(); ++i) {
-      squares[i] = squares[i] * squares[i] + warp[i] * warp[i] + shear[i] * shear[i] / 2;
-    }
-    return squares;
-  }
+  if (const auto metric = solid_metric_of(component)) return metric_strains(*metric, positions);
   std::vector<double> strains;
   for (const ShownPotential& shown : shown_) {
     const std::vector<std::string> names = shown.fields->field_names();
@@ -87,6 +73,21 @@ std::vector<double> SheetSystem::strains(const std::string& component,
     strains.insert(strains.end(), values.begin(), values.end());
   }
   return strains;
+}
+
+std::vector<double> SheetSystem::metric_strains(const std::string& metric,
+                                                const Eigen::Matrix3Xd& positions) const {
+  const std::vector<double> weft = strains("stretch.weft", positions);
+  const std::vector<double> warp = strains("stretch.warp", positions);
+  const std::vector<double> shear = strains("shear", positions);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < weft.size(); ++i) {
+    Eigen::Matrix<double, 6, 1> strain;
+    strain << weft[i], warp[i], 0, 0, 0, shear[i];
+    const std::vector<double> own = metric_values(metric, strain);
+    values.insert(values.end(), own.begin(), own.end());
+  }
+  return values;
 }
 
 double SheetSystem::tolerance() const {

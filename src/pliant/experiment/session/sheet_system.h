@@ -55,6 +55,9 @@ class SheetSystem {
                                 const Eigen::Matrix3Xd& gradient) const;
 
  private:
+  /// What a metric of solids shows of each triangle, or values it shows.
+  std::vector<double> metric_strains(const std::string& metric,
+                                     const Eigen::Matrix3Xd& positions) const;
   /// Of the held nodes in a frame: clamped ones where the pose of their clip puts them, those on
   /// the table where they rest (m, one column each); at rest for frame -1.
   Eigen::Matrix3Xd places(int frame) const;

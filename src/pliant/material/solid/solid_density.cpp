@@ -8,22 +8,19 @@
 #include "pliant/material/solid/principal_density.h"
 
 namespace pliant {
-namespace {
 
-std::shared_ptr<const ParametricDensity> on_metric(const std::string& component,
-                                                   std::shared_ptr<const Sum> law) {
-  if (const StrainMetric* metric = find_strain_metric(component)) {
-    return std::make_shared<MetricDensity>(*metric, std::move(law));
+std::shared_ptr<const ParametricDensity> law_on_metric(
+    const std::string& metric, std::shared_ptr<const ParametricDensity> law) {
+  if (const StrainMetric* scalar = find_strain_metric(metric)) {
+    return std::make_shared<MetricDensity>(*scalar, std::move(law));
   }
-  if (const auto pair = find_pair_metric(component)) {
+  if (const auto pair = find_pair_metric(metric)) {
     return std::make_shared<ScalarDensity<PairMetric>>(*pair, std::move(law));
   }
-  const PrincipalMetric* metric = find_principal_metric(component);
-  PLIANT_ASSERT(metric, "components of solids are metrics");
-  return std::make_shared<PrincipalDensity>(*metric, std::move(law));
+  const PrincipalMetric* principal = find_principal_metric(metric);
+  PLIANT_ASSERT(principal, "components of solids are metrics");
+  return std::make_shared<PrincipalDensity>(*principal, std::move(law));
 }
-
-}  // namespace
 
 NamedLaw solid_density(const Material& material, const DensityOptions& options) {
   PLIANT_ASSERT(material.kind == MaterialKind::solid, "a solid's law");
@@ -33,7 +30,7 @@ NamedLaw solid_density(const Material& material, const DensityOptions& options) 
     DensityOptions own = options;
     if (find_principal_metric(name)) own.damping_fraction = 0;
     sum.add(name, /*strain=*/0, own,
-            [&](std::shared_ptr<Sum> law) { return on_metric(name, std::move(law)); });
+            [&](std::shared_ptr<Sum> law) { return law_on_metric(name, std::move(law)); });
   }
   return std::move(sum).finish();
 }

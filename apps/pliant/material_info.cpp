@@ -11,6 +11,7 @@
 #include "pliant/material/material_file.h"
 
 #include "apps/pliant/component_facts.h"
+#include "apps/pliant/convexity_info.h"
 #include "apps/pliant/file_info.h"
 #include "apps/pliant/limits_info.h"
 #include "apps/pliant/solid_info.h"
@@ -215,6 +216,7 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   info.lines.push_back(labelled(name, text));
   if (component.stiffness) add_measured(name, component, units, info, json);
   add_addends(component, units, info.lines, json);
+  if (component.stiffness) add_convexity(material, name, info, json);
   if (component.stiffness && (!units.bending || material.bending_of == "sheet")) {
     json["textile"] = textile_info(material, name, info);
   }

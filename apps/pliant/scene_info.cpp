@@ -120,6 +120,11 @@ std::string source_text(const SurfaceSource& source) {
                      format_quantity(source.edge, Dimension::length));
 }
 
+std::string source_text(const LabelSource& source) {
+  return fmt::format("tetrahedra in the regions of {}, edges of {}", source.file.string(),
+                     format_quantity(source.edge, Dimension::length));
+}
+
 std::string source_text(const BlockSource& block) {
   const auto length = [&](int axis) {
     return format_quantity(block.size(axis), Dimension::length);

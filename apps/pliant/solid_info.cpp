@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
-#include "pliant/estimation/solid/convexity.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
 #include "pliant/material/material_samples.h"
@@ -19,6 +17,7 @@
 #include "pliant/study/body_samples.h"
 #include "pliant/study/solid_study.h"
 
+#include "apps/pliant/convexity_info.h"
 #include "apps/pliant/limits_info.h"
 
 namespace pliant {
@@ -27,22 +26,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 4;
-constexpr int kSamples = 400;  // of a range
-
-/// Strains between which an energy is not convex; nothing where it is.
-std::optional<std::pair<double, double>> concave_strains(const MaterialComponent& component) {
-  const ComponentLaw law = law_of(component);
-  const auto [low, high] = component.range.value_or(std::pair(0.0, 0.0));
-  const double steepest = std::abs(law.elastic_tangent(0)) + std::abs(law.elastic_tangent(high));
-  std::optional<std::pair<double, double>> found;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double strain = low + (high - low) * i / kSamples;
-    if (law.elastic_tangent(strain) >= -1e-12 * steepest) continue;
-    if (!found) found = std::pair(strain, strain);
-    found->second = strain;
-  }
-  return found;
-}
 
 std::string numbers_text(const std::string& name, const MaterialComponent& component) {
   const ComponentLaw law = law_of(component);
@@ -58,29 +41,6 @@ std::string numbers_text(const std::string& name, const MaterialComponent& compo
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Whether the energy is convex in the two strains of a term, with all that the material has in
-/// them.
-Json pair_convexity(const Material& material, const std::string& name, FileInfo& info) {
-  const auto domain = stated_domain(material, name);
-  if (!domain) {
-    info.lines.push_back(
-        labelled("convex", "not looked at: no range of both strains is stated", 1));
-    return nullptr;
-  }
-  const double least = least_convexity(material, *domain);
-  constexpr double kRounding = 1e-5;
-  const bool convex = least > -kRounding;
-  info.lines.push_back(labelled(
-      "convex",
-      convex ? "the energy of all Green strains in these two" : "not in these two strains", 1));
-  const std::string warning = fmt::format(
-      "the energy is not convex in {}: its least second derivative is {} of the largest",
-      fmt::join(find_pair_metric(name)->of(), " and "), format_number(least, kDigits));
-  const bool told = std::ranges::find(info.warnings, warning) != info.warnings.end();
-  if (!convex && !told) info.warnings.push_back(warning);
-  return convex;
-}
-
 Json component_info(const Material& material, const std::string& name, FileInfo& info) {
   const MaterialComponent& component = material.components.at(name);
   Json json{{"status", name_of(component.status)}, {"range", nullptr}, {"convex", nullptr}};
@@ -93,24 +53,7 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   info.lines.push_back(labelled(name, text));
   if (!component.stiffness) return json;
   info.lines.push_back(labelled("numbers", numbers_text(name, component), 1));
-  if (find_pair_metric(name)) {
-    json["convex"] = pair_convexity(material, name, info);
-    return json;
-  }
-  const auto concave = concave_strains(component);
-  json["convex"] = !concave.has_value();
-  std::string convex = component.range ? "over its range" : "at rest; no range is stated";
-  if (concave) {
-    json["concave"] = {concave->first, concave->second};
-    convex = concave->first == concave->second
-                 ? "not at a strain of " + format_number(concave->first, kDigits)
-                 : fmt::format("not between strains of {} and {}",
-                               format_number(concave->first, kDigits),
-                               format_number(concave->second, kDigits));
-    info.warnings.push_back(
-        fmt::format("the energy of {} is not convex in its strain: {}", name, convex));
-  }
-  info.lines.push_back(labelled("convex", convex, 1));
+  add_convexity(material, name, info, json);
   return json;
 }
 

@@ -151,6 +151,22 @@ TEST(StudyFit, RefusesAStudyWithNothingToFit) {
   EXPECT_EQ(error.where().field, "experiments");
 }
 
+TEST(StudyFit, RefusesModelsOfSheetsForStripsInOneDimension) {
+  const VirtualStudy made(lab_of(published_fabric("polyester"), hung_weights()));
+  const auto refuses = [&](const auto& change, const char* field) {
+    Study study = made.study();
+    change(study.model);
+    const InputError error = test::input_error_of([&] { fit_study(study, {}, {}); });
+    EXPECT_EQ(error.where().field, field);
+    EXPECT_THAT(error.expected(), HasSubstr("strips: sheet"));
+  };
+  refuses([](ModelOptions& model) { model.components["area"] = {}; }, "model.components.area");
+  refuses([](ModelOptions& model) { model.limits = {{"stretch.warp"}}; }, "model.limits");
+  refuses(
+      [](ModelOptions& model) { model.components["stretch.warp"].stiffness = CurveKind::spline; },
+      "model.components.stretch.warp.stiffness");
+}
+
 TEST(Evaluation, GivesTheErrorsOfTheFit) {
   auto weights = hung_weights();
   weights.instrument.length_noise = 0.2e-3;

@@ -95,8 +95,7 @@ TEST(SlowSheetLadder, TheErrorFallsWhereWhatTheDataHasIsAdded) {
                misfit.position, misfit.force);
     if (std::isfinite(before.force)) {
       // What one of both tells best falls; what the data lacks moves neither.
-      const double fall =
-          std::min(misfit.position / before.position, misfit.force / before.force);
+      const double fall = std::min(misfit.position / before.position, misfit.force / before.force);
       if (rung.in_data) {
         EXPECT_LE(fall, 0.7) << rung.adds;
       } else {

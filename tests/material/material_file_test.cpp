@@ -355,6 +355,19 @@ const Refusal kRefusals[] = {
      "{\"pliant\": \"material/1\", \"name\": \"x\", \"kind\": \"cloth\", \"components\": {},\n"
      "\"damping\": {\"fraction\": -0.1}}",
      2, "damping.fraction", "is negative"},
+    {"FunctionOfAnotherStrain",
+     "{\"pliant\": \"material/1\", \"name\": \"x\", \"kind\": \"cloth\", \"membrane\": "
+     "\"spring\",\n"
+     "\"components\": {\"area\": {\"stiffness\": {\"curve\": \"constant\", \"value\": 1}}}}",
+     2, "components", "a function of Green's strain, and the membrane is `spring`"},
+    {"TermWrittenInAnotherWay",
+     with_component("stretch.weft*shear@0.10/0~0.1/0.1",
+                    R"({"addends": [{"law": "linear", "c": 1}]})"),
+     6, "components.stretch.weft*shear@0.10/0~0.1/0.1", "stretch.weft*shear@0.1/0~0.1/0.1"},
+    {"MemoryOfPrincipalStretches",
+     with_component("principal.stretch",
+                    R"({"addends": [{"law": "dahl", "a": 1, "b": 0, "tau": 1}]})"),
+     6, "components.principal.stretch", "remembers, on principal stretches"},
     {"UnknownMeasure",
      "{\"pliant\": \"material/1\", \"name\": \"x\", \"kind\": \"cloth\",\n\"membrane\": \"stvkk\"}",
      2, "membrane", "did you mean \"stvk\"?"},

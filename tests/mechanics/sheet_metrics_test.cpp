@@ -107,8 +107,8 @@ TEST(SheetMetrics, StoreTheEnergyOfWhatTheirNamesSay) {
     for (const Eigen::Matrix2d& f : deformations()) {
       double expected = 0;
       for (const double value : strain.values(f)) expected += kStiffness * value * value / 2;
-      const double added = energy_of_sheet(with_metric(strain.component), f) -
-                           energy_of_sheet(with_metric(""), f);
+      const double added =
+          energy_of_sheet(with_metric(strain.component), f) - energy_of_sheet(with_metric(""), f);
       EXPECT_NEAR(added / (kWidth * kHeight), expected, 1e-9 * (1 + expected)) << strain.component;
     }
   }

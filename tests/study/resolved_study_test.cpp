@@ -46,7 +46,8 @@ model:
   strips: sheet
   stiffness: hermite
   friction: none
-  components: {shear: {stiffness: constant}, stretch.warp: {friction: dahl, addends: [dahl, dahl]},
+  limits: [{of: [shear]}, {of: [stretch.weft, coupling]}]
+  components: {shear: {stiffness: constant}, coupling: {stiffness: energy}, stretch.warp: {friction: dahl, addends: [dahl, dahl]},
                bend.weft: {stiffness: none, addends: [dahl]}}
 fit: {estimator: anchor, control_points: 3, loss: cauchy, monotone_stress: true, bounds: {"*.friction.tau": [1e-3, 0.3333333333333333]},
       fix: {stretch.warp.k1: 4.5}, priors: {"*.k2": {mean: -30, sd: 2}}}
@@ -97,6 +98,7 @@ void expect_same(const Study& a, const Study& b) {
   EXPECT_EQ(a.model.strips_as_sheets, b.model.strips_as_sheets);
   EXPECT_EQ(a.model.stiffness, b.model.stiffness);
   EXPECT_EQ(a.model.friction, b.model.friction);
+  EXPECT_EQ(a.model.limits, b.model.limits);
   ASSERT_EQ(a.model.components.size(), b.model.components.size());
   for (const auto& [name, component] : a.model.components) {
     EXPECT_EQ(component.stiffness, b.model.components.at(name).stiffness);

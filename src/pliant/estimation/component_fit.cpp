@@ -187,6 +187,16 @@ void refuse_addends(const FitSettings& settings,
   }
 }
 
+void refuse_energies(const FitSettings& settings, const std::string& component, CurveKind kind) {
+  if (kind != CurveKind::spline && kind != CurveKind::energy) return;
+  throw InputError(
+      {settings.file, 0, "model.components." + component + ".stiffness"},
+      fmt::format("is `{}`, and in one dimension strips are fitted with the curve of a "
+                  "stiffness",
+                  name_of(kind)),
+      "hermite, affine or constant, or `model: {strips: sheet}`");
+}
+
 }  // namespace
 
 ComponentLaw ComponentPlan::form() const {
@@ -220,6 +230,7 @@ ComponentPlan plan_component(const FitSettings& settings,
   refuse_addends(settings, experiments, plan);
   plan.stiffness =
       model.stiffness.value_or(settings.model.stiffness.value_or(default_stiffness(experiments)));
+  refuse_energies(settings, component, plan.stiffness);
   const std::string_view undetermined = experiments.front()->info().test.undetermined;
   if (are_of_one_type(experiments) && !undetermined.empty()) {
     notes.push_back(fmt::format("stiffness of {} {}", component, undetermined));

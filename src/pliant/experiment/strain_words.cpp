@@ -18,7 +18,8 @@ std::string strain_in_words(std::string_view component, double strain, MembraneM
   if (const SheetMetric* metric = find_sheet_metric(component)) {
     return fmt::format("{} {}", metric->meaning, percent(strain));
   }
-  if (is_sheet_pair(component)) return fmt::format("{} {}", component, format_number(strain, kDigits));
+  if (is_sheet_pair(component))
+    return fmt::format("{} {}", component, format_number(strain, kDigits));
   const std::string extension = percent(extension_at(measure, strain)) + " extension";
   if (measure != MembraneMeasure::stvk) return extension;
   return fmt::format("{} (Green strain {})", extension, percent(strain));

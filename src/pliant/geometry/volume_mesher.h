@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "pliant/geometry/label_volume.h"
 #include "pliant/geometry/volume_mesh.h"
 
 namespace pliant {
@@ -16,5 +17,14 @@ namespace pliant {
 ///         the program was built without CGAL
 VolumeMesh fill_surface(const Eigen::Matrix3Xd& positions, const Eigen::Matrix3Xi& triangles,
                         double edge, const std::string& file = {});
+
+/// Fills what a segmented image labels with tetrahedra of about one size, whose labels are its
+/// (CGAL's Mesh_3); regions that touch share their faces. The same image gives the same mesh.
+/// @param volume  in m
+/// @param edge    length that edges aim at (m)
+/// @param file    of the image, for errors; may be empty
+/// @throws InputError for an image without labels above 0, and where the program was built without
+///         CGAL
+VolumeMesh fill_labels(const LabelVolume& volume, double edge, const std::string& file = {});
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #include "pliant/geometry/volume_source.h"
 
 #include "pliant/geometry/block_mesh.h"
+#include "pliant/geometry/label_volume.h"
 #include "pliant/geometry/mesh_file_fields.h"
 #include "pliant/geometry/polygon_mesh.h"
 #include "pliant/geometry/volume_file.h"
@@ -56,6 +57,14 @@ SurfaceSource read_surface(const Value& surface, Fields& fields) {
   return source;
 }
 
+LabelSource read_labels(const Value& labels, Fields& fields) {
+  LabelSource source;
+  source.file = read_named_file(labels, "a .nrrd file of labels");
+  source.unit = read_file_unit(fields);
+  source.edge = fields.require("edge").positive_quantity(Dimension::length);
+  return source;
+}
+
 Fingertip read_fingertip(const Value& value, Fields& fields) {
   const Eigen::Vector3d size = read_vector(value);
   if (size.minCoeff() <= 0) value.fail("has no volume", "three lengths above 0 (m)");
@@ -88,6 +97,15 @@ VolumeMesh make_mesh(const SurfaceSource& source) {
   return mesh;
 }
 
+VolumeMesh make_mesh(const LabelSource& source) {
+  LabelVolume volume = read_label_volume(source.file);
+  volume.axes *= source.unit;
+  volume.origin *= source.unit;
+  VolumeMesh mesh = fill_labels(volume, source.edge, source.file.string());
+  require_good_volume_mesh(mesh, {.file = source.file.string()});
+  return mesh;
+}
+
 VolumeMesh make_mesh(const VolumeFileSource& source) {
   return read_volume_mesh(source.file, {source.unit, source.up});
 }
@@ -105,12 +123,16 @@ VolumeSource read_volume_source(const Value& value) {
   source.where = value.location();
   const auto file = fields.optional("file"), block = fields.optional("block");
   const auto surface = fields.optional("surface"), fingertip = fields.optional("fingertip");
-  if (file.has_value() + block.has_value() + surface.has_value() + fingertip.has_value() != 1) {
-    value.fail("is not one mesh", "`file`, `block`, `surface` or `fingertip`");
+  const auto labels = fields.optional("labels");
+  if (file.has_value() + block.has_value() + surface.has_value() + labels.has_value() +
+          fingertip.has_value() !=
+      1) {
+    value.fail("is not one mesh", "`file`, `block`, `surface`, `labels` or `fingertip`");
   }
   if (file) source.kind = read_volume_file(*file, fields);
   if (block) source.kind = read_block(*block, fields);
   if (surface) source.kind = read_surface(*surface, fields);
+  if (labels) source.kind = read_labels(*labels, fields);
   if (fingertip) source.kind = read_fingertip(*fingertip, fields);
   fields.finish();
   return source;
@@ -119,6 +141,7 @@ VolumeSource read_volume_source(const Value& value) {
 std::filesystem::path VolumeSource::file() const {
   if (const auto* mesh = std::get_if<VolumeFileSource>(&kind)) return mesh->file;
   if (const auto* surface = std::get_if<SurfaceSource>(&kind)) return surface->file;
+  if (const auto* labels = std::get_if<LabelSource>(&kind)) return labels->file;
   return {};
 }
 

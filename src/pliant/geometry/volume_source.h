@@ -33,17 +33,24 @@ struct SurfaceSource {
   double edge = 0;       ///< length that edges aim at, m
 };
 
+/// Tetrahedra in the regions of a segmented image.
+struct LabelSource {
+  std::filesystem::path file;
+  double unit = 0;  ///< m per unit of the file's lengths
+  double edge = 0;  ///< length that edges aim at, m
+};
+
 /// How a body comes by its mesh.
 struct VolumeSource {
-  std::variant<VolumeFileSource, BlockSource, SurfaceSource, Fingertip> kind;
+  std::variant<VolumeFileSource, BlockSource, SurfaceSource, LabelSource, Fingertip> kind;
   Location where;
 
   /// The file that it names; empty for none.
   std::filesystem::path file() const;
 };
 
-/// `{file, unit, up}`, `{block, cells, elements}`, `{surface, unit, up, edge}` or
-/// `{fingertip, edge}`.
+/// `{file, unit, up}`, `{block, cells, elements}`, `{surface, unit, up, edge}`,
+/// `{labels, unit, edge}` or `{fingertip, edge}`.
 /// @throws InputError, also for a file that does not exist; its content is not looked at
 VolumeSource read_volume_source(const Value& value);
 

@@ -93,6 +93,17 @@ std::vector<std::string> limitable_components(MaterialKind kind) {
   return names;
 }
 
+Material of_constant_thickness(const Material& cloth) {
+  Material solid;
+  solid.name = cloth.name;
+  solid.kind = MaterialKind::solid;
+  for (const auto& [name, component] : cloth.components) {
+    const std::string metric = solid_metric_of(name).value_or(green_strain_of(name));
+    if (!metric.empty()) solid.components[metric] = component;
+  }
+  return solid;
+}
+
 const std::vector<std::string>& component_names(MaterialKind kind) {
   return kind == MaterialKind::solid ? solid_component_names() : cloth_component_names();
 }

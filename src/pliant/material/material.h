@@ -133,6 +133,10 @@ bool is_pair_term(std::string_view component, MaterialKind kind);
 std::vector<std::string> ordered_components(
     const std::map<std::string, MaterialComponent>& components, MaterialKind kind);
 
+/// The solid that has the components of a cloth's triangles on its metrics (sheet_metric.h): per
+/// volume what the cloth has per area, where it keeps its thickness.
+Material of_constant_thickness(const Material& cloth);
+
 /// Those of the components of a kind of material whose energies a limit may be about: of cloth all
 /// that act on triangles.
 std::vector<std::string> limitable_components(MaterialKind kind);

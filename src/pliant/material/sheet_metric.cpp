@@ -29,11 +29,6 @@ constexpr std::array kGreenStrains{Renaming{"stretch.weft", "green.xx"},
                                    Renaming{"stretch.warp", "green.yy"},
                                    Renaming{"shear", "green.xy"}};
 
-std::string green_of(std::string_view component) {
-  const auto found = std::ranges::find(kGreenStrains, component, &Renaming::first);
-  return found == kGreenStrains.end() ? std::string() : std::string(found->second);
-}
-
 std::string component_of(std::string_view green) {
   const auto found = std::ranges::find(kGreenStrains, green, &Renaming::second);
   PLIANT_ASSERT(found != kGreenStrains.end(), "a strain of a sheet");
@@ -45,12 +40,17 @@ std::optional<PairMetric> pair_of_solid(std::string_view name) {
   if (times == std::string_view::npos) return std::nullopt;
   const std::size_t at = std::min(name.find('@'), name.size());
   if (at < times) return std::nullopt;
-  const std::string first = green_of(name.substr(0, times));
-  const std::string second = green_of(name.substr(times + 1, at - times - 1));
+  const std::string first = green_strain_of(name.substr(0, times));
+  const std::string second = green_strain_of(name.substr(times + 1, at - times - 1));
   return find_pair_metric(first + "*" + second + std::string(name.substr(at)));
 }
 
 }  // namespace
+
+std::string green_strain_of(std::string_view component) {
+  const auto found = std::ranges::find(kGreenStrains, component, &Renaming::first);
+  return found == kGreenStrains.end() ? std::string() : std::string(found->second);
+}
 
 std::span<const SheetMetric> sheet_metrics() { return kMetrics; }
 

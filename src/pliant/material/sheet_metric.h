@@ -20,8 +20,8 @@ inline constexpr const char* kCoupling = "coupling";
 inline constexpr const char* kCrossModal = "cross-modal";
 
 /// A scalar of the strains of a sheet on which a component of a cloth may act beside its stretches,
-/// shear and bending: the metric of a solid (solid/metric.h) that keeps its thickness, E_zz = E_yz =
-/// E_xz = 0 (in_plane.h). A sheet is whole without any.
+/// shear and bending: the metric of a solid (solid/metric.h) that keeps its thickness, E_zz = E_yz
+/// = E_xz = 0 (in_plane.h). A sheet is whole without any.
 struct SheetMetric {
   std::string_view name;      ///< of components of materials: "coupling", "area"
   std::string_view meaning;   ///< for readers
@@ -39,6 +39,10 @@ const SheetMetric* find_sheet_metric(std::string_view name);
 /// terms of two strains (solid/pair_metric.h) "green.xx*green.xy" of "stretch.weft*shear".
 /// @return nothing for stretches, shear and bending, and for unknown names
 std::optional<std::string> solid_metric_of(std::string_view cloth_component);
+
+/// The component of the Green strain that a stretch or shear is: "green.xx" of "stretch.weft";
+/// empty for others.
+std::string green_strain_of(std::string_view component);
 
 /// The name of a term of two strains of a cloth, "stretch.weft*shear", as materials write it.
 /// @return nothing for names of other components

@@ -198,8 +198,8 @@ ModelOptions read_model(Fields& study, MaterialKind kind) {
   }
   if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
   if (auto v = fields.optional("components")) {
-    model.components = read_components(
-        *v, kind, {"none", "constant", "affine", "hermite", "spline", "energy"});
+    model.components =
+        read_components(*v, kind, {"none", "constant", "affine", "hermite", "spline", "energy"});
     for (const auto& [name, component] : model.components) {
       require_green_strain(name, model.membrane, *v);
     }

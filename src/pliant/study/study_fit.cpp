@@ -11,6 +11,7 @@
 #include "pliant/estimation/component_work.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/material/sheet_metric.h"
 #include "pliant/study/component_study.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/joint_study.h"
@@ -62,8 +63,22 @@ void tell_of_shear(const std::vector<ComponentWork>& works, StudyResult& result)
       "shear: bias strips tell it where they are fitted as sheets (model: {strips: sheet})");
 }
 
+/// A strip that is strained evenly has one strain, and no limit of energy.
+void refuse_models_of_sheets(const Study& study) {
+  const auto refuse = [&](const std::string& field, const char* what) {
+    throw InputError({study.file, 0, field},
+                     fmt::format("{}, which strips in one dimension do not tell", what),
+                     "sessions to fit, or `model: {strips: sheet}`");
+  };
+  for (const auto& [name, component] : study.model.components) {
+    if (solid_metric_of(name)) refuse("model.components." + name, "acts on several strains");
+  }
+  if (!study.model.limits.empty()) refuse("model.limits", "is of sheets");
+}
+
 StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
                        const RunContext& context) {
+  refuse_models_of_sheets(study);
   if (study.model.isotropic) {
     throw InputError({study.file, 0, "model.variant"},
                      "components are fitted one by one: weft and warp have nothing to share",

@@ -43,9 +43,9 @@ std::vector<ComponentLaw> first_bending(const Material& material, const Componen
 /// The kind of a group's stiffness where it grows.
 CurveKind grown_kind(const FitSettings& settings, const ComponentGroup& group);
 
-/// A curve of a kind through other control points, up to a strain: at equal distances, or by a power
-/// of them denser towards rest. At the points it is, or its energy or second derivative is, what it
-/// was.
+/// A curve of a kind through other control points, up to a strain: at equal distances, or by a
+/// power of them denser towards rest. At the points it is, or its energy or second derivative is,
+/// what it was.
 /// @param kind  with control points
 ScalarCurve with_points(const ScalarCurve& curve, CurveKind kind, int points, double strain,
                         int power = 1);

@@ -111,8 +111,8 @@ std::vector<SheetStage> plan_of_thesis(const FitSettings& settings, const Tests&
   return plan;
 }
 
-/// After the stages of a study limits of energies of triangles, beside all curves of theirs and from
-/// all tests that tell those.
+/// After the stages of a study limits of energies of triangles, beside all curves of theirs and
+/// from all tests that tell those.
 void add_limits(const FitSettings& settings, std::vector<SheetStage>& plan) {
   if (settings.model.limits.empty() || settings.fit.plan.empty()) return;
   SheetStage limits{{}, {}, StageKind::limit};

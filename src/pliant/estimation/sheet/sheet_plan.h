@@ -34,8 +34,8 @@ struct SheetStage {
 /// Springs that bend resist stretch as well: with them stretch is fitted again, too.
 ///
 /// Limits of energies that the model has are fitted with all curves of triangles, before bending or
-/// after the stages of a study; last comes friction, of what clips pull, where sequences load and unload and the study does not
-/// say no: the prediction then follows the loop and not its middle.
+/// after the stages of a study; last comes friction, of what clips pull, where sequences load and
+/// unload and the study does not say no: the prediction then follows the loop and not its middle.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @param known  components that other experiments have told: stages leave them as they are

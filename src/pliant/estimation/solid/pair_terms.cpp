@@ -21,7 +21,8 @@ std::vector<PairMetric> gaussians_at(PairMetric pair,
   std::vector<PairMetric> terms;
   for (const double x : places[0]) {
     for (const double y : places[1]) {
-      pair.bump = PairMetric::Bump{{rounded(x), rounded(y)}, {rounded(width[0]), rounded(width[1])}};
+      pair.bump =
+          PairMetric::Bump{{rounded(x), rounded(y)}, {rounded(width[0]), rounded(width[1])}};
       terms.push_back(pair);
     }
   }

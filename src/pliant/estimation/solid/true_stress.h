@@ -15,7 +15,8 @@ namespace pliant {
 double explained_share(const std::vector<const Experiment*>& experiments, const Material& material);
 
 /// Asks whether the stresses of the experiments are true ones, force over the area as it is, where
-/// a law of the same form meets them much better as such.
+/// they exceed the law most where the stretch is largest, as those would, and a law of the same
+/// form meets them much better as such.
 /// @param material  fitted to them as nominal ones
 std::vector<std::string> true_stress_questions(const FitSettings& settings,
                                                const Material& material,

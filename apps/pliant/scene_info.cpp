@@ -14,6 +14,7 @@
 #include "pliant/scene/solid_piece.h"
 
 #include "apps/pliant/file_info.h"
+#include "apps/pliant/volume_info.h"
 
 namespace pliant {
 namespace {
@@ -113,37 +114,8 @@ void describe_cloth(const MeshedCloth& meshed, FileInfo& info) {
       labelled("material", fmt::format("{}", fmt::join(material_names(cloth), "; regions: ")), 1));
 }
 
-std::string source_text(const VolumeFileSource& source) { return source.file.string(); }
-
-std::string source_text(const SurfaceSource& source) {
-  return fmt::format("tetrahedra in {}, edges of {}", source.file.string(),
-                     format_quantity(source.edge, Dimension::length));
-}
-
-std::string source_text(const LabelSource& source) {
-  return fmt::format("tetrahedra in the regions of {}, edges of {}", source.file.string(),
-                     format_quantity(source.edge, Dimension::length));
-}
-
-std::string source_text(const BlockSource& block) {
-  const auto length = [&](int axis) {
-    return format_quantity(block.size(axis), Dimension::length);
-  };
-  return fmt::format("block {} x {} x {}, {} x {} x {} cells", length(0), length(1), length(2),
-                     block.cells[0], block.cells[1], block.cells[2]);
-}
-
-std::string source_text(const Fingertip& shape) {
-  return fmt::format("fingertip {} x {} x {}, edges of {}",
-                     format_quantity(shape.length, Dimension::length),
-                     format_quantity(shape.width, Dimension::length),
-                     format_quantity(shape.height, Dimension::length),
-                     format_quantity(shape.edge, Dimension::length));
-}
-
 void describe_solid(const SceneSolid& solid, const SolidPiece& piece, FileInfo& info) {
-  const std::string source =
-      std::visit([](const auto& kind) { return source_text(kind); }, solid.mesh.kind);
+  const std::string source = text_of(solid.mesh);
   std::vector<std::string> materials;
   for (const auto& region : piece.regions) materials.push_back(region.material.name);
   const double volume = element_volumes(piece.mesh).sum(), mass = piece.masses().sum();

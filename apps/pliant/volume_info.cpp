@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
 #include "pliant/geometry/volume_file.h"
 
 namespace pliant {
@@ -14,6 +15,34 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string short_number(double value) { return format_number(value, 4); }
+
+std::string volume_source_text(const VolumeFileSource& source) { return source.file.string(); }
+
+std::string volume_source_text(const SurfaceSource& source) {
+  return fmt::format("tetrahedra in {}, edges of {}", source.file.string(),
+                     format_quantity(source.edge, Dimension::length));
+}
+
+std::string volume_source_text(const LabelSource& source) {
+  return fmt::format("tetrahedra in the regions of {}, edges of {}", source.file.string(),
+                     format_quantity(source.edge, Dimension::length));
+}
+
+std::string volume_source_text(const BlockSource& block) {
+  const auto length = [&](int axis) {
+    return format_quantity(block.size(axis), Dimension::length);
+  };
+  return fmt::format("block {} x {} x {}, {} x {} x {} cells", length(0), length(1), length(2),
+                     block.cells[0], block.cells[1], block.cells[2]);
+}
+
+std::string volume_source_text(const Fingertip& shape) {
+  return fmt::format("fingertip {} x {} x {}, edges of {}",
+                     format_quantity(shape.length, Dimension::length),
+                     format_quantity(shape.width, Dimension::length),
+                     format_quantity(shape.height, Dimension::length),
+                     format_quantity(shape.edge, Dimension::length));
+}
 
 void add_counts(const VolumeMesh& mesh, FileInfo& info) {
   info.json["nodes"] = mesh.node_count();
@@ -107,6 +136,10 @@ FileInfo volume_info(const std::filesystem::path& path) {
   }
   info.json["warnings"] = info.warnings;
   return info;
+}
+
+std::string text_of(const VolumeSource& source) {
+  return std::visit([](const auto& kind) { return volume_source_text(kind); }, source.kind);
 }
 
 }  // namespace pliant

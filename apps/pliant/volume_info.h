@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "pliant/geometry/volume_source.h"
 
 #include "apps/pliant/file_info.h"
 
@@ -10,5 +13,8 @@ namespace pliant {
 /// checks whether it is fit for simulation; what is wrong becomes warnings.
 /// @throws InputError where the file cannot be read
 FileInfo volume_info(const std::filesystem::path& path);
+
+/// How a body comes by its mesh, in words.
+std::string text_of(const VolumeSource& source);
 
 }  // namespace pliant

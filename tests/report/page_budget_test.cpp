@@ -1,17 +1,24 @@
 #include "pliant/report/page_budget.h"
 
-#include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
-#include "pliant/material/material.h"
+#include <gtest/gtest.h>
 
 namespace pliant::report {
 namespace {
+
+const std::vector<std::string>& measured_components() {
+  static const std::vector<std::string> names{
+      "stretch.weft", "stretch.warp", "stretch.bias", "shear", "coupling", "area", "bend.weft"};
+  return names;
+}
 
 /// A fit of some components with so many experiments each, all of which were kept in part.
 Results fit_of(std::size_t components, std::size_t experiments) {
   Results results;
   for (std::size_t c = 0; c < components; ++c) {
-    const std::string& name = cloth_component_names()[c];
+    const std::string& name = measured_components()[c];
     results.figures.push_back({name, "stiffness_at_rest", "N/m", 1, {}, {}, {}, {}});
     for (std::size_t i = 0; i < experiments; ++i) {
       ResultExperiment e;

@@ -219,12 +219,19 @@ TEST(SolidScene, RefusesWhatCannotBeASolid) {
       {"{name: a, mesh: {block: [1, 1, 1], cells: [1, 1, 1]}, material: soft.json}",
        "solids[0].material", "the material \"soft\" does not resist every small strain"},
       {"{name: a, mesh: {block: [1, 1, 1], cells: [1, 1, 1]}, material: light.json}",
-       "solids[0].material", "the material \"light\" has no density"}};
+       "solids[0].material", "the material \"light\" has no density"},
+      // [T] Fig. 4.2: lambda below 0, so that the energy falls where strains grow together.
+      {"{name: a, mesh: {block: [1, 1, 1], cells: [1, 1, 1]}, material: concave.json}",
+       "solids[0].material", "the material \"concave\" does not resist every small strain"}};
   test::FileContents all = files();
   all["cloth.json"] = material_text(test::linear_cloth(30, 10, 1e-5));
   all["soft.json"] =
       R"({"pliant": "material/1", "name": "soft", "kind": "solid", "density": 1000,
  "components": {"J": {"stiffness": {"curve": "constant", "value": 1e6}}}})";
+  all["concave.json"] =
+      R"({"pliant": "material/1", "name": "concave", "kind": "solid", "density": 1000,
+ "components": {"trace": {"stiffness": {"curve": "constant", "value": -1e4}},
+                "trace-of-square": {"addends": [{"law": "linear", "c": 1e4}]}}})";
   all["light.json"] =
       R"({"pliant": "material/1", "name": "light", "kind": "solid",
  "components": {"trace-of-square": {"addends": [{"law": "linear", "c": 1e4}]}}})";

@@ -4,6 +4,7 @@
 
 #include "pliant/experiment/press/press_type.h"
 #include "pliant/geometry/block_mesh.h"
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/solid/standard_solids.h"
 
@@ -65,6 +66,43 @@ TEST(SlowPressStudy, FindsALimitOfEnergy) {
       fit_of_block(material, 1.5e-3, law + ", limits: [{of: [I1-bar]}]", known);
   EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 15);
   EXPECT_NEAR(value_of(result, "I1-bar.limit"), 700, 1);
+}
+
+// Friction of the strain along the press, told by what the way back lies below the way in.
+TEST(SlowPressStudy, FindsFrictionFromCycles) {
+  Material material = neo_hookean_solid(15e3, 300e3);
+  MaterialComponent& along = material.components["green.zz"];
+  along.stiffness = ScalarCurve::none();
+  along.addends = {Addend(*find_addend_kind("dahl"), Eigen::Vector3d(4e3, 0, 0.03))};
+  VirtualPress press = pressed_block(indentation_type());
+  press.depths = {1.2e-3};
+  press.cycles = true;
+  press.samples = 5;
+  const LabFolder folder = measured(material, {press});
+  const std::string elastic = "components: {I1-bar: {addends: [linear]}, J: {stiffness: constant}";
+  const std::string fixed = "fit: {fix: {J.k: 300000}}\n";
+  const StudyResult without = fit_study(solid_study(folder, elastic + "}", fixed), {}, {});
+  const LabFolder again = measured(material, {press});
+  const StudyResult result = fit_study(
+      solid_study(again, elastic + ", green.zz: {stiffness: none, addends: [dahl]}}", fixed), {},
+      {});
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 0.01 * 15e3);
+  EXPECT_NEAR(value_of(result, "green.zz.dahl.a"), 4e3, 0.02 * 4e3);
+  EXPECT_NEAR(value_of(result, "green.zz.dahl.tau"), 0.03, 0.02 * 0.03);
+  fmt::print("{:.3g} % of the largest force without friction, {:.3g} with it\n",
+             without.experiments.front().rms_percent, result.experiments.front().rms_percent);
+  EXPECT_LT(result.experiments.front().rms_percent, without.experiments.front().rms_percent / 20);
+}
+
+TEST(SlowPressStudy, IsFittedTogetherWithAMovedBody) {
+  const Material material = neo_hookean_solid(15e3, 300e3);
+  const LabFolder folder =
+      measured(material, {pressed_block(press_type()), test::moved_block({4, 2, 2})});
+  const StudyResult result = fit_study(study_of(folder), {}, {});
+  ASSERT_EQ(result.experiments.size(), 2u);
+  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 0.005 * 15e3);
+  EXPECT_NEAR(value_of(result, "J.k"), 300e3, 0.03 * 300e3);
+  for (const ExperimentResult& one : result.experiments) EXPECT_LT(one.rms_percent, 0.1);
 }
 
 // As [T] Fig. 4.6 does of a fingerpad: 3 % with a limit, which the law alone is far from.

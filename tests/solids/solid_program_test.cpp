@@ -47,6 +47,24 @@ TEST(SlowSolidProgram, FitsWhatItsTemplateHolds) {
   EXPECT_TRUE(fs::exists(folder.path() / "evaluation/report.html"));
 }
 
+// What each kind of test on a body begins with leads to a material, its report and a prediction.
+TEST(SlowSolidProgram, FitsTheStudyThatEachTestOfABodyBeginsWith) {
+  for (const char* kind : {"indentation", "moved-body"}) {
+    const TemporaryFolder folder;
+    done({"init", kind, "-o", in(folder, "study")});
+    EXPECT_THAT(done({"info", in(folder, "study/study.yaml")}).out, HasSubstr(kind));
+    const ProgramRun run =
+        done({"fit", in(folder, "study/study.yaml"), "-o", in(folder, "fit"), "--json"});
+    const auto fit = nlohmann::json::parse(run.out);
+    ASSERT_FALSE(fit["experiments"].empty()) << kind;
+    for (const auto& e : fit["experiments"]) EXPECT_GT(e["r_squared"].get<double>(), 0.99) << kind;
+    EXPECT_THAT(content_of(folder.path() / "fit/report.html"), HasSubstr("I1-bar.linear.c"));
+    done({"evaluate", in(folder, "study/study.yaml"), "-m", in(folder, "fit/material.json"), "-o",
+          in(folder, "evaluation")});
+    EXPECT_TRUE(fs::exists(folder.path() / "evaluation/report.html")) << kind;
+  }
+}
+
 TEST(SolidProgram, StartsAStudyFromATableOfStretchesAndStresses) {
   const TemporaryFolder folder;
   const std::string rows = "1,0,planar\n1.2,0.1,planar\n1.6,0.25,planar\n2,0.4,planar\n";

@@ -367,15 +367,9 @@ TEST(SolidStudy, AsksWhetherStressesAreTrueOnes) {
   ASSERT_EQ(result.questions.size(), 1u);
   EXPECT_THAT(result.questions.front(), HasSubstr("if they were true"));
   EXPECT_THAT(result.questions.front(), HasSubstr("1.0000"));
-}
-
-// A law that fails another way is no reason to ask: here the stresses fall short of it where the
-// stretch is largest.
-TEST(SolidStudy, AsksNothingWhereStressesFallShort) {
-  const LabFolder folder = measured(solid_of({{"stretch-bar", component_of({ogden(0.4e6, 0.6)})}}));
-  const StudyResult result = fit(folder, "law: neo-hookean");
-  EXPECT_LT(result.experiments.front().r_squared.value(), 0.999);
-  EXPECT_TRUE(result.questions.empty());
+  // A law that stresses fall short of where the stretch is largest is no reason to ask.
+  const LabFolder softer = measured(solid_of({{"stretch-bar", component_of({ogden(0.4e6, 0.6)})}}));
+  EXPECT_TRUE(fit(softer, "law: neo-hookean").questions.empty());
 }
 
 std::string study_of(const std::string& experiment, const std::string& model) {

@@ -217,7 +217,9 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   if (component.stiffness) add_measured(name, component, units, info, json);
   add_addends(component, units, info.lines, json);
   if (component.stiffness) add_convexity(material, name, info, json);
-  if (component.stiffness && (!units.bending || material.bending_of == "sheet")) {
+  const bool read_by_instruments =
+      units.bending ? material.bending_of == "sheet" : !solid_metric_of(name);
+  if (component.stiffness && read_by_instruments) {
     json["textile"] = textile_info(material, name, info);
   }
   return json;

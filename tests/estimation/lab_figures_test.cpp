@@ -59,6 +59,16 @@ TEST(LabFigures, OfARigidLawOfSmallStrainsAreItsStiffness) {
   EXPECT_EQ(find(figures, "loop_width"), nullptr) << "without friction there is no loop";
 }
 
+TEST(LabFigures, OfAMetricOfTrianglesAreNoneThatInstrumentsRead) {
+  const Material material = cloth("area", ScalarCurve::constant(25), 0.3);
+  const auto figures = lab_figures(material, "area", {});
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures.front().name, "stiffness_at_rest");
+  EXPECT_TRUE(lab_figures(cloth("stretch.weft*shear", ScalarCurve::constant(25), 0.3),
+                          "stretch.weft*shear", {})
+                  .empty());
+}
+
 TEST(LabFigures, TheLoopIsTwiceTheSaturatedFrictionWide) {
   Material material = cloth("shear", ScalarCurve::constant(30), std::sin(0.14));
   material.components["shear"].friction = ComponentFriction{{1.5, 0, 1e-3}, {}};

@@ -57,6 +57,8 @@ TEST(ComponentTitle, ReadsAsWords) {
   EXPECT_EQ(component_title("stretch.warp"), "Warp stretch");
   EXPECT_EQ(component_title("bend.weft"), "Weft bending");
   EXPECT_EQ(component_title("shear"), "Shear");
+  EXPECT_EQ(component_title("area"), "Area");
+  EXPECT_EQ(component_title("stretch.weft*stretch.warp"), "stretch.weft*stretch.warp");
   EXPECT_EQ(component_title("new.thing"), "new.thing");
 }
 

@@ -200,6 +200,23 @@ TEST(SolidScene, BlendsSamplesOfItsMaterial) {
             "solids[0].material.samples[1]: is a second sample at one place");
 }
 
+TEST(SolidScene, WarnsOfAMaterialOfAnotherBody) {
+  test::FileContents all = files();
+  all["fitted.json"] =
+      R"({"pliant": "material/1", "name": "fitted", "kind": "solid", "density": 1000,
+ "components": {"J": {"stiffness": {"curve": "constant", "value": 1e6}}},
+ "samples": {"width": 0.05, "at": [
+   {"place": [0.02, 0.02, 0.05], "components": {"I1-bar": {"addends": [{"law": "linear", "c": 1e4}]}}},
+   {"place": [0.02, 0.02, 0.5], "components": {"I1-bar": {"addends": [{"law": "linear", "c": 2e4}]}}}]}})";
+  std::string scene = bar("{step: 5 ms, duration: 1 s}", "tetrahedra");
+  scene.replace(scene.find("rubber.json"), 11, "fitted.json");
+  const Simulation simulation = test::simulation_of(scene, all);
+  ASSERT_EQ(simulation.built().warnings.size(), 1U);
+  EXPECT_EQ(simulation.built().warnings.front(),
+            "1 of 2 samples of the material \"fitted\" lie outside the body bar: was it fitted to "
+            "another?");
+}
+
 struct Refused {
   const char* solid;
   const char* field;

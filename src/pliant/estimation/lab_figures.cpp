@@ -157,13 +157,15 @@ class Figures {
   std::vector<LabFigure> all_;
 };
 
-void add_membrane(const Material& material, bool shear, Figures& figures) {
+/// @param component  that instruments read: of a metric of triangles there is no chart
+void add_membrane(const Material& material, const std::string& component, Figures& figures) {
   constexpr double kLeast = 1e-4;  // of strain: below, there is no chart to read
   Chart chart;
   chart.strip.measure = material.membrane;
-  chart.shear = shear;
+  chart.shear = component == "shear";
   figures.add("stiffness_at_rest", "N/m", tangent_at_rest, 0, 0);
-  if (!(figures.end() > kLeast) || (shear && figures.end() >= 1)) return;
+  if (solid_metric_of(component)) return;
+  if (!(figures.end() > kLeast) || (chart.shear && figures.end() >= 1)) return;
   const double end = chart.at(figures.end());
   for (const double at : {chart.rounded(end / 2), end}) {
     const double strain = chart.strain(at);
@@ -219,9 +221,10 @@ std::vector<LabFigure> lab_figures(const Material& material, const std::string& 
                                    const ErrorOfLaw& error_of) {
   PLIANT_ASSERT(material.components.at(component).stiffness.has_value(),
                 "a component with numbers");
+  if (is_sheet_pair(component)) return {};
   Figures figures(material, component, error_of);
   if (!is_bending(component)) {
-    add_membrane(material, component == "shear", figures);
+    add_membrane(material, component, figures);
   } else if (material.bending == "discrete-shells" && material.bending_of == "sheet") {
     add_bending(material, figures);
   }

@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::array kMetrics{
     SheetMetric{kCoupling, "sum of both strains", "green.xx+yy", true},
-    SheetMetric{kCrossModal, "squares of both principal strains, added", "trace-of-square", true},
-    SheetMetric{"area", "area over rest area, less 1", "J"},
-    SheetMetric{"log-area", "logarithm of area over rest area", "log-J"},
-    SheetMetric{"invariant.1", "first invariant of C, less 3", "I1"},
-    SheetMetric{"invariant.2", "second invariant of C, less 3", "I2"},
-    SheetMetric{"thread.weft", "stretch along weft, less 1", "fibre.x"},
-    SheetMetric{"thread.warp", "stretch along warp, less 1", "fibre.y"},
-    SheetMetric{"principal.stretch", "principal stretches, less 1", "stretch"},
-    SheetMetric{"principal.log-stretch", "logarithms of the principal stretches", "log-stretch"},
+    SheetMetric{kCrossModal, "squares of principal strains", "trace-of-square", true},
+    SheetMetric{"area", "change of area", "J"},
+    SheetMetric{"log-area", "logarithm of the change of area", "log-J"},
+    SheetMetric{"invariant.1", "I1 - 3", "I1"},
+    SheetMetric{"invariant.2", "I2 - 3", "I2"},
+    SheetMetric{"thread.weft", "extension of weft", "fibre.x"},
+    SheetMetric{"thread.warp", "extension of warp", "fibre.y"},
+    SheetMetric{"principal.stretch", "principal extension", "stretch"},
+    SheetMetric{"principal.log-stretch", "logarithm of principal stretch", "log-stretch"},
 };
 
 /// Stretches and shear, and the components of the Green strain that they are.

@@ -24,7 +24,7 @@ inline constexpr const char* kCrossModal = "cross-modal";
 /// = E_xz = 0 (in_plane.h). A sheet is whole without any.
 struct SheetMetric {
   std::string_view name;      ///< of components of materials: "coupling", "area"
-  std::string_view meaning;   ///< for readers
+  std::string_view meaning;   ///< what a number of it is called: "change of area 3 %"
   std::string_view of_solid;  ///< the name of the metric of a solid
   /// Whether any strains of threads will do, or only Green's (`MembraneMeasure::stvk`).
   bool of_any_strain = false;

@@ -137,6 +137,7 @@ QuantityLabel stress_label(std::string_view component) {
 
 std::string component_title(std::string_view component) {
   const std::size_t dot = component.find('.');
+  if (is_sheet_pair(component)) return std::string(component);
   if (dot == std::string_view::npos) return capitalised(std::string(component));
   const std::string_view kind = component.substr(0, dot);
   const std::string direction = capitalised(std::string(component.substr(dot + 1)));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/geometry/inside_volume.h"
 #include "pliant/geometry/mesh_quality.h"
 #include "pliant/mechanics/cord.h"
 #include "pliant/mechanics/point_forces.h"
@@ -24,6 +25,19 @@ std::vector<int> held_axes(const ScenePin& pin) {
     if (pin.directions[static_cast<size_t>(axis)]) axes.push_back(axis);
   }
   return axes;
+}
+
+// A material that a fit gave samples is of the body that they lie in, and of its coordinates.
+void warn_of_samples_outside(const SolidPiece& piece, std::vector<std::string>& warnings) {
+  for (const SolidPiece::Region& region : piece.regions) {
+    const std::vector<SampledComponents>& samples = region.material.samples.at;
+    const auto outside = std::ranges::count_if(
+        samples, [&](const SampledComponents& own) { return !is_inside(piece.mesh, own.place); });
+    if (outside == 0) continue;
+    warnings.push_back(fmt::format(
+        "{} of {} samples of the material {} lie outside the body {}: was it fitted to another?",
+        outside, samples.size(), quoted_value(region.material.name), piece.name));
+  }
 }
 
 // Builds the system step by step; each step uses what the ones before it left.
@@ -258,7 +272,10 @@ class SceneBuilder {
                                 cloth.warnings.end());
       }
     }
-    for (SolidPiece& solid : result_.solids) add_solid_materials(system(), scene_, solid);
+    for (SolidPiece& solid : result_.solids) {
+      warn_of_samples_outside(solid, result_.warnings);
+      add_solid_materials(system(), scene_, solid);
+    }
   }
 
   void add_forces() {

@@ -9,6 +9,7 @@
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/geometry/crossings.h"
 #include "pliant/geometry/volume_file.h"
+#include "pliant/material/solid/standard_solids.h"
 
 #include "support/cloth_sheet.h"
 #include "support/scene_simulation.h"
@@ -16,13 +17,12 @@
 namespace pliant {
 namespace {
 
-constexpr const char* kGel =
-    R"({"pliant": "material/1", "name": "gel", "kind": "solid", "density": 1000,
- "components": {"I1-bar": {"addends": [{"law": "linear", "c": 10000}]},
-                "J": {"stiffness": {"curve": "constant", "value": 2e5}}}})";
-
 test::FileContents gel_and_cloth() {
-  return {{"gel.json", kGel}, {"cloth.json", material_text(test::linear_cloth(200, 80, 1e-5))}};
+  Material gel = neo_hookean_solid(1e4, 2e5);
+  gel.name = "gel";
+  gel.density = 1000;
+  return {{"gel.json", material_text(gel)},
+          {"cloth.json", material_text(test::linear_cloth(200, 80, 1e-5))}};
 }
 
 /// Steps to the end; after each no triangles cross, and no energy was gained.

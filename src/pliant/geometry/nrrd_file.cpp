@@ -136,27 +136,45 @@ void append_numbers(const std::string& raw, bool swap, std::vector<int>& labels)
   }
 }
 
-/// How many bytes a number has by the name of its type, below 0 where it has a sign; 0 for others.
-int bytes_of(const std::string& type) {
-  static const std::map<std::string, int> kBytes{
-      {"signed char", -1},  {"int8", -1},          {"int8_t", -1}, {"uchar", 1},
-      {"unsigned char", 1}, {"uint8", 1},          {"uint8_t", 1}, {"short", -2},
-      {"short int", -2},    {"signed short", -2},  {"int16", -2},  {"int16_t", -2},
-      {"ushort", 2},        {"unsigned short", 2}, {"uint16", 2},  {"uint16_t", 2},
-      {"int", -4},          {"signed int", -4},    {"int32", -4},  {"int32_t", -4},
-      {"uint", 4},          {"unsigned int", 4},   {"uint32", 4},  {"uint32_t", 4}};
-  const auto found = kBytes.find(type);
-  return found == kBytes.end() ? 0 : found->second;
+struct NumberType {
+  std::size_t bytes = 0;
+  void (*append)(const std::string& raw, bool swap, std::vector<int>& labels) = nullptr;
+};
+
+template <class Number>
+constexpr NumberType number_type() {
+  return {sizeof(Number), append_numbers<Number>};
+}
+
+/// The type of a name; null for others.
+const NumberType* find_number_type(const std::string& name) {
+  constexpr NumberType kInt8 = number_type<std::int8_t>(), kUint8 = number_type<std::uint8_t>();
+  constexpr NumberType kInt16 = number_type<std::int16_t>(), kUint16 = number_type<std::uint16_t>();
+  constexpr NumberType kInt32 = number_type<std::int32_t>(), kUint32 = number_type<std::uint32_t>();
+  static const std::map<std::string, NumberType> kTypes{
+      {"signed char", kInt8},    {"int8", kInt8},
+      {"int8_t", kInt8},         {"uchar", kUint8},
+      {"unsigned char", kUint8}, {"uint8", kUint8},
+      {"uint8_t", kUint8},       {"short", kInt16},
+      {"short int", kInt16},     {"signed short", kInt16},
+      {"int16", kInt16},         {"int16_t", kInt16},
+      {"ushort", kUint16},       {"unsigned short", kUint16},
+      {"uint16", kUint16},       {"uint16_t", kUint16},
+      {"int", kInt32},           {"signed int", kInt32},
+      {"int32", kInt32},         {"int32_t", kInt32},
+      {"uint", kUint32},         {"unsigned int", kUint32},
+      {"uint32", kUint32},       {"uint32_t", kUint32}};
+  const auto found = kTypes.find(name);
+  return found == kTypes.end() ? nullptr : &found->second;
 }
 
 void read_numbers(const NrrdHeader& header, const std::string& body, LabelVolume& volume) {
   const std::string& type = header.need("type");
-  const int bytes = bytes_of(type);
-  if (bytes == 0)
-    header.refuse("type", "is `" + type + "`", "whole numbers: uchar, short, int, ...");
+  const NumberType* numbers = find_number_type(type);
+  if (!numbers) header.refuse("type", "is `" + type + "`", "whole numbers: uchar, short, int, ...");
   const auto count = static_cast<std::size_t>(volume.size.cast<std::int64_t>().prod());
   const std::string& encoding = header.need("encoding");
-  const std::size_t needed = count * static_cast<std::size_t>(std::abs(bytes));
+  const std::size_t needed = count * numbers->bytes;
   std::string raw;
   if (encoding == "raw") {
     raw = body.substr(0, needed);
@@ -168,25 +186,7 @@ void read_numbers(const NrrdHeader& header, const std::string& body, LabelVolume
     header.refuse("encoding", "is `" + encoding + "`", "raw, gzip or ascii");
   }
   const bool swap = (header.get("endian") == "big") == (std::endian::native == std::endian::little);
-  switch (bytes) {
-    case -1:
-      append_numbers<std::int8_t>(raw, false, volume.labels);
-      break;
-    case 1:
-      append_numbers<std::uint8_t>(raw, false, volume.labels);
-      break;
-    case -2:
-      append_numbers<std::int16_t>(raw, swap, volume.labels);
-      break;
-    case 2:
-      append_numbers<std::uint16_t>(raw, swap, volume.labels);
-      break;
-    case -4:
-      append_numbers<std::int32_t>(raw, swap, volume.labels);
-      break;
-    default:
-      append_numbers<std::uint32_t>(raw, swap, volume.labels);
-  }
+  numbers->append(raw, swap, volume.labels);
   if (volume.labels.size() != count) {
     header.refuse("sizes",
                   fmt::format("are of {} voxels, and the file has {}", count, volume.labels.size()),

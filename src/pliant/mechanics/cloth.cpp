@@ -36,10 +36,8 @@ const std::vector<std::string>& membrane_components() {
 
 // The components that act on metrics of the strains of triangles.
 std::vector<std::string> metric_components(const Material& material) {
-  std::vector<std::string> names = ordered_components(material.components, material.kind);
-  std::erase_if(names, [&](const std::string& name) {
-    return !solid_metric_of(name) || !is_known(material, name);
-  });
+  std::vector<std::string> names = components_of_sheet(material);
+  std::erase_if(names, [](const std::string& name) { return !solid_metric_of(name); });
   return names;
 }
 

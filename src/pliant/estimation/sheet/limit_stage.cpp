@@ -10,16 +10,13 @@
 namespace pliant {
 namespace {
 
-/// Gives components a limit of the share of the largest energy that the sheets reach without it
-/// from which the differences are least.
+/// Gives components a limit of the share of an energy from which the differences are least.
 /// @param softer  than now, the components
+/// @param most    the largest energy that the sheets then reach without it (J/m^2)
 /// @return false where the sheets have no equilibria with any
 bool begin_at_limit(SheetFitting& fitting, const SheetStage& stage,
-                    const std::vector<std::string>& components, double softer) {
+                    const std::vector<std::string>& components, double softer, double most) {
   constexpr std::array kShares{1.1, 0.8, 0.6, 0.4, 0.2};  // of the first the data tell nothing
-  SheetProblem problem = fitting.problem_of(stage);
-  const double most =
-      softer * fitting.search().largest_energy(stage, problem, fitting.fit().material, components);
   for (const std::string& component : components) {
     MaterialComponent& own = fitting.fit().material.components.at(component);
     own = scaled(own, softer);
@@ -42,11 +39,15 @@ void fit_limits(SheetFitting& fitting, const SheetStage& stage) {
   constexpr std::array kSofter{1.0, 0.3, 0.1};
   for (const std::vector<std::string>& components : fitting.settings().model.limits) {
     const SheetFitting::State without = fitting.state();
+    SheetProblem problem = fitting.problem_of(stage);
+    const double most =
+        fitting.search().largest_energy(stage, problem, fitting.fit().material, components);
     SheetFitting::State best;
     StartRecord record{limit_name(components), "limit", unit_of(stage), {}, 0};
     const auto follow = [&](std::size_t start, double least) {
       fitting.restore(without);
-      const bool begun = begin_at_limit(fitting, stage, components, kSofter[start]);
+      const double softer = kSofter[start];
+      const bool begun = begin_at_limit(fitting, stage, components, softer, softer * most);
       const double rms = (begun ? fitting.solved(stage) : std::nullopt).value_or(INFINITY);
       record.ends.push_back(in_unit(stage, rms));
       if (rms < least) best = fitting.state();

@@ -85,8 +85,9 @@ void add_convert(CommandRegistry& registry) {
       ->type_name("FORMAT")
       ->required();
   command
-      .add_option("--mesh", arguments->mesh,
-                  "Volume mesh (.msh, .mesh): nodes, elements and their section are written, too")
+      .add_option(
+          "--mesh", arguments->mesh,
+          "Volume mesh (.msh, .mesh, .vtu): nodes, elements and their section are written, too")
       ->type_name("FILE");
   command
       .add_option("--unit", arguments->unit, "Length unit of the mesh's coordinates: mm, m, ...")

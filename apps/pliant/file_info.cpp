@@ -91,8 +91,8 @@ std::string labelled(std::string_view label, std::string_view text, int indent) 
 FileInfo describe_file(const fs::path& path, const CsvOptions& reading) {
   if (fs::is_directory(path)) return directory_info(path);
   if (is_mesh_file(path)) return mesh_info(path);
-  if (is_volume_file(path)) return volume_info(path);
   if (lower_case_extension(path) == ".vtu") return vtu_info(path);
+  if (is_volume_file(path)) return volume_info(path);
   if (is_checkpoint(path)) return checkpoint_info(path);
   if (is_journal(path)) return progress_info(path);
   if (is_u3m(path)) return u3m_file_info(path);

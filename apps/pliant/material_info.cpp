@@ -14,6 +14,7 @@
 #include "apps/pliant/convexity_info.h"
 #include "apps/pliant/file_info.h"
 #include "apps/pliant/limits_info.h"
+#include "apps/pliant/samples_info.h"
 #include "apps/pliant/solid_info.h"
 #include "apps/pliant/textile_info.h"
 
@@ -280,6 +281,7 @@ FileInfo material_info(const std::filesystem::path& path) {
     components[name] = component_info(material, name, info);
   }
   info.json["components"] = std::move(components);
+  add_samples(material, info);
   add_limits(material, info);
   add_texts(material, info);
   return info;

@@ -11,7 +11,6 @@
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/experiment/homogeneous/elliptic_range.h"
-#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/study/body_samples.h"
@@ -19,6 +18,7 @@
 
 #include "apps/pliant/convexity_info.h"
 #include "apps/pliant/limits_info.h"
+#include "apps/pliant/samples_info.h"
 
 namespace pliant {
 namespace {
@@ -113,21 +113,6 @@ void add_ellipticity(const Material& material, FileInfo& info) {
   info.warnings.push_back(fmt::format(
       "strong ellipticity is lost, {}: deformation may concentrate in bands as thin as the mesh",
       fmt::join(lost, "; ")));
-}
-
-void add_samples(const Material& material, FileInfo& info) {
-  if (!is_heterogeneous(material)) return;
-  std::vector<std::string> differing;
-  for (const auto& [name, component] : material.samples.at.front().components) {
-    differing.push_back(name);
-  }
-  const std::size_t count = material.samples.at.size();
-  info.json["samples"] = {{"count", count}, {"width", material.samples.width}, {"of", differing}};
-  info.lines.push_back(
-      labelled("samples",
-               fmt::format("{} places with Gaussians of {}; {} above and below: their mean", count,
-                           format_quantity(material.samples.width, Dimension::length, kDigits),
-                           fmt::join(differing, ", "))));
 }
 
 }  // namespace

@@ -20,5 +20,20 @@ TEST(Base64, TakesBytesOfAllValues) {
   EXPECT_EQ(base64(std::string_view("\xff\xfe\x00\xfb", 4)), "//4A+w==");
 }
 
+TEST(Base64, ComesBack) {
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_EQ(bytes_of_base64(base64(bytes)), bytes);
+    bytes += static_cast<char>(i * 7);
+  }
+  EXPECT_EQ(bytes_of_base64("Zg== Zm9v\nZm8="), "ffoofo");  // one after the other
+}
+
+TEST(Base64, RefusesOtherTexts) {
+  for (const char* text : {"Z", "Zm9", "Zm9v!", "Z===", "Zg=v", "===="}) {
+    EXPECT_FALSE(bytes_of_base64(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace pliant

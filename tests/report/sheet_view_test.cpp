@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/io/base64.h"
 #include "pliant/report/sheet_picture.h"
 
 #include "report/sample_sheets.h"
-#include "support/decoded_base64.h"
 
 namespace pliant::report {
 namespace {
@@ -22,7 +22,7 @@ using testing::with_residuals;
 
 /// Coordinates of a view (m), frame after frame.
 std::vector<double> coordinates(const nlohmann::json& view, const char* side) {
-  const std::string bytes = test::decoded_base64(view[side].get<std::string>());
+  const std::string bytes = *bytes_of_base64(view[side].get<std::string>());
   std::vector<double> values;
   for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
     const int steps =

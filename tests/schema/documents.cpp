@@ -28,12 +28,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 const fs::path kSource = PLIANT_SOURCE_DIR, kDocuments = kSource / "tests/schema/documents";
 
-NamedDocument named(const std::string& name, const Document& document) {
-  const Json json = json_of(document.root);
-  const std::string type = json.at("pliant");
-  return {name, {type.substr(0, type.find('/')), json}};
-}
-
 NamedDocument from_yaml(const std::string& name, const std::string& text) {
   return named(name, parse_yaml(text, name));
 }
@@ -122,6 +116,12 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
 
 }  // namespace
 
+NamedDocument named(const std::string& name, const Document& document) {
+  const Json json = json_of(document.root);
+  const std::string type = json.at("pliant");
+  return {name, {type.substr(0, type.find('/')), json}};
+}
+
 DocumentFolder::DocumentFolder() {
   for (const char* name : {"warp-1.csv", "warp-2.csv"}) write(name, "weight_N,length_mm\n1,100\n");
   // Readers of scenes and sessions ask whether such files are there, and no more.
@@ -139,23 +139,6 @@ DocumentFolder::DocumentFolder() {
   }
   write("spandex.json", spandex.dump());
   write("rubber.json", read_text_file(kDocuments / "rubber.json"));
-}
-
-std::vector<NamedDocument> full_documents() {
-  return {named("study", read_yaml(kDocuments / "full_study.yaml")),
-          named("lab", read_yaml(kDocuments / "full_lab.yaml")),
-          named("material", read_json(kDocuments / "full_material.json")),
-          named("scene", read_yaml(kDocuments / "full_scene.yaml")),
-          named("scene of linearized steps", read_yaml(kDocuments / "linearized_scene.yaml")),
-          named("scene of iterated steps", read_yaml(kDocuments / "iterated_scene.yaml")),
-          named("quasi-static scene", read_yaml(kDocuments / "quasi_static_scene.yaml")),
-          named("session", read_yaml(kDocuments / "full_session.yaml")),
-          named("session of a bend test", read_yaml(kDocuments / "bend_session.yaml")),
-          named("study of a solid", read_yaml(kDocuments / "solid_study.yaml")),
-          named("lab of a solid", read_yaml(kDocuments / "solid_lab.yaml")),
-          named("study of a sampled solid", read_yaml(kDocuments / "sampled_study.yaml")),
-          named("material of a solid", read_json(kDocuments / "rubber.json")),
-          named("material of a sampled solid", read_json(kDocuments / "phantom.json"))};
 }
 
 std::vector<NamedDocument> shipped_documents() {

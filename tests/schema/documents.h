@@ -15,6 +15,9 @@ struct NamedDocument {
   SchemaCase document;
 };
 
+/// A document of a type that it states.
+NamedDocument named(const std::string& name, const Document& document);
+
 /// A folder with the files that the documents here name.
 class DocumentFolder : public TemporaryFolder {
  public:

@@ -277,7 +277,7 @@ test::SolidSystem pulled_bar(test::Cells cells, const SolidLaw& law) {
 TEST(HeterogeneousBar, OfLikeSamplesIsTheHomogeneousBody) {
   for (const test::Cells cells : {test::Cells::tetrahedra, test::Cells::hexahedra}) {
     const test::SolidSystem one = pulled_bar(cells, solid_law(neo_hookean_solid(2e4, 1e5)));
-    const test::SolidSystem many = pulled_bar(cells, solid_law(test::field_of({2, 2, 2})));
+    const test::SolidSystem many = pulled_bar(cells, solid_law(test::rubber_along_x({2, 2, 2})));
     State a = one.system->initial_state(), b = many.system->initial_state();
     EXPECT_TRUE(test::settle(*one.system, a, 1e-10).converged);
     EXPECT_TRUE(test::settle(*many.system, b, 1e-10).converged);
@@ -288,7 +288,7 @@ TEST(HeterogeneousBar, OfLikeSamplesIsTheHomogeneousBody) {
 TEST(HeterogeneousBar, PositionsChangeWithTheNumbersOfEachSampleAsFiniteDifferencesSay) {
   for (const test::Cells cells : {test::Cells::tetrahedra, test::Cells::hexahedra}) {
     const std::vector<double> factors{1, 0.5, 2};
-    const test::SolidSystem solid = pulled_bar(cells, solid_law(test::field_of(factors)));
+    const test::SolidSystem solid = pulled_bar(cells, solid_law(test::rubber_along_x(factors)));
     const System& system = *solid.system;
     ASSERT_EQ(system.parameters().names.size(), 6u);
     EXPECT_EQ(system.parameters().names[1], "samples[1].I1-bar.linear.c");

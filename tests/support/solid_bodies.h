@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "pliant/geometry/block_mesh.h"
-#include "pliant/geometry/spread_points.h"
 #include "pliant/mechanics/point_forces.h"
-#include "pliant/mechanics/solid_field.h"
+#include "pliant/mechanics/solid.h"
 #include "pliant/solver/static_solver.h"
 
 #include "support/solid_laws.h"
@@ -47,18 +46,16 @@ inline SolidSystem solid_system(const VolumeMesh& mesh, const SolidLaw& law, dou
   return result;
 }
 
-/// A heterogeneous rubber along x: samples 0.1 m apart, as stiff and as dense as their factors.
-inline SolidField field_of(const std::vector<double>& factors) {
-  SolidField field;
+/// A heterogeneous rubber along x: samples 0.1 m apart, as stiff as their factors.
+inline Material rubber_along_x(const std::vector<double>& factors) {
+  Material material = neo_hookean_solid(1e4, 5e4);
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    Material material = neo_hookean_solid(1e4 * factors[k], 5e4 * factors[k]);
-    material.density = 1000 * factors[k];
-    field.samples.push_back({{0.05 + 0.1 * static_cast<double>(k), 0.05, 0.05}, material});
+    material.samples.at.push_back(
+        {{0.05 + 0.1 * static_cast<double>(k), 0.05, 0.05},
+         neo_hookean_solid(1e4 * factors[k], 5e4 * factors[k]).components});
   }
-  std::vector<Eigen::Vector3d> places;
-  for (const MaterialSample& sample : field.samples) places.push_back(sample.place);
-  field.width = spacing_of_neighbours(places);
-  return field;
+  material.samples.width = 0.1;
+  return material;
 }
 
 /// The equilibrium of a finished system, from where it starts.

@@ -16,7 +16,7 @@
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/equilibrium_work.h"
-#include "pliant/geometry/volume_mesh.h"
+#include "pliant/io/vtu.h"
 #include "pliant/material/material.h"
 #include "pliant/measurement/session.h"
 #include "pliant/measurement/session/fold_error.h"
@@ -169,7 +169,7 @@ struct StudyResult {
   std::vector<LeftOut> left_out;  ///< of an evaluation
   Judgement judgement;
   Material material;
-  std::optional<VolumeMesh> body = {};  ///< of a heterogeneous solid, at rest
+  std::optional<VtuGrid> body = {};  ///< of a heterogeneous material, at rest
 };
 
 /// Adds a record of starts, and to the assumptions where one of them stands alone.

@@ -41,7 +41,8 @@ void state_errors(const std::vector<ParameterEstimate>& parameters, bool isotrop
   }
   for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
     for (auto& [name, component] : material.samples.at[k].components) {
-      component.errors = errors_of(parameters, name, name_in_sample(k, name));
+      const std::string owner = isotropic ? shared_component(name) : name;
+      component.errors = errors_of(parameters, owner, name_in_sample(k, owner));
     }
   }
   for (EnergyLimit& limit : material.limits) {

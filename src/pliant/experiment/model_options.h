@@ -23,19 +23,19 @@ struct ComponentModel {
   int gaussians = 0;
 };
 
-/// Where a heterogeneous solid has samples, and of what: one of `places`, `grid`, `spread` and
-/// `grown`.
+/// Where a heterogeneous material has samples, and of what: one of `places`, `grid`, `spread` and
+/// `grown`. Those of cloth lie in its rest plane, at z = 0, by hand or on a grid.
 struct SampleOptions {
   std::vector<Eigen::Vector3d> places = {};  ///< by hand (m)
   Eigen::Vector3i grid{0, 0, 0};             ///< at the middles of so many cells of the body's box
   int spread = 0;                    ///< so many nodes of the body, each far from the others
   int grown = 0;                     ///< so many at most, each where it explains most
   std::optional<double> width = {};  ///< m; absent: the mean distance of neighbours
-  std::vector<std::string> of = {};  ///< components that differ; empty: all
+  std::vector<std::string> of = {};  ///< components that differ; empty: all that do not bend
   Location where = {};
 
   bool differ_in(const std::string& component) const {
-    return of.empty() || std::ranges::find(of, component) != of.end();
+    return of.empty() ? !is_bending(component) : std::ranges::find(of, component) != of.end();
   }
 };
 
@@ -55,7 +55,7 @@ struct ModelOptions {
   std::map<std::string, ComponentModel> components;
   /// Of solids: components whose energies together have a limit.
   std::vector<std::vector<std::string>> limits;
-  std::optional<SampleOptions> samples;  ///< of solids; absent: the same everywhere
+  std::optional<SampleOptions> samples;  ///< absent: the same everywhere
 };
 
 /// Whether a model has springs, which lie along weft and warp.

@@ -9,6 +9,7 @@
 
 #include "pliant/experiment/registry.h"
 #include "pliant/io/csv_writer.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
@@ -47,7 +48,16 @@ void read_numbers(Fields& fields, std::string_view key, double Instrument::*Chan
   inner.finish();
 }
 
-void refuse_limits(const Material& material, const std::string& component, const Location& where) {
+/// What strips in one dimension do not know.
+void refuse_laws_of_sheets(const Material& material, const std::string& component,
+                           const Location& where) {
+  if (differs_in(material, component)) {
+    throw InputError(where,
+                     fmt::format("is of a strip that is the same everywhere, and {} of the "
+                                 "material {} differs from place to place",
+                                 component, quoted_value(material.name)),
+                     "a material without samples, or a test of sheets");
+  }
   for (const EnergyLimit& limit : material.limits) {
     if (std::ranges::find(limit.of, component) == limit.of.end()) continue;
     throw InputError(where,
@@ -69,7 +79,7 @@ void VirtualTable::require(const Material& material) const {
         "needs a component that the material " + quoted_value(material.name) + " does not have",
         "a direction that was measured or assumed");
   }
-  refuse_limits(material, component_of_test(facts, direction), where);
+  refuse_laws_of_sheets(material, component_of_test(facts, direction), where);
   if (facts.needs_density && law->addends_remember()) {
     throw InputError(where,
                      "bent strips are followed with friction of one branch, and the material " +

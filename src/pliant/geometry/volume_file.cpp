@@ -8,11 +8,12 @@
 #include "pliant/geometry/world_positions.h"
 #include "pliant/io/gmsh.h"
 #include "pliant/io/medit.h"
+#include "pliant/io/vtu_volume.h"
 
 namespace pliant {
 namespace {
 
-constexpr const char* kEndings = ".msh (gmsh) or .mesh (Medit)";
+constexpr const char* kEndings = ".msh (gmsh), .mesh (Medit) or .vtu (VTK)";
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -76,11 +77,18 @@ VolumeData data_of(const VolumeMesh& mesh) {
   return data;
 }
 
+/// @param path  of a file that is a volume mesh by its ending
+VolumeData read_data(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path);
+  if (ending == ".msh") return read_gmsh(path);
+  return ending == ".mesh" ? read_medit(path) : read_vtu_volume(path);
+}
+
 }  // namespace
 
 bool is_volume_file(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
-  return ending == ".msh" || ending == ".mesh";
+  return ending == ".msh" || ending == ".mesh" || ending == ".vtu";
 }
 
 VolumeFile read_volume_file(const std::filesystem::path& path, const VolumeFileOptions& options) {
@@ -92,7 +100,7 @@ VolumeFile read_volume_file(const std::filesystem::path& path, const VolumeFileO
     throw InputError({file, 0, "unit"}, "the length unit of the file is not given",
                      "metres per unit, above 0");
   }
-  const VolumeData data = ending_of(path) == ".msh" ? read_gmsh(path) : read_medit(path);
+  const VolumeData data = read_data(path);
   VolumeFile read{mesh_of(data), {.file = file, .first = 1}, data.ignored};
   read.mesh.positions = world_positions(read.mesh.positions, options.unit, options.up, file);
   append(data.tetrahedra.lines, read.numbering.element_lines);
@@ -110,6 +118,7 @@ std::string volume_file_text(const VolumeMesh& mesh, const std::filesystem::path
   const std::string ending = ending_of(path);
   if (ending == ".msh") return write_gmsh(data_of(mesh));
   if (ending == ".mesh") return write_medit(data_of(mesh));
+  if (ending == ".vtu") return write_vtu_volume(data_of(mesh));
   throw InputError({path.string()}, "is no volume mesh by its ending", kEndings);
 }
 

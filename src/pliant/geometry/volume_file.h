@@ -15,7 +15,8 @@ struct VolumeFileOptions {
   std::string up = "z";  ///< the axis of the file that becomes the world's z
 };
 
-/// Whether the ending of a file's name is one of a volume mesh that can be read: .msh, .mesh.
+/// Whether the ending of a file's name is one of a volume mesh that can be read: .msh, .mesh,
+/// .vtu.
 bool is_volume_file(const std::filesystem::path& path);
 
 /// A volume mesh as its file has it.
@@ -25,7 +26,8 @@ struct VolumeFile {
   std::map<std::string, int> ignored;  ///< what was left out, and how often
 };
 
-/// Reads a file by the ending of its name (.msh of gmsh, .mesh of Medit). The mesh is not judged.
+/// Reads a file by the ending of its name (.msh of gmsh, .mesh of Medit, .vtu of VTK). The mesh is
+/// not judged.
 /// @throws InputError
 VolumeFile read_volume_file(const std::filesystem::path& path, const VolumeFileOptions& options);
 

@@ -5,57 +5,17 @@
 #include "pliant/base/number_text.h"
 #include "pliant/io/text_file.h"
 #include "pliant/io/vtu.h"
+#include "pliant/io/vtu_tags.h"
 
 namespace pliant {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 
-/// The tags of an XML text, one after the other, without what stands between them.
-class TagReader {
- public:
-  explicit TagReader(std::string_view text) : rest_(text) {}
-
-  /// The next tag without its brackets; none at the end and where the appended bytes begin.
-  std::optional<std::string_view> next() {
-    const std::size_t begin = rest_.find('<');
-    if (begin == std::string_view::npos) return std::nullopt;
-    rest_.remove_prefix(begin + 1);
-    const std::size_t end = end_of_tag();
-    if (end == std::string_view::npos) return std::nullopt;
-    const std::string_view tag = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
-    if (tag.starts_with("AppendedData")) return std::nullopt;
-    return tag;
-  }
-
- private:
-  /// A value in quotes may hold the bracket that ends a tag.
-  std::size_t end_of_tag() const {
-    bool quoted = false;
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      if (rest_[i] == '"') quoted = !quoted;
-      if (rest_[i] == '>' && !quoted) return i;
-    }
-    return std::string_view::npos;
-  }
-
-  std::string_view rest_;
-};
-
-/// The text of an attribute; empty where the tag does not have it.
-std::string attribute(std::string_view tag, const std::string& name) {
-  const std::string opening = " " + name + "=\"";
-  const std::size_t at = tag.find(opening);
-  if (at == std::string_view::npos) return "";
-  const std::string_view value = tag.substr(at + opening.size());
-  return std::string(value.substr(0, value.find('"')));
-}
-
 long count(std::string_view tag, const std::string& name, const std::string& file) {
-  const std::optional<long> number = parse_integer(attribute(tag, name));
+  const std::optional<long> number = parse_integer(vtu_attribute(tag, name));
   if (!number || *number < 0) {
-    throw InputError({file, 0, name}, quoted_value(attribute(tag, name)) + " is no count",
+    throw InputError({file, 0, name}, quoted_value(vtu_attribute(tag, name)) + " is no count",
                      "a whole number from 0");
   }
   return *number;
@@ -80,7 +40,7 @@ VtuHead read_vtu_head(const std::filesystem::path& path) {
   VtuHead head;
   bool has_piece = false;
   std::string_view part;  // of the file that holds the arrays which come next
-  TagReader tags(text);
+  VtuTags tags(text);
   while (const auto tag = tags.next()) {
     if (tag->starts_with("Piece ")) {
       if (has_piece) throw InputError({file}, "is a grid of several pieces", "one piece");
@@ -91,8 +51,9 @@ VtuHead read_vtu_head(const std::filesystem::path& path) {
     if (tag->starts_with("PointData") || tag->starts_with("CellData")) part = *tag;
     if (tag->starts_with("/PointData") || tag->starts_with("/CellData")) part = {};
     if (tag->starts_with("DataArray ") && !part.empty()) {
-      const std::optional<long> components = parse_integer(attribute(*tag, "NumberOfComponents"));
-      head.fields.push_back({unescaped(attribute(*tag, "Name")),
+      const std::optional<long> components =
+          parse_integer(vtu_attribute(*tag, "NumberOfComponents"));
+      head.fields.push_back({unescaped(vtu_attribute(*tag, "Name")),
                              static_cast<int>(components.value_or(1)),
                              part.starts_with("PointData")});
     }

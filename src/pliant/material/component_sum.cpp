@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "pliant/base/assert.h"
+#include "pliant/material/density/blended_density.h"
 #include "pliant/material/density/limited_density.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
@@ -19,10 +21,38 @@ void append(std::vector<std::string> more, std::vector<std::string>& names) {
 ComponentSum::ComponentSum(const Material& material)
     : material_(material), limited_(material.limits.size()) {}
 
+AddedNames ComponentSum::add_blended(const std::string& component, int strain,
+                                     const DensityOptions& options, LawPart part, Sum& sum) const {
+  BlendedDensity::Laws laws;
+  AddedNames names;
+  for (std::size_t k = 0; k < material_.samples.at.size(); ++k) {
+    const auto own = std::make_shared<Sum>();
+    laws.push_back(own);
+    const auto& components = material_.samples.at[k].components;
+    if (!components.contains(component)) continue;
+    Material sample;
+    sample.components = components;
+    const AddedNames added = add_component(sample, component, strain, options, *own, part);
+    for (const std::string& name : added.parameters) {
+      names.parameters.push_back(name_in_sample(k, name));
+    }
+  }
+  sum.add_addend(
+      std::make_shared<BlendedDensity>(std::move(laws), is_alike_everywhere(material_, component)));
+  return names;
+}
+
+AddedNames ComponentSum::add_law(const std::string& component, int strain,
+                                 const DensityOptions& options, LawPart part, Sum& sum) const {
+  return differs_in(material_, component)
+             ? add_blended(component, strain, options, part, sum)
+             : add_component(material_, component, strain, options, sum, part);
+}
+
 void ComponentSum::add_part(const std::string& component, int strain, const DensityOptions& options,
                             LawPart part, const Place& place, Sum& sum, AddedNames& names) const {
   const auto own = std::make_shared<Sum>();
-  AddedNames added = add_component(material_, component, strain, options, place ? *own : sum, part);
+  AddedNames added = add_law(component, strain, options, part, place ? *own : sum);
   if (place && !own->is_empty()) sum.add_addend(place(own));
   append(std::move(added.parameters), names.parameters);
   append(std::move(added.history), names.history);

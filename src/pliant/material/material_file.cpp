@@ -216,7 +216,10 @@ void read_pair_terms(Fields& fields, MaterialKind kind,
   }
 }
 
-std::map<std::string, MaterialComponent> read_components(const Value& node, MaterialKind kind) {
+/// @param material  its kind and membrane
+std::map<std::string, MaterialComponent> read_components(const Value& node,
+                                                         const Material& material) {
+  const MaterialKind kind = material.kind;
   Fields fields = node.fields();
   std::map<std::string, MaterialComponent> components;
   for (const std::string& name : component_names(kind)) {
@@ -227,6 +230,9 @@ std::map<std::string, MaterialComponent> read_components(const Value& node, Mate
   }
   read_pair_terms(fields, kind, components);
   fields.finish();
+  for (const auto& [name, component] : components) {
+    if (kind == MaterialKind::cloth) require_green_strain(name, material.membrane, node);
+  }
   return components;
 }
 
@@ -249,7 +255,17 @@ void require_alike(const Value& node, const SampledComponents& sample,
   }
 }
 
-/// The samples of a solid, and the means of what they differ in.
+/// A place of a body (x, y, z), of a sheet (u, v).
+Eigen::Vector3d read_place_of_sample(const Value& node, MaterialKind kind) {
+  if (kind == MaterialKind::solid) return read_vector(node);
+  const std::vector<double> place = node.numbers();
+  if (place.size() != 2) {
+    node.fail(fmt::format("has {} numbers", place.size()), "two: a place along weft and warp (m)");
+  }
+  return {place[0], place[1], 0};
+}
+
+/// The samples of a material, and the means of what they differ in.
 void read_samples(const Value& node, Material& material) {
   Fields fields = node.fields();
   material.samples.width = positive(fields.require("width"));
@@ -257,9 +273,9 @@ void read_samples(const Value& node, Material& material) {
   for (const Value& item : list.items()) {
     Fields sample = item.fields();
     SampledComponents& own = material.samples.at.emplace_back();
-    own.place = read_vector(sample.require("place"));
+    own.place = read_place_of_sample(sample.require("place"), material.kind);
     const Value components = sample.require("components");
-    own.components = read_components(components, material.kind);
+    own.components = read_components(components, material);
     require_alike(components, own, material.samples.at.front());
     sample.finish();
   }
@@ -271,6 +287,9 @@ void read_samples(const Value& node, Material& material) {
               "each component once: under `components` where it is the same everywhere");
   }
   if (!material.limits.empty()) node.fail("stands beside `limits`", "one of them");
+  if (material.membrane == MembraneMeasure::spring || material.bending == "spring") {
+    node.fail("stands beside springs", "a membrane of triangles and bending of discrete shells");
+  }
   take_means(material);
 }
 
@@ -358,8 +377,10 @@ Json components_json(const std::map<std::string, MaterialComponent>& components,
 Json samples_json(const Material& material) {
   Json json{{"width", material.samples.width}, {"at", Json::array()}};
   for (const SampledComponents& sample : material.samples.at) {
-    json["at"].push_back({{"place", {sample.place.x(), sample.place.y(), sample.place.z()}},
-                          {"components", components_json(sample.components, material)}});
+    Json place{sample.place.x(), sample.place.y()};
+    if (material.kind == MaterialKind::solid) place.push_back(sample.place.z());
+    json["at"].push_back(
+        {{"place", place}, {"components", components_json(sample.components, material)}});
   }
   return json;
 }
@@ -380,16 +401,9 @@ Material material_of(const Document& document) {
   if (kind == name_of(MaterialKind::solid)) material.kind = MaterialKind::solid;
   if (auto density = fields.optional("density")) material.density = positive(*density);
   if (material.kind == MaterialKind::cloth) read_sheet(fields, material);
-  const Value components = fields.require("components");
-  material.components = read_components(components, material.kind);
-  for (const auto& [name, component] : material.components) {
-    if (material.kind != MaterialKind::cloth) break;
-    require_green_strain(name, material.membrane, components);
-  }
+  material.components = read_components(fields.require("components"), material);
   if (auto limits = fields.optional("limits")) material.limits = read_limits(*limits, material);
-  if (material.kind == MaterialKind::solid) {
-    if (auto samples = fields.optional("samples")) read_samples(*samples, material);
-  }
+  if (auto samples = fields.optional("samples")) read_samples(*samples, material);
   if (auto damping = fields.optional("damping")) {
     Fields inner = damping->fields();
     material.damping_fraction = not_negative(inner.require("fraction"));

@@ -18,7 +18,9 @@ bool are_alike(const ScalarCurve& a, const ScalarCurve& b) {
 bool is_heterogeneous(const Material& material) { return !material.samples.at.empty(); }
 
 bool differs_in(const Material& material, const std::string& component) {
-  return is_heterogeneous(material) && material.samples.at.front().components.contains(component);
+  return std::ranges::any_of(material.samples.at, [&](const SampledComponents& sample) {
+    return sample.components.contains(component);
+  });
 }
 
 bool are_alike(const MaterialComponent& a, const MaterialComponent& b) {
@@ -29,6 +31,16 @@ bool are_alike(const MaterialComponent& a, const MaterialComponent& b) {
   });
 }
 
+bool is_alike_everywhere(const Material& material, const std::string& component) {
+  const auto& first = material.samples.at.front().components;
+  const auto own = first.find(component);
+  return own != first.end() &&
+         std::ranges::all_of(material.samples.at, [&](const SampledComponents& sample) {
+           const auto other = sample.components.find(component);
+           return other != sample.components.end() && are_alike(own->second, other->second);
+         });
+}
+
 Eigen::VectorXd weights_at(const MaterialSamples& samples, const Eigen::Vector3d& place) {
   Eigen::VectorXd squares(std::ssize(samples.at));
   for (Eigen::Index k = 0; k < squares.size(); ++k) {
@@ -37,12 +49,23 @@ Eigen::VectorXd weights_at(const MaterialSamples& samples, const Eigen::Vector3d
   return gaussian_weights(squares, samples.width);
 }
 
+Eigen::MatrixXd weights_at(const MaterialSamples& samples,
+                           const std::vector<Eigen::Vector3d>& places) {
+  if (samples.at.empty()) return {};
+  Eigen::MatrixXd weights(std::ssize(samples.at), std::ssize(places));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    weights.col(static_cast<Eigen::Index>(i)) = weights_at(samples, places[i]);
+  }
+  return weights;
+}
+
 std::string name_in_sample(std::size_t sample, const std::string& number) {
   return fmt::format("samples[{}].{}", sample, number);
 }
 
 Material material_at(const Material& material, std::size_t sample) {
   Material at = material;
+  std::erase_if(at.components, [&](const auto& own) { return differs_in(material, own.first); });
   for (const auto& [name, component] : material.samples.at[sample].components) {
     at.components[name] = component;
   }

@@ -8,6 +8,7 @@
 
 #include "pliant/base/number_text.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
@@ -59,10 +60,25 @@ std::optional<double> turning_strain(const MaterialComponent& component) {
   return reach && *reach < zero ? std::nullopt : std::optional(zero);
 }
 
+void hold_beyond_range(std::map<std::string, MaterialComponent>& components) {
+  for (auto& [name, component] : components) {
+    if (!component.stiffness || !falls(*component.stiffness)) continue;
+    const std::optional<double> reach = reach_of(component);
+    if (!reach || *reach == 0) continue;
+    const ScalarCurve& curve = *component.stiffness;
+    // Through two control points a Hermite curve is the straight line between them.
+    component.stiffness =
+        ScalarCurve::hermite({0, *reach}, {curve.value(0), curve.value(*reach)}, true);
+  }
+}
+
 }  // namespace
 
 void require_positive_stiffness(const Material& material, std::span<const std::string> names,
                                 const Location& where) {
+  for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
+    require_positive_stiffness(material_at(material, k), names, where);
+  }
   for (const std::string& name : names) {
     if (!is_known(material, name)) continue;
     const MaterialComponent& component = material.components.at(name);
@@ -89,15 +105,8 @@ void require_positive_stiffness(const Material& material, std::span<const std::s
 
 Material held_beyond_range(const Material& material) {
   Material held = material;
-  for (auto& [name, component] : held.components) {
-    if (!component.stiffness || !falls(*component.stiffness)) continue;
-    const std::optional<double> reach = reach_of(component);
-    if (!reach || *reach == 0) continue;
-    const ScalarCurve& curve = *component.stiffness;
-    // Through two control points a Hermite curve is the straight line between them.
-    component.stiffness =
-        ScalarCurve::hermite({0, *reach}, {curve.value(0), curve.value(*reach)}, true);
-  }
+  hold_beyond_range(held.components);
+  for (SampledComponents& sample : held.samples.at) hold_beyond_range(sample.components);
   return held;
 }
 

@@ -11,6 +11,7 @@
 #include "pliant/material/component_sum.h"
 #include "pliant/material/density/in_plane.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/principal_metric.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/material/strain/discrete_shells.h"
@@ -77,15 +78,22 @@ void add_elements(System& system, const Stencils<Measure>& stencils, const Law& 
   cloth.shown.push_back({potential, potential.get()});
 }
 
+// A place of a sheet at rest as its material samples have it.
+Eigen::Vector3d in_space(const Eigen::Vector2d& place) { return {place.x(), place.y(), 0}; }
+
 template <class Membrane>
 void add_membrane(System& system, const TriangleMesh& mesh, int first_point,
-                  const std::vector<int>& triangles, const Law& law, Cloth& cloth) {
+                  const std::vector<int>& triangles, const MaterialSamples& samples, const Law& law,
+                  Cloth& cloth) {
   Stencils<Membrane> stencils;
+  std::vector<Eigen::Vector3d> middles;
   for (const int t : triangles) {
     const MembraneRest rest = membrane_rest(mesh.rest_triangle(t));
     const Eigen::Vector3i nodes = mesh.triangles.col(t).array() + first_point;
     stencils.add({nodes(0), nodes(1), nodes(2)}, rest, rest.area);
+    middles.push_back(in_space(mesh.rest_triangle(t).rowwise().mean()));
   }
+  stencils.weights = weights_at(samples, middles);
   add_elements(system, stencils, law, cloth);
 }
 
@@ -106,6 +114,18 @@ std::vector<Hinge> hinges_of(const TriangleMesh& mesh, const std::vector<int>& t
   std::erase_if(hinges,
                 [&](const Hinge& h) { return !chosen[static_cast<size_t>(h.triangles[0])]; });
   return hinges;
+}
+
+// The middle of a hinge's edge at rest.
+Eigen::Vector3d middle_of(const TriangleMesh& mesh, const Hinge& hinge) {
+  const int t = hinge.triangles[0];
+  Eigen::Vector2d middle(0, 0);
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = mesh.triangles(i, t);
+    if (vertex != hinge.vertices[0] && vertex != hinge.vertices[1]) continue;
+    middle += mesh.rest_triangle(t).col(i) / 2;
+  }
+  return in_space(middle);
 }
 
 const std::vector<std::string>& bending_components() {
@@ -135,6 +155,18 @@ BendingConversion hinge_conversion(const TriangleMesh& mesh, const std::vector<H
   return conversion;
 }
 
+// A material with the bending of a component as hinges have it.
+Material with_hinge_strains(Material material, const std::string& component, double factor,
+                            double slip) {
+  const auto convert = [&](std::map<std::string, MaterialComponent>& components) {
+    const auto own = components.find(component);
+    if (own != components.end()) own->second = with_hinge_strains(own->second, factor, slip);
+  };
+  convert(material.components);
+  for (SampledComponents& sample : material.samples.at) convert(sample.components);
+  return material;
+}
+
 void add_shells(System& system, const TriangleMesh& mesh, int first_point, const Material& material,
                 const std::vector<int>& triangles, const DensityOptions& options, Cloth& cloth) {
   const std::vector<Hinge> hinges = hinges_of(mesh, triangles);
@@ -144,18 +176,20 @@ void add_shells(System& system, const TriangleMesh& mesh, int first_point, const
       hinge_conversion(mesh, hinges, material, options.friction, cloth);
   for (int c = 0; c < 3; ++c) {
     const std::string& name = bending_components()[static_cast<size_t>(c)];
-    Material slipping = material;
-    slipping.components.at(name) =
-        with_hinge_strains(material.components.at(name), conversion.factors(c), conversion.slip(c));
-    const Law law = make_law(slipping, {name}, options, system);
+    const Law law =
+        make_law(with_hinge_strains(material, name, conversion.factors(c), conversion.slip(c)),
+                 {name}, options, system);
     Stencils<DiscreteShells> stencils;
+    std::vector<Eigen::Vector3d> middles;
     for (size_t h = 0; h < hinges.size(); ++h) {
       const double part = weights[h](c) * conversion.factors(c);
       if (part <= 0) continue;
       const auto& v = hinges[h].vertices;
       stencils.add({v[0] + first_point, v[1] + first_point, v[2] + first_point, v[3] + first_point},
                    {0, hinges[h].height, 0}, part * hinges[h].area);
+      middles.push_back(middle_of(mesh, hinges[h]));
     }
+    stencils.weights = weights_at(material.samples, middles);
     add_elements(system, stencils, law, cloth);
   }
 }
@@ -194,11 +228,11 @@ Cloth add_cloth(System& system, const TriangleMesh& mesh, int first_point, const
       needs_grid(material) ? std::optional(grid_springs(part_of(mesh, triangles))) : std::nullopt;
   switch (material.membrane) {
     case MembraneMeasure::stvk:
-      add_membrane<StvkMembrane>(system, mesh, first_point, triangles, law(membrane_components()),
-                                 cloth);
+      add_membrane<StvkMembrane>(system, mesh, first_point, triangles, material.samples,
+                                 law(membrane_components()), cloth);
       break;
     case MembraneMeasure::soft_constraint:
-      add_membrane<SoftConstraintMembrane>(system, mesh, first_point, triangles,
+      add_membrane<SoftConstraintMembrane>(system, mesh, first_point, triangles, material.samples,
                                            law(membrane_components()), cloth);
       break;
     case MembraneMeasure::spring:

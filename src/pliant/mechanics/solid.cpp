@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "pliant/geometry/hexahedron_shape.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/strain/hexahedron_dilatation.h"
 #include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/trilinear_hexahedron.h"
@@ -62,16 +63,6 @@ LawPlaces add_parameters(System& system, const SolidLaw& law) {
   return places;
 }
 
-// Of the samples at each place, a column each; empty: the material is one.
-Eigen::MatrixXd weights_at(const std::vector<Eigen::Vector3d>& places, const SolidLaw& law) {
-  if (!law.weights) return {};
-  Eigen::MatrixXd weights(law.weights(places.front()).size(), std::ssize(places));
-  for (size_t i = 0; i < places.size(); ++i) {
-    weights.col(static_cast<Eigen::Index>(i)) = law.weights(places[i]);
-  }
-  return weights;
-}
-
 template <class Part>
 void add_shown(System& system, const std::shared_ptr<Part>& potential, Solid& solid) {
   system.add(potential);
@@ -89,16 +80,16 @@ void add_tetrahedra(System& system, const SolidPart& part, const SolidLaw& law,
     stencils.add(part.points(part.mesh.tetrahedra, t), tetrahedron_rest(x), tetrahedron_volume(x));
     middles.emplace_back(x.rowwise().mean());
   }
-  stencils.weights = weights_at(middles, law);
+  stencils.weights = weights_at(law.samples, middles);
   add_shown(system,
             std::make_shared<ElementPotential<LinearTetrahedron>>(
                 stencils, law.of_points, places.of_points, law.point_fields),
             solid);
   if (!law.of_volume) return;
   NodalDilatation::Weights weights;
-  if (law.weights) {
+  if (!law.samples.at.empty()) {
     weights = [&](int point) {
-      return law.weights(part.mesh.positions.col(point - part.first_point));
+      return weights_at(law.samples, part.mesh.positions.col(point - part.first_point));
     };
   }
   add_shown(system,
@@ -127,8 +118,8 @@ void add_hexahedra(System& system, const SolidPart& part, const SolidLaw& law,
     dilatations.add(points, {volume}, volume);
     middles.emplace_back(x.rowwise().mean());
   }
-  stencils.weights = weights_at(points_at, law);
-  dilatations.weights = weights_at(middles, law);
+  stencils.weights = weights_at(law.samples, points_at);
+  dilatations.weights = weights_at(law.samples, middles);
   add_shown(system,
             std::make_shared<ElementPotential<TrilinearHexahedron>>(
                 stencils, law.of_points, places.of_points, law.point_fields),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,8 +21,7 @@ struct SolidLaw {
   std::vector<std::string> parameters;     ///< names, of points first; empty: not among a system's
   std::vector<std::string> point_fields;   ///< names of the strains and histories of points
   std::vector<std::string> volume_fields;  ///< the same of volumes
-  /// Of the samples of a heterogeneous material at a place of the body at rest; null: one material.
-  std::function<Eigen::VectorXd(const Eigen::Vector3d& place)> weights = {};
+  MaterialSamples samples = {};  ///< that the law blends, by their weights at each place at rest
 };
 
 /// The law of a material of kind solid. What its component J has, a law of the volume alone, acts

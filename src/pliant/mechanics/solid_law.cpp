@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/mechanics/solid.h"
-#include "pliant/mechanics/solid_field.h"
 
 namespace pliant {
 namespace {
@@ -25,11 +23,6 @@ Response response_at_rest(const ParametricDensity& law, int strains, Eigen::Inde
   return response;
 }
 
-// How many samples a law has; 0 where it is the same everywhere.
-Eigen::Index samples_of(const SolidLaw& law) {
-  return law.weights ? law.weights(Eigen::Vector3d::Zero()).size() : 0;
-}
-
 // A limit of the volume and of other components together is one of the points.
 bool has_limit_with_others(const Material& material) {
   return std::ranges::any_of(material.limits, [](const EnergyLimit& limit) {
@@ -40,14 +33,17 @@ bool has_limit_with_others(const Material& material) {
 }  // namespace
 
 SolidLaw solid_law(const Material& material, const DensityOptions& options) {
-  if (is_heterogeneous(material)) return solid_law(solid_field(material), options);
   Material of_points = material;
   const bool has_volume = !has_limit_with_others(material) &&
                           of_points.components.erase(kVolume) > 0 &&
                           material.components.at(kVolume).stiffness.has_value();
+  if (has_volume) {
+    for (SampledComponents& sample : of_points.samples.at) sample.components.erase(kVolume);
+  }
   NamedLaw density = solid_density(of_points, options);
   SolidLaw law;
   law.of_points = density.law;
+  law.samples = material.samples;
   law.parameters = std::move(density.names.parameters);
   law.point_fields = {"strain.green.xx", "strain.green.yy", "strain.green.zz",
                       "strain.green.yz", "strain.green.xz", "strain.green.xy"};
@@ -64,7 +60,7 @@ SolidLaw solid_law(const Material& material, const DensityOptions& options) {
 }
 
 Eigen::Matrix<double, 6, 6> stiffness_at_rest(const SolidLaw& law) {
-  const Eigen::Index samples = samples_of(law);
+  const Eigen::Index samples = std::ssize(law.samples.at);
   const Response of_points = response_at_rest(*law.of_points, 6, samples);
   Eigen::Matrix<double, 6, 6> stiffness;
   for (int k = 0; k < 36; ++k) stiffness(k) = of_points.tangent(0, k);

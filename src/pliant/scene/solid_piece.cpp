@@ -27,23 +27,19 @@ void require_usable(const SceneMaterial& given, const Scene& scene) {
       "components that together do: of volume and of shear");
 }
 
-SolidPiece::Region region_of(const Material& material) {
-  SolidPiece::Region region{held_beyond_range(material), {}};
-  if (is_heterogeneous(material)) region.field = solid_field(material);
-  return region;
-}
-
 std::vector<SolidPiece::Region> regions_of(const SceneSolid& solid, const VolumeMesh& mesh,
                                            const Scene& scene) {
-  std::vector<SolidPiece::Region> regions{region_of(solid.material.material)};
+  std::vector<SolidPiece::Region> regions;
   require_usable(solid.material, scene);
-  if (!solid.samples.empty()) {
+  if (solid.samples.empty()) {
+    regions.push_back({held_beyond_range(solid.material.material), {}});
+  } else {
     for (const SceneSample& sample : solid.samples) require_usable(sample.material, scene);
-    regions.front().field = solid_field(solid, mesh);
+    regions.push_back({held_beyond_range(sampled_material(solid, mesh)), {}, densities_of(solid)});
   }
   for (const SolidRegion& region : solid.regions) {
     require_usable(region.material, scene);
-    regions.push_back(region_of(region.material.material));
+    regions.push_back({held_beyond_range(region.material.material), {}});
   }
   const std::vector<int> material_of = material_of_elements(solid, mesh);
   for (size_t e = 0; e < material_of.size(); ++e) {
@@ -72,13 +68,14 @@ VolumeMesh part_of(const VolumeMesh& mesh, const std::vector<int>& elements) {
 }
 
 // The mass of an element is shared alike by its nodes.
-void add_field_masses(const VolumeMesh& mesh, const SolidPiece::Region& region,
-                      Eigen::VectorXd& masses) {
+void add_masses_of_samples(const VolumeMesh& mesh, const SolidPiece::Region& region,
+                           Eigen::VectorXd& masses) {
   const Eigen::VectorXd volumes = element_volumes(mesh);
   for (const int e : region.elements) {
     const std::vector<int> nodes = mesh.nodes_of(e);
     const Eigen::Vector3d centre = mesh.positions(Eigen::all, nodes).rowwise().mean();
-    const double mass = volumes(e) * region.field->density_at(centre);
+    const Eigen::VectorXd weights = weights_at(region.material.samples, centre);
+    const double mass = volumes(e) * weights.dot(region.densities);
     for (const int node : nodes) masses(node) += mass / static_cast<double>(nodes.size());
   }
 }
@@ -87,10 +84,11 @@ double largest_stiffness(const SolidPiece::Region& region) {
   const auto of = [](const Material& material) {
     return stiffness_at_rest(solid_law(material)).diagonal().maxCoeff();
   };
-  if (!region.field) return of(region.material);
+  const Material& material = region.material;
+  if (!is_heterogeneous(material)) return of(material);
   double largest = 0;
-  for (const MaterialSample& sample : region.field->samples) {
-    largest = std::max(largest, of(sample.material));
+  for (std::size_t k = 0; k < material.samples.at.size(); ++k) {
+    largest = std::max(largest, of(material_at(material, k)));
   }
   return largest;
 }
@@ -114,8 +112,8 @@ SolidPiece::EdgeLengths SolidPiece::edge_lengths() const {
 Eigen::VectorXd SolidPiece::masses() const {
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(node_count());
   for (const Region& region : regions) {
-    if (region.field) {
-      add_field_masses(mesh, region, masses);
+    if (region.densities.size() > 0) {
+      add_masses_of_samples(mesh, region, masses);
       continue;
     }
     masses += region.material.density * node_volumes(part_of(mesh, region.elements));
@@ -153,8 +151,8 @@ void add_solid_materials(System& system, const Scene& scene, SolidPiece& piece) 
     options.friction_form = scene.time.friction.value_or(FrictionForm::variational);
     options.damping_fraction =
         scene.damping_fraction.value_or(region.material.damping_fraction.value_or(0));
-    const Solid solid =
-        add_solid(system, piece.mesh, piece.first_point, region.law(options), region.elements);
+    const Solid solid = add_solid(system, piece.mesh, piece.first_point,
+                                  solid_law(region.material, options), region.elements);
     piece.shown.insert(piece.shown.end(), solid.shown.begin(), solid.shown.end());
   }
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "pliant/mechanics/solid_field.h"
+#include "pliant/mechanics/solid.h"
 #include "pliant/scene/scene.h"
 
 namespace pliant {
@@ -15,11 +14,7 @@ struct SolidPiece {
   struct Region {
     Material material;
     std::vector<int> elements;
-    std::optional<SolidField> field = {};  ///< in its place, of a heterogeneous solid
-
-    SolidLaw law(const DensityOptions& options = {}) const {
-      return field ? solid_law(*field, options) : solid_law(material, options);
-    }
+    Eigen::VectorXd densities = {};  ///< of the material's samples (kg/m^3); empty: all are its own
   };
 
   std::string name;

@@ -5,14 +5,12 @@
 #include "pliant/base/errors.h"
 #include "pliant/geometry/inside_volume.h"
 #include "pliant/geometry/spread_points.h"
-#include "pliant/material/fill.h"
 #include "pliant/material/material_samples.h"
-#include "pliant/material/positive_stiffness.h"
 
 namespace pliant {
 namespace {
 
-void require_blendable(const SceneSample& sample, const SceneSample& first) {
+void require_blendable(const SceneSample& sample) {
   const Material& material = sample.material.material;
   for (const auto& [name, component] : material.components) {
     if (!component.stiffness || !law_of(component).remembers()) continue;
@@ -29,32 +27,40 @@ void require_blendable(const SceneSample& sample, const SceneSample& first) {
     throw InputError(sample.where, quoted_value(material.name) + " has limits of energy",
                      "samples of materials without them");
   }
-  if (is_known(material, "J") == is_known(first.material.material, "J")) return;
-  throw InputError(sample.where,
-                   "only some of the samples resist a change of volume by a component `J`",
-                   "all of them, or none");
 }
 
 }  // namespace
 
-SolidField solid_field(const SceneSolid& solid, const VolumeMesh& mesh) {
-  SolidField field;
+Material sampled_material(const SceneSolid& solid, const VolumeMesh& mesh) {
+  Material together = solid.material.material;
+  std::vector<Eigen::Vector3d> places;
   for (const SceneSample& sample : solid.samples) {
-    require_blendable(sample, solid.samples.front());
+    require_blendable(sample);
     if (!is_inside(mesh, sample.at)) {
       throw InputError(sample.where, "lies outside the body",
                        "a place within the mesh, in its own coordinates");
     }
-    for (const MaterialSample& other : field.samples) {
-      if (other.place != sample.at) continue;
+    if (std::ranges::find(places, sample.at) != places.end()) {
       throw InputError(sample.where, "is a second sample at one place", "each place once");
     }
-    field.samples.push_back({sample.at, held_beyond_range(sample.material.material)});
+    places.push_back(sample.at);
+    SampledComponents& own = together.samples.at.emplace_back(sample.at);
+    for (const auto& [name, component] : sample.material.material.components) {
+      if (!component.stiffness) continue;
+      own.components[name] = component;
+      together.components.emplace(name, component);
+    }
   }
-  std::vector<Eigen::Vector3d> places;
-  for (const MaterialSample& sample : field.samples) places.push_back(sample.place);
-  field.width = solid.width.value_or(spacing_of_neighbours(places));
-  return field;
+  together.samples.width = solid.width.value_or(spacing_of_neighbours(places));
+  return together;
+}
+
+Eigen::VectorXd densities_of(const SceneSolid& solid) {
+  Eigen::VectorXd densities(std::ssize(solid.samples));
+  for (Eigen::Index k = 0; k < densities.size(); ++k) {
+    densities(k) = solid.samples[static_cast<std::size_t>(k)].material.material.density;
+  }
+  return densities;
 }
 
 }  // namespace pliant

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
-#include "pliant/io/vtu.h"
 #include "pliant/material/material_samples.h"
 
 namespace pliant {
@@ -52,26 +53,53 @@ void add_number(const StudyResult& result, const std::string& number,
   grid.cell_data.push_back(std::move(error));
 }
 
-template <int Nodes>
-void add_cells(VtkCell cell, const Eigen::Matrix<int, Nodes, Eigen::Dynamic>& elements,
-               VtuGrid& grid) {
+template <class Elements>
+void add_cells(VtkCell cell, const Elements& elements, VtuGrid& grid) {
   if (elements.cols() == 0) return;
   grid.cells.push_back({cell, {elements.data(), elements.data() + elements.size()}});
 }
 
+/// What each sample weighs in each cell, at its middle.
+std::vector<Eigen::VectorXd> weights_in_cells(const MaterialSamples& samples, const VtuGrid& grid) {
+  std::vector<Eigen::VectorXd> weights;
+  for (const VtuCells& cells : grid.cells) {
+    const std::size_t corners = cells.corners.size() / cells.count();
+    for (std::size_t first = 0; first < cells.corners.size(); first += corners) {
+      Eigen::Vector3d middle(0, 0, 0);
+      for (std::size_t c = first; c < first + corners; ++c) {
+        const Point3& corner = grid.points[static_cast<std::size_t>(cells.corners[c])];
+        middle += Eigen::Vector3d(corner[0], corner[1], corner[2]) / static_cast<double>(corners);
+      }
+      weights.push_back(weights_at(samples, middle));
+    }
+  }
+  return weights;
+}
+
 }  // namespace
 
-std::string body_map(const StudyResult& result) {
-  const VolumeMesh& mesh = *result.body;
+VtuGrid grid_at_rest(const VolumeMesh& body) {
   VtuGrid grid;
-  for (const auto& x : mesh.positions.colwise()) grid.points.push_back({x(0), x(1), x(2)});
-  add_cells(VtkCell::tetrahedron, mesh.tetrahedra, grid);
-  add_cells(VtkCell::hexahedron, mesh.hexahedra, grid);
-  std::vector<Eigen::VectorXd> weights;
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const Eigen::Vector3d middle = mesh.positions(Eigen::all, mesh.nodes_of(e)).rowwise().mean();
-    weights.push_back(weights_at(result.material.samples, middle));
+  for (const auto& x : body.positions.colwise()) grid.points.push_back({x(0), x(1), x(2)});
+  add_cells(VtkCell::tetrahedron, body.tetrahedra, grid);
+  add_cells(VtkCell::hexahedron, body.hexahedra, grid);
+  return grid;
+}
+
+VtuGrid grid_at_rest(const TriangleMesh& sheet) {
+  VtuGrid grid;
+  for (const auto& place : sheet.rest_corners.colwise()) {
+    grid.points.push_back({place(0), place(1), 0});
   }
+  std::vector<int> corners(grid.points.size());
+  std::iota(corners.begin(), corners.end(), 0);
+  grid.cells.push_back({VtkCell::triangle, std::move(corners)});
+  return grid;
+}
+
+std::string body_map(const StudyResult& result) {
+  VtuGrid grid = *result.body;
+  const std::vector<Eigen::VectorXd> weights = weights_in_cells(result.material.samples, grid);
   for (const auto& [component, first] : result.material.samples.at.front().components) {
     for (const std::string& number : parameter_names(law_of(first), component)) {
       add_number(result, number, weights, grid);

@@ -12,6 +12,7 @@
 #include "pliant/estimation/component_work.h"
 #include "pliant/estimation/joint_fit.h"
 #include "pliant/estimation/monotone_stress.h"
+#include "pliant/estimation/sampled_numbers.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/statistics/model_growth.h"
@@ -150,10 +151,7 @@ SheetUncertainty take(const JointFit& joint, const Share& share,
   result.uncertainty = part_of(joint.uncertainty, share.unknowns, share.parts);
   Eigen::Index next = 0;
   for (const ComponentGroup& group : sheets.groups) {
-    const ComponentLaw law = law_of(sheets.material, group);
-    const Eigen::Index count = law.parameter_count();
-    set_law(sheets.material, group, law.with_parameters(result.values.segment(next, count)));
-    next += count;
+    next = set_numbers(result.values, next, group, sheets.material);
   }
   for (; next < result.values.size(); ++next) {
     sheets.cords[result.unknowns[static_cast<std::size_t>(next)].name] = result.values(next);
@@ -257,6 +255,11 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   const Stopwatch watch;
   StudyResult result = describe(study);
   refuse_foreign_options(study);
+  if (study.model.samples) {
+    throw InputError(study.model.samples->where,
+                     "stands beside strips, of which nobody knows from where they were cut",
+                     "sessions alone to fit");
+  }
   if (study.model.isotropic && fits_strips(study)) {
     throw InputError({study.file, 0, "model.variant"},
                      "strips are fitted along weft and along warp, with nothing to share",

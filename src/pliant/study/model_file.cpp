@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
@@ -84,23 +86,45 @@ std::vector<std::vector<std::string>> read_model_limits(const Value& list, Mater
   return limits;
 }
 
-/// `{at, grid, spread, grown, width, of}`, one of the first four.
-SampleOptions read_samples(const Value& node) {
+/// A place of a body, [x, y, z], or of a sheet, [u, v].
+Eigen::Vector3d read_place_of_sample(const Value& node, MaterialKind kind) {
+  if (kind == MaterialKind::solid) return read_vector(node);
+  const std::vector<double> place = node.numbers();
+  if (place.size() != 2) node.fail("has not two numbers", "[u, v] in metres");
+  return {place[0], place[1], 0};
+}
+
+/// Cells of a body along x, y and z, of a sheet along weft and warp.
+Eigen::Vector3i read_grid(const Value& node, MaterialKind kind) {
+  const bool solid = kind == MaterialKind::solid;
+  const std::vector<Value> counts = node.items();
+  if (counts.size() != (solid ? 3 : 2)) {
+    node.fail(fmt::format("has {} numbers", counts.size()),
+              solid ? "cells along x, y and z: [4, 2, 2]" : "cells along weft and warp: [4, 2]");
+  }
+  Eigen::Vector3i cells(1, 1, 1);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    cells(static_cast<Eigen::Index>(i)) = counts[i].integer(1, 100);
+  }
+  return cells;
+}
+
+/// `{at, grid, spread, grown, width, of}`, one of the first four; of cloth one of the first two.
+SampleOptions read_samples(const Value& node, MaterialKind kind) {
   Fields fields = node.fields();
   SampleOptions samples;
   samples.where = node.location();
   int ways = 0;
   if (auto v = fields.optional("at")) {
     ++ways;
-    for (const Value& place : v->items()) samples.places.push_back(read_vector(place));
-    if (samples.places.empty()) v->fail("is empty", "at least one [x, y, z] in metres");
+    for (const Value& place : v->items()) {
+      samples.places.push_back(read_place_of_sample(place, kind));
+    }
+    if (samples.places.empty()) v->fail("is empty", "at least one place in metres");
   }
   if (auto v = fields.optional("grid")) {
     ++ways;
-    const std::vector<Value> cells = v->items();
-    if (cells.size() != 3) v->fail("has no three numbers", "cells along x, y and z: [4, 2, 2]");
-    for (int i = 0; i < 3; ++i)
-      samples.grid(i) = cells[static_cast<std::size_t>(i)].integer(1, 100);
+    samples.grid = read_grid(*v, kind);
   }
   if (auto v = fields.optional("spread")) {
     ++ways;
@@ -113,10 +137,13 @@ SampleOptions read_samples(const Value& node) {
   if (ways != 1)
     node.fail("says where the samples are in no way, or in several",
               "one of `at`, `grid`, `spread` and `grown`");
+  if (kind == MaterialKind::cloth && samples.spread + samples.grown > 0) {
+    node.fail("asks for places that are found in solids alone", "`at` or `grid`");
+  }
   if (auto v = fields.optional("width")) samples.width = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("of")) {
-    const std::vector<std::string_view> names(solid_component_names().begin(),
-                                              solid_component_names().end());
+    const std::vector<std::string_view> names(component_names(kind).begin(),
+                                              component_names(kind).end());
     for (const Value& component : v->items()) samples.of.push_back(component.choice(names));
     if (samples.of.empty()) v->fail("is empty", "at least one component");
   }
@@ -156,7 +183,7 @@ ModelOptions read_solid_model(Fields& fields) {
   }
   if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v, model.kind);
   if (auto v = fields.optional("samples")) {
-    model.samples = read_samples(*v);
+    model.samples = read_samples(*v, model.kind);
     if (!model.limits.empty()) v->fail("stands beside `limits`", "one of both");
     const auto is_pair = [](const auto& component) {
       return is_pair_term(component.first, MaterialKind::solid);
@@ -167,6 +194,14 @@ ModelOptions read_solid_model(Fields& fields) {
   }
   fields.finish();
   return model;
+}
+
+void read_samples_of_sheet(const Value& node, ModelOptions& model) {
+  model.samples = read_samples(node, model.kind);
+  if (!model.limits.empty()) node.fail("stands beside `limits`", "one of both");
+  if (model.membrane == MembraneMeasure::spring || model.bending == "spring") {
+    node.fail("stands beside springs", "a membrane of triangles and bending of discrete shells");
+  }
 }
 
 }  // namespace
@@ -205,6 +240,7 @@ ModelOptions read_model(Fields& study, MaterialKind kind) {
     }
   }
   if (auto v = fields.optional("limits")) model.limits = read_model_limits(*v, kind);
+  if (auto v = fields.optional("samples")) read_samples_of_sheet(*v, model);
   fields.finish();
   return model;
 }

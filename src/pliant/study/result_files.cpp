@@ -412,7 +412,10 @@ std::vector<std::pair<std::string, std::string>> fit_files(const StudyResult& re
   files.emplace_back("fit.json", summary_text(result, facts, true));
   files.emplace_back("parameters.csv", parameters_csv(result));
   add_tables(result, files);
-  if (result.body) files.emplace_back("body.vtu", body_map(result));
+  if (result.body) {
+    const bool solid = result.material.kind == MaterialKind::solid;
+    files.emplace_back(solid ? "body.vtu" : "sheet.vtu", body_map(result));
+  }
   return files;
 }
 

@@ -16,6 +16,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
+#include "pliant/estimation/sampled_numbers.h"
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/sheet/sheet_plan.h"
@@ -26,9 +27,11 @@
 #include "pliant/io/digest.h"
 #include "pliant/material/bending_conversion.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/math/quantiles.h"
 #include "pliant/measurement/session/balance.h"
+#include "pliant/study/body_map.h"
 #include "pliant/study/sheet_experiment.h"
 #include "pliant/study/sheet_predictions.h"
 #include "pliant/study/study_experiments.h"
@@ -72,16 +75,17 @@ void add_curves_and_figures(const SheetFit& fit, const SheetUncertainty& uncerta
                             StudyResult& result) {
   Eigen::Index first = 0;
   for (const ComponentGroup& group : fit.groups) {
-    const ComponentLaw law = law_of(fit.material, group);
-    const Eigen::Index count = law.parameter_count();
+    const ComponentLaw law = law_of(fit.material, group);  // of samples the mean, without an error
+    const int copies = copies_of(fit.material, group.front());
     const double largest = largest_strain(fit, group);
     for (const std::string& component : group) {
-      const ErrorOfLaw error_of = errors_of_law(uncertainty.uncertainty, first);
+      const ErrorOfLaw error_of =
+          copies > 1 ? ErrorOfLaw() : errors_of_law(uncertainty.uncertainty, first);
       result.curves.push_back(component_curve(component, law, largest, error_of));
       std::ranges::move(lab_figures(fit.material, component, error_of),
                         std::back_inserter(result.figures));
     }
-    first += count;
+    first += copies * law.parameter_count();
   }
 }
 
@@ -153,6 +157,37 @@ void ask_about_cords(const std::vector<SheetExperiment>& experiments, StudyResul
       "narrow: it stands in fit.json beside the material that a fit wrote, or is stated as "
       "`cord_friction`",
       fmt::join(names, ", ")));
+}
+
+/// What differs from place to place is elastic.
+void refuse_memory_of_samples(const FitSettings& settings) {
+  if (!settings.model.samples) return;
+  for (const auto& [name, component] : settings.model.components) {
+    const bool remembers_more = std::ranges::any_of(
+        component.addends, [](const AddendKind* kind) { return remembers(*kind); });
+    if (!may_differ(settings, {name})) continue;
+    if (component.friction != FrictionChoice::dahl && !remembers_more) continue;
+    throw InputError({settings.file, 0, "model.components." + name},
+                     "has friction or another law that remembers, and differs from place to place",
+                     "`samples.of` without it, or a component that is elastic");
+  }
+}
+
+/// Samples lie in the rest plane of one sheet.
+void require_one_sheet(const FitSettings& settings, const std::vector<const SheetTest*>& tests) {
+  constexpr double kAlike = 0.02;
+  if (!settings.model.samples) return;
+  const SessionSample& first = tests.front()->session().sample;
+  for (const SheetTest* test : tests) {
+    const SessionSample& sample = test->session().sample;
+    const bool alike = std::abs(sample.width - first.width) < kAlike * first.width &&
+                       std::abs(sample.height - first.height) < kAlike * first.height;
+    if (alike) continue;
+    throw InputError(settings.model.samples->where,
+                     fmt::format("stands beside sheets of several sizes: {} and {}",
+                                 tests.front()->name(), test->name()),
+                     "sessions of one sheet");
+  }
 }
 
 /// A fit with what it predicts.
@@ -243,6 +278,12 @@ void set_status(const FitSettings& settings, SheetFit& fit) {
     if (!measured) continue;
     const std::vector<double>& knots = component.stiffness->knots();
     component.range = {0.0, knots.size() < 2 ? largest_strain(fit, {name}) : knots.back()};
+    for (SampledComponents& sample : fit.material.samples.at) {
+      const auto own = sample.components.find(name);
+      if (own == sample.components.end()) continue;
+      own->second.range = component.range;
+      own->second.status = component.status;
+    }
   }
 }
 
@@ -266,6 +307,7 @@ void refuse_foreign_options(const FitSettings& settings) {
              "constant or hermite, or an elastic addend");
     }
   }
+  refuse_memory_of_samples(settings);
   if (settings.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
   }
@@ -341,6 +383,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
   require_known_parameters(study, tests_to_fit(experiments));
+  require_one_sheet(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
   Candidate best = best_fit(settings_of(study), plan, experiments, context, starts);
   SheetFit& fit = best.fit;
@@ -353,6 +396,9 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   *result.work += uncertainty.work;
   result.covariance = uncertainty.uncertainty.covariance;
   add_sheets(fit, uncertainty, experiments, std::move(best.experiments), result);
+  if (is_heterogeneous(fit.material)) {
+    result.body = grid_at_rest(tests_to_fit(experiments).front()->session().rest);
+  }
   if (!best.note.empty()) result.assumptions.push_back("search: " + best.note);
   result.seconds = watch.seconds();
   return result;

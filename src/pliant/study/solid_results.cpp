@@ -11,8 +11,8 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/problem.h"
+#include "pliant/estimation/sampled_numbers.h"
 #include "pliant/experiment/stored_rows.h"
-#include "pliant/material/material_samples.h"
 
 namespace pliant {
 namespace {
@@ -136,13 +136,13 @@ void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult
     const auto law = law_of(material, name);
     if (!law) continue;
     const auto& range = material.components.at(name).range;
-    const bool differs = differs_in(material, name);  // the curve is then that of the mean
+    const int copies = copies_of(material, name);  // of samples the curve is the mean
     const ErrorOfLaw errors =
-        fit && !differs ? errors_of_law(fit->uncertainty, first) : ErrorOfLaw{};
+        fit && copies == 1 ? errors_of_law(fit->uncertainty, first) : ErrorOfLaw{};
     if (range && range->second > 0) {
       result.curves.push_back(component_curve(name, *law, range->second, errors));
     }
-    first += law->parameter_count() * (differs ? std::ssize(material.samples.at) : 1);
+    first += copies * law->parameter_count();
   }
 }
 

@@ -146,7 +146,7 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
       fit_solid(study, components, body_samples(study), fitted(study, experiments), context);
   result.assumptions = assumptions_of(study, experiments);
   add_solid_fit(fit, result);
-  if (is_heterogeneous(fit.material)) result.body = *body_of_samples(study);
+  if (is_heterogeneous(fit.material)) result.body = grid_at_rest(*body_of_samples(study));
   std::size_t part = 0;
   for (const auto& experiment : experiments) {
     ExperimentResult row = compare_solid(*experiment, fit.material);

@@ -17,6 +17,7 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/material/fill.h"
+#include "pliant/material/material_samples.h"
 #include "pliant/material/use_warnings.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
@@ -157,8 +158,10 @@ void skip_unknown(const Material& material, Experiments& experiments, StudyResul
   });
 }
 
-/// In one dimension limits of energy are not known, nor what one strain does to another.
-void warn_of_limits(const Material& material, const Experiments& experiments, StudyResult& result) {
+/// In one dimension limits of energy are not known, nor what one strain does to another, nor where
+/// a strip was cut.
+void warn_of_one_dimension(const Material& material, const Experiments& experiments,
+                           StudyResult& result) {
   const auto leave_out = [&](const std::string& name) {
     result.warnings.push_back(
         fmt::format("{} is left out of strips, which are predicted in one dimension", name));
@@ -174,6 +177,13 @@ void warn_of_limits(const Material& material, const Experiments& experiments, St
       return std::ranges::find(limit.of, experiment->info().component) != limit.of.end();
     });
     if (concerned) leave_out(limit_name(limit.of));
+  }
+  for (const auto& experiment : experiments) {
+    const ExperimentInfo& info = experiment->info();
+    if (!differs_in(material, info.component)) continue;
+    result.warnings.push_back(
+        fmt::format("{}: {} differs from place to place; the mean of its samples predicts strips",
+                    info.name, info.component));
   }
 }
 
@@ -210,7 +220,7 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
   ask_about_fabric(study, material, result);
   Experiments experiments = read_experiments(with_measure, result);
   skip_unknown(material, experiments, result);
-  warn_of_limits(material, experiments, result);
+  warn_of_one_dimension(material, experiments, result);
   ask_about_hinges(material, experiments, result);
   for (const auto& experiment : experiments) {
     context.stop.throw_if_requested();

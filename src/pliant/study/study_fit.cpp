@@ -74,6 +74,7 @@ void refuse_models_of_sheets(const Study& study) {
     if (solid_metric_of(name)) refuse("model.components." + name, "acts on several strains");
   }
   if (!study.model.limits.empty()) refuse("model.limits", "is of sheets");
+  if (study.model.samples) refuse("model.samples", "is of whole sheets");
 }
 
 StudyResult fit_strips(const Study& study, const StudyFitOptions& options,

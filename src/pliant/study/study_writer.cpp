@@ -104,13 +104,14 @@ void write_limits(const ModelOptions& model, YAML::Node& node) {
   }
 }
 
-YAML::Node samples_node(const SampleOptions& samples) {
+YAML::Node samples_node(const SampleOptions& samples, MaterialKind kind) {
   YAML::Node node;
+  const int axes = kind == MaterialKind::solid ? 3 : 2;
   for (const Eigen::Vector3d& place : samples.places) {
-    node["at"].push_back(YAML::Load(vector_text(place)));
+    node["at"].push_back(std::vector<double>(place.begin(), place.begin() + axes));
   }
   if (samples.grid.x() > 0) {
-    node["grid"] = std::vector<int>(samples.grid.begin(), samples.grid.end());
+    node["grid"] = std::vector<int>(samples.grid.begin(), samples.grid.begin() + axes);
   }
   if (samples.spread > 0) node["spread"] = samples.spread;
   if (samples.grown > 0) node["grown"] = samples.grown;
@@ -126,7 +127,7 @@ YAML::Node model_node(const ModelOptions& model) {
     if (model.components.empty()) node["law"] = model.solid_law;
     write_components(model, node);
     write_limits(model, node);
-    if (model.samples) node["samples"] = samples_node(*model.samples);
+    if (model.samples) node["samples"] = samples_node(*model.samples, model.kind);
     return node;
   }
   node["membrane"] = std::string(name_of(model.membrane));
@@ -142,6 +143,7 @@ YAML::Node model_node(const ModelOptions& model) {
   node["friction"] = std::string(name_of(model.friction));
   write_components(model, node);
   write_limits(model, node);
+  if (model.samples) node["samples"] = samples_node(*model.samples, model.kind);
   return node;
 }
 

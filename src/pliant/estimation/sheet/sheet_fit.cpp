@@ -11,6 +11,7 @@
 #include "pliant/estimation/sheet/curve_growth.h"
 #include "pliant/estimation/sheet/friction_stage.h"
 #include "pliant/estimation/sheet/limit_stage.h"
+#include "pliant/estimation/sheet/sample_stage.h"
 #include "pliant/estimation/sheet/sheet_fitting.h"
 #include "pliant/experiment/session/lost_frames.h"
 #include "pliant/material/addend/rubber_addends.h"
@@ -48,6 +49,7 @@ class Fitter {
     if (stage.kind == StageKind::friction)
       return fit_friction(fitting_, stage, stage.groups.front());
     if (stage.kind == StageKind::limit) return fit_limits(fitting_, stage);
+    if (stage.kind == StageKind::sample) return fit_samples(fitting_, stage);
     for (const ComponentGroup& group : stage.groups) {
       if (!fitting_.is_fitted(group)) guess(stage, group);
     }

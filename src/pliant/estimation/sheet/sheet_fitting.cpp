@@ -74,6 +74,9 @@ void SheetFitting::record(const SheetStage& stage, double rms, bool accepted) {
                          : fmt::format("{} control point{}", points, points == 1 ? "" : "s");
   if (stage.groups.size() > 1) what = "together";
   if (stage.kind == StageKind::limit) what += " with a limit of energy";
+  if (stage.kind == StageKind::sample) {
+    what += fmt::format(" at {} samples", fit_.material.samples.at.size());
+  }
   if (stage.kind == StageKind::friction) {
     const bool rubs = law_of(fit_.material, stage.groups.front()).remembers();
     what += rubs ? " and friction" : " and cords";

@@ -124,6 +124,20 @@ void add_limits(const FitSettings& settings, std::vector<SheetStage>& plan) {
   if (!limits.tests.empty()) plan.push_back(std::move(limits));
 }
 
+/// After all other curves those that differ from place to place, beside those of triangles.
+void add_samples(const FitSettings& settings, std::vector<SheetStage>& plan) {
+  if (!settings.model.samples) return;
+  SheetStage samples{{}, {}, StageKind::sample};
+  for (const SheetStage& stage : plan) {
+    for (const ComponentGroup& group : stage.groups) {
+      if (is_bending(group.front()) && !may_differ(settings, group)) continue;
+      add_once(group, samples.groups);
+      for (const SheetTest* test : stage.tests) add_once(test, samples.tests);
+    }
+  }
+  plan.push_back(std::move(samples));
+}
+
 /// Friction and addends that remember of what is pulled by clips, from sequences that return, where
 /// the study does not say no.
 void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
@@ -132,6 +146,7 @@ void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
     const bool remembers_more = std::ranges::any_of(
         model_of(settings, group).addends, [](const AddendKind* kind) { return remembers(*kind); });
     if (is_bending(group.front()) || is_sheet_pair(group.front())) continue;
+    if (may_differ(settings, group)) continue;
     if (!asks_for_friction(settings, group) && !remembers_more) continue;
     Tests data;
     for (const SheetStage& stage : plan) {
@@ -201,9 +216,16 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                      "bend-weft, bend-warp, or a plan under fit");
   }
   add_limits(settings, plan);
+  add_samples(settings, plan);
   add_friction(settings, plan);
   leave_out(known, plan);
   return plan;
+}
+
+bool may_differ(const FitSettings& settings, const ComponentGroup& group) {
+  return settings.model.samples && std::ranges::any_of(group, [&](const std::string& component) {
+           return settings.model.samples->differ_in(component);
+         });
 }
 
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan) {

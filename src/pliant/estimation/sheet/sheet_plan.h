@@ -16,6 +16,7 @@ enum class StageKind {
   again,     ///< as many as there are
   hold,      ///< nothing is looked for: what the tests tell here a last fit of everything will tell
   limit,     ///< as many as there are, and limits of energies beside them
+  sample,    ///< as many as there are, those that differ from place to place at each sample
   friction,  ///< as many as there are, at equal distances or denser towards rest, and internal
              ///< friction beside them
 };
@@ -34,8 +35,10 @@ struct SheetStage {
 /// Springs that bend resist stretch as well: with them stretch is fitted again, too.
 ///
 /// Limits of energies that the model has are fitted with all curves of triangles, before bending or
-/// after the stages of a study; last comes friction, of what clips pull, where sequences load and
-/// unload and the study does not say no: the prediction then follows the loop and not its middle.
+/// after the stages of a study. Samples come after all other curves, together with those of
+/// triangles and what the model lets differ. Last comes friction, of what clips pull and is the
+/// same everywhere, where sequences load and unload and the study does not say no: the prediction
+/// then follows the loop and not its middle.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @param known  components that other experiments have told: stages leave them as they are
@@ -43,6 +46,9 @@ struct SheetStage {
 std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                                    const std::vector<const SheetTest*>& tests,
                                    const std::vector<std::string>& known = {});
+
+/// Whether the model lets a group of components differ from place to place.
+bool may_differ(const FitSettings& settings, const ComponentGroup& group);
 
 /// The components that a plan fits.
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);

@@ -6,6 +6,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/estimation/monotone_stress.h"
+#include "pliant/estimation/sampled_numbers.h"
 
 namespace pliant {
 namespace {
@@ -87,11 +88,13 @@ Eigen::MatrixXd tangents_of(const Material& material, const std::vector<Componen
   for (const ComponentGroup& group : groups) {
     const ComponentLaw law = law_of(material, group);
     const Eigen::MatrixXd own = elastic_tangents(law.stiffness, 0);
-    const Eigen::Index above = all.rows();
-    all.conservativeResize(above + own.rows(), Eigen::NoChange);
-    all.bottomRows(own.rows()).setZero();
-    all.block(above, first, own.rows(), own.cols()) = own;
-    first += law.parameter_count();
+    for (int copy = 0; copy < copies_of(material, group.front()); ++copy) {
+      const Eigen::Index above = all.rows();
+      all.conservativeResize(above + own.rows(), Eigen::NoChange);
+      all.bottomRows(own.rows()).setZero();
+      all.block(above, first, own.rows(), own.cols()) = own;
+      first += law.parameter_count();
+    }
   }
   return all;
 }
@@ -159,11 +162,7 @@ double SheetProblem::rms(const LeastSquaresSummary& solution) const {
 Material SheetProblem::material_at(const Eigen::VectorXd& values) const {
   Material material = material_;
   Eigen::Index next = 0;
-  for (const ComponentGroup& group : groups_) {
-    const ComponentLaw law = law_of(material, group);
-    set_law(material, group, law.with_parameters(values.segment(next, law.parameter_count())));
-    next += law.parameter_count();
-  }
+  for (const ComponentGroup& group : groups_) next = set_numbers(values, next, group, material);
   for (const std::size_t limit : limits_of(material, groups_)) {
     material.limits[limit].energy = values(next++);
   }
@@ -214,7 +213,7 @@ std::vector<Unknown> unknowns_of(const Material& material,
     const double stiffness = std::max(own_stiffness, 1e-12);
     std::vector<Unknown> own = unknowns_of(law, groups[g], {stiffness * strains[g], strains[g]});
     if (!is_bending(name) && !solid_metric_of(name)) keep_stiff(law, stiffness, own);
-    unknowns.insert(unknowns.end(), own.begin(), own.end());
+    append_unknowns(material, groups[g], own, unknowns);
   }
   if (material.bending == "spring") limit_bending_springs(material, cell, unknowns);
   return unknowns;

@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "pliant/base/assert.h"
+#include "pliant/estimation/sampled_numbers.h"
 #include "pliant/estimation/solid/solid_problem.h"
-#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/material/strain/green_strain.h"
@@ -36,8 +36,7 @@ std::vector<Block> blocks_of(const Material& material, Eigen::Index& count) {
   for (const std::string& name : ordered_components(material.components, material.kind)) {
     const auto law = law_of(material, name);
     if (!law) continue;
-    const std::size_t copies = differs_in(material, name) ? material.samples.at.size() : 1;
-    for (std::size_t k = 0; k < copies; ++k) {
+    for (int k = 0; k < copies_of(material, name); ++k) {
       blocks.push_back({count, law->stiffness});
       count += law->parameter_count();
     }

@@ -20,9 +20,6 @@
 namespace pliant {
 namespace {
 
-constexpr const char* kNoSamples =
-    "the samples explain no more than one material everywhere: the data do not show that the body "
-    "is heterogeneous";
 constexpr LeastSquaresOptions kFirst{
     .max_iterations = 60, .function_tolerance = 1e-6, .parameter_tolerance = 1e-6};
 

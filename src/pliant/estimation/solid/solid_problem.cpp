@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "pliant/estimation/measured_noise.h"
+#include "pliant/estimation/sampled_numbers.h"
 #include "pliant/material/addend/rubber_addends.h"
-#include "pliant/material/material_samples.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/pair_metric.h"
 #include "pliant/material/solid/standard_solids.h"
@@ -39,39 +39,6 @@ void keep_volume_stiff(const ComponentLaw& law, const DataScale& pulled,
   constexpr double kLeast = 1e-3;  // of the stiffness of what is pulled
   for (int i = 0; i < law.stiffness.size(); ++i) {
     unknowns[static_cast<std::size_t>(i)].lower = kLeast * pulled.stress / pulled.strain;
-  }
-}
-
-/// Appends the unknowns of a component: of a heterogeneous solid one of each sample, or one that
-/// all samples share where they do not differ in it.
-void append_unknowns(const Material& material, const std::string& component,
-                     const std::vector<Unknown>& own, std::vector<Unknown>& unknowns) {
-  const std::size_t samples = material.samples.at.size();
-  if (samples == 0) {
-    std::ranges::copy(own, std::back_inserter(unknowns));
-    return;
-  }
-  if (!differs_in(material, component)) {
-    for (Unknown unknown : own) {
-      const std::string name = unknown.parameters.front();
-      unknown.parameters.clear();
-      for (std::size_t k = 0; k < samples; ++k) {
-        unknown.parameters.push_back(name_in_sample(k, name));
-      }
-      unknowns.push_back(std::move(unknown));
-    }
-    return;
-  }
-  for (std::size_t k = 0; k < samples; ++k) {
-    const Eigen::VectorXd values =
-        law_of(material.samples.at[k].components.at(component)).parameters();
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      Unknown unknown = own[i];
-      unknown.name = name_in_sample(k, unknown.name);
-      unknown.parameters = {name_in_sample(k, unknown.parameters.front())};
-      unknown.start = values(static_cast<Eigen::Index>(i));
-      unknowns.push_back(std::move(unknown));
-    }
   }
 }
 
@@ -139,7 +106,7 @@ Problem SolidProblem::problem(const Material& material) {
     std::vector<Unknown> own = unknowns_of(*law, {name}, data_of(name).scale);
     keep_positive(name, *law, own);
     if (is_of_volume(name)) keep_volume_stiff(*law, data_of("fibre.x").scale, own);
-    append_unknowns(material, name, own, unknowns);
+    append_unknowns(material, {name}, own, unknowns);
   }
   for (const EnergyLimit& limit : material.limits) {
     unknowns.push_back(unknown_of(limit, material.kind));
@@ -224,21 +191,9 @@ LeastSquaresSummary SolidProblem::solve(Material& material, const LeastSquaresOp
 
 void set_numbers(const Eigen::VectorXd& numbers, Material& material) {
   Eigen::Index next = 0;
-  const auto set = [&](const ComponentLaw& law, MaterialComponent& component) {
-    const Eigen::Index count = law.parameter_count();
-    set_law(component, law.with_parameters(numbers.segment(next, count)));
-    next += count;
-  };
   for (const std::string& name : ordered_components(material.components, material.kind)) {
-    const auto law = law_of(material, name);
-    if (!law) continue;
-    if (!differs_in(material, name)) {
-      set(*law, material.components.at(name));
-      continue;
-    }
-    for (SampledComponents& sample : material.samples.at) set(*law, sample.components.at(name));
+    if (law_of(material, name)) next = set_numbers(numbers, next, {name}, material);
   }
-  if (is_heterogeneous(material)) take_means(material);
   for (EnergyLimit& limit : material.limits) limit.energy = numbers(next++);
 }
 

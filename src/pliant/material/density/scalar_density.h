@@ -91,14 +91,17 @@ class ScalarDensity : public ParametricDensity {
         : now(scalar.jet(samples.strain)),
           last(scalar.jet(samples.last)),
           before(scalar.jet(samples.before).value),
-          history(samples.history) {}
+          history(samples.history),
+          weights(samples.weights) {}
 
-    Samples samples() const { return {view(now.value), view(last.value), view(before), history}; }
+    Samples samples() const {
+      return {view(now.value), view(last.value), view(before), history, weights};
+    }
     static LaneView view(const Lane& lane) { return LaneView(lane.data(), kLanes, 1); }
 
     decltype(std::declval<const Scalar&>().jet(std::declval<const LaneView&>())) now, last;
     Lane before;
-    LaneView history;
+    LaneView history, weights;
   };
 
   Scalar scalar_;

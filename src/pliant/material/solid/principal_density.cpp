@@ -15,16 +15,17 @@ SolidVector strain_of(const Samples& samples, int lane) {
   return samples.strain.row(lane).transpose().matrix();
 }
 
-/// Whether a point is strained as the one before it is: single points come as eight alike.
+/// Whether a point is as the one before it: single points come as eight alike.
 bool is_as_before(const Samples& samples, int lane) {
-  return lane > 0 && (samples.strain.row(lane) == samples.strain.row(lane - 1)).all();
+  return lane > 0 && (samples.strain.row(lane) == samples.strain.row(lane - 1)).all() &&
+         (samples.weights.row(lane) == samples.weights.row(lane - 1)).all();
 }
 
 /// Principal stretches of eight points and their metrics, and the law's answers on them.
 class PrincipalPoints {
  public:
   PrincipalPoints(const PrincipalMetric& metric, const Samples& samples)
-      : isochoric_(metric.isochoric) {
+      : isochoric_(metric.isochoric), weights_(samples.weights) {
     for (int lane = 0; lane < kLanes; ++lane) {
       if (is_as_before(samples, lane)) {
         points_.push_back(points_.back());
@@ -51,7 +52,7 @@ class PrincipalPoints {
   /// What a law of one strain sees of the stretches a.
   Samples samples(int a) const {
     const LaneView strain(value_.col(a).data(), kLanes, 1);
-    return {strain, strain, strain, LaneView(value_.data(), kLanes, 0)};
+    return {strain, strain, strain, LaneView(value_.data(), kLanes, 0), weights_};
   }
 
   Eigen::Vector3d by_log(int lane, const Eigen::Vector3d& stress) const {
@@ -76,6 +77,7 @@ class PrincipalPoints {
   }
 
   bool isochoric_;
+  LaneView weights_;
   std::vector<PrincipalStretches> points_;
   Eigen::Array<double, kLanes, 3> value_, first_, second_;
 };

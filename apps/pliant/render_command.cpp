@@ -30,6 +30,7 @@ struct RenderArguments {
   std::string colour_map;
   std::string colour, back_colour;
   std::string lines = "auto";
+  std::string cut;
   std::string movie;
   double rate = 0;  // pictures a second of the film; 0: as in reality
   bool no_ground = false;
@@ -90,6 +91,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   }
   if (!arguments.camera.empty()) options.camera = camera_of(arguments);
   if (!arguments.range.empty()) options.range = parse_value_range(arguments.range);
+  if (!arguments.cut.empty()) options.cut = parse_cut(arguments.cut);
   set_cloth_looks(arguments, options);
   return options;
 }
@@ -258,6 +260,11 @@ void add_colour_options(CLI::App& command, RenderArguments& arguments) {
           "the size of the cloth")
       ->type_name("{LENGTH,auto,none}")
       ->capture_default_str();
+  command
+      .add_option("--cut", arguments.cut,
+                  "Leave out what lies before a plane, as seen from the camera, and show the "
+                  "sections of solids: x=0.02 or \"z = 5 mm\"")
+      ->type_name("AXIS=LENGTH");
   command.add_flag("--mesh-lines", options.edges, "Draw the edges of the triangles");
   command.add_flag("--no-ground", arguments.no_ground, "Draw no shadow below the cloth");
   command.add_flag("--hard-shadow", options.hard_shadow, "Shadows with sharp edges");

@@ -107,6 +107,21 @@ std::pair<double, double> parse_value_range(const std::string& text) {
   refuse("--range", text, "values of the first and of the last colour, as in 0:0.2");
 }
 
+AxisPlane parse_cut(const std::string& text) {
+  const std::vector<std::string_view> parts = split(text, '=');
+  constexpr std::string_view kAxes = "xyz";
+  const std::size_t axis = parts.front().size() == 1 ? kAxes.find(parts.front()) : kAxes.npos;
+  if (parts.size() == 2 && axis != kAxes.npos) {
+    try {
+      const auto metres = parse_number(parts[1]);
+      return {static_cast<int>(axis),
+              metres ? *metres : parse_quantity(parts[1], Dimension::length)};
+    } catch (const QuantityError&) {
+    }
+  }
+  refuse("--cut", text, "an axis and a length, as in x=0.02 or 'z = 5 mm'");
+}
+
 std::vector<SimulationFrame> select_frames(const std::vector<SimulationFrame>& frames,
                                            const std::string& text) {
   if (text.empty()) return frames;

@@ -8,6 +8,7 @@
 #include "pliant/geometry/simulation_frames.h"
 #include "pliant/render/colour_map.h"
 #include "pliant/render/render.h"
+#include "pliant/render/simulation_pictures.h"
 
 namespace pliant {
 
@@ -35,6 +36,10 @@ Eigen::Vector3d parse_point(const std::string& option, const std::string& text);
 /// "LOW:HIGH", LOW below HIGH.
 /// @throws InputError
 std::pair<double, double> parse_value_range(const std::string& text);
+
+/// "x=0.02" or "z = 5 mm".
+/// @throws InputError
+AxisPlane parse_cut(const std::string& text);
 
 /// The frames that "FIRST:LAST:STEP" asks for: every STEP-th of those numbered FIRST to LAST. Parts
 /// may be left out ("10:", "::5"); a number alone is that frame; an empty text means all.

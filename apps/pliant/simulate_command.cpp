@@ -174,6 +174,7 @@ class SimulationRun {
       return;
     }
     results_.write("cloth.obj", cloth_obj(simulation_));
+    if (!scene_.solids.empty()) results_.write("solids.vtu", solids_vtu(simulation_));
     if (!scene_.obstacles.empty()) results_.write("obstacles.obj", obstacles_obj(simulation_));
     if (scene_.output.has(FrameFormat::pc2)) pc2_.emplace(results_.grow("cloth.pc2"), points);
     write_frame();

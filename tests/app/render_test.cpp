@@ -94,6 +94,8 @@ TEST_F(SlowRenderCommand, TakesEveryOptionOfLooks) {
       {"--colour", "#c08040"},
       {"--mesh-lines"},
       {"--no-ground"},
+      {"--cut", "x=0.5"},
+      {"--cut", "z = 100 mm"},
       {"--hard-shadow"},
       {"--samples", "5"}};
   for (std::vector<std::string> arguments : looks) {

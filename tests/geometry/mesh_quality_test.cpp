@@ -119,6 +119,9 @@ TEST(MeshProblems, NameAVertexWithoutTriangles) {
   mesh.positions.conservativeResize(3, 21);
   mesh.positions.col(20).setZero();
   EXPECT_THAT(problems_of(mesh), ElementsAre("vertex 20 belongs to no triangle"));
+  mesh.positions.conservativeResize(Eigen::NoChange, mesh.vertex_count() + 2);
+  mesh.positions.rightCols<2>().setZero();
+  EXPECT_THAT(problems_of(mesh), ElementsAre("vertex 20 belongs to no triangle, nor do 2 others"));
 }
 
 TEST(MeshProblems, HaveTheLineOfAVertexWithoutTriangles) {

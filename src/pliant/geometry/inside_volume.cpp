@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "pliant/geometry/hexahedron_shape.h"
+
 namespace pliant {
 namespace {
 
@@ -17,24 +19,20 @@ bool is_in_tetrahedron(const std::array<Eigen::Vector3d, 4>& x, const Eigen::Vec
   return shares.minCoeff() >= -kOnTheSurface && shares.sum() <= 1 + kOnTheSurface;
 }
 
-/// Six tetrahedra about the diagonal from node 0 to node 6 make a hexahedron.
-constexpr int kOfHexahedron[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
-                                     {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
-
 }  // namespace
 
 bool is_inside(const VolumeMesh& mesh, const Eigen::Vector3d& place) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     const std::vector<int> nodes = mesh.nodes_of(e);
-    const auto within = [&](const int(&corners)[4]) {
+    const auto within = [&](const std::array<int, 4>& corners) {
       std::array<Eigen::Vector3d, 4> x;
       for (size_t i = 0; i < 4; ++i) {
         x[i] = mesh.positions.col(nodes[static_cast<size_t>(corners[i])]);
       }
       return is_in_tetrahedron(x, place);
     };
-    constexpr int kWhole[4] = {0, 1, 2, 3};
-    if (nodes.size() == 4 ? within(kWhole) : std::ranges::any_of(kOfHexahedron, within))
+    constexpr std::array kWhole{0, 1, 2, 3};
+    if (nodes.size() == 4 ? within(kWhole) : std::ranges::any_of(kTetrahedraOfHexahedron, within))
       return true;
   }
   return false;

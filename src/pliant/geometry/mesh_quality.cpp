@@ -171,12 +171,13 @@ class MeshInspector {
   void check_isolated_vertices() {
     std::vector<bool> used(static_cast<std::size_t>(mesh_.vertex_count()), false);
     for (const int vertex : mesh_.triangles.reshaped()) used[vertex] = true;
-    for (int i = 0; i < mesh_.vertex_count(); ++i) {
-      if (used[i]) continue;
-      add(numbering_.line_of_vertex(i),
-          fmt::format("vertex {} belongs to no triangle", numbering_.shown(i)),
-          "only vertices of faces: others would have no mass");
-    }
+    const auto isolated = std::ranges::count(used, false);
+    if (isolated == 0) return;
+    const auto first = static_cast<int>(std::ranges::find(used, false) - used.begin());
+    const std::string more = isolated > 1 ? fmt::format(", nor do {} others", isolated - 1) : "";
+    add(numbering_.line_of_vertex(first),
+        fmt::format("vertex {} belongs to no triangle{}", numbering_.shown(first), more),
+        "only vertices of faces: others would have no mass");
   }
 
   const TriangleMesh& mesh_;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/geometry/plane_cut.h"
+#include "pliant/geometry/volume_file.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/obj.h"
@@ -93,6 +95,7 @@ SimulationFrames read_simulation_frames(const std::filesystem::path& directory) 
   if (const auto still = fields.optional("obstacles")) {
     simulation.obstacles = directory / still->text();
   }
+  if (const auto solids = fields.optional("solids")) simulation.solids = directory / solids->text();
   return simulation;
 }
 
@@ -122,6 +125,10 @@ SolidMesh read_obstacles(const std::filesystem::path& file) {
     throw InputError({file.string()}, "has no faces", "the surfaces of obstacles");
   }
   return {matrix_of(obj.positions), fan_triangles(obj.faces)};
+}
+
+Eigen::Matrix4Xi read_solids(const std::filesystem::path& file) {
+  return tetrahedra_of(read_volume_file(file, {.unit = 1}).mesh);
 }
 
 FrameMesh read_frame(const std::filesystem::path& file) {

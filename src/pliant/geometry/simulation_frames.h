@@ -25,6 +25,7 @@ struct SimulationFrames {
   /// Surfaces of obstacles: a file, or a folder with one for each frame; empty where there are
   /// none.
   std::filesystem::path obstacles = {};
+  std::filesystem::path solids = {};  ///< elements of solids; empty where there are none
 
   std::filesystem::path file_of(const SimulationFrame& frame) const;
   /// Empty where there are no obstacles.
@@ -53,7 +54,12 @@ struct SolidMesh {
 /// @throws InputError
 SolidMesh read_obstacles(const std::filesystem::path& file);
 
-/// The cloth of one frame.
+/// The elements of solids as tetrahedra of the vertices of frames.
+/// @param file  VTU
+/// @throws InputError
+Eigen::Matrix4Xi read_solids(const std::filesystem::path& file);
+
+/// The surfaces of one frame; inner nodes of solids are vertices, too.
 struct FrameMesh {
   Eigen::Matrix3Xd positions;                     ///< m
   Eigen::Matrix3Xi triangles;                     ///< polygons are cut into fans

@@ -103,6 +103,20 @@ int time_decimals(const std::vector<SimulationFrame>& frames) {
   return std::isfinite(spacing) ? decimals_for(spacing) : 3;
 }
 
+FrameMesh cut_frame(const FrameMesh& frame, const PictureSetting& setting,
+                    const std::filesystem::path& file) {
+  if (setting.solids.size() > 0 && setting.solids.maxCoeff() >= frame.positions.cols()) {
+    throw InputError({file.string()}, "does not have the nodes of the solids",
+                     "frames and solids.vtu of one simulation");
+  }
+  const PlaneCut cut = cut_by_plane(frame.positions, frame.triangles, setting.solids, *setting.cut);
+  FrameMesh left{cut.values(frame.positions), cut.triangles, {}};
+  for (const auto& [name, values] : frame.fields) {
+    left.fields[name] = cut.values(values.transpose()).transpose();
+  }
+  return left;
+}
+
 RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
                      const PictureOptions& options) {
   RenderScene scene;
@@ -120,13 +134,19 @@ RenderScene scene_of(FrameMesh frame, const PictureSetting& setting,
     scene.ambient = kFieldAmbient;
     mesh.field = VertexField{std::move(frame.fields[options.field]), setting.legend->scale};
   }
-  scene.meshes.push_back(std::move(mesh));
+  if (mesh.triangles.size() > 0) scene.meshes.push_back(std::move(mesh));
   return scene;
 }
 
-void add_obstacles(const std::filesystem::path& file, RenderScene& scene) {
+void add_obstacles(const std::filesystem::path& file, const std::optional<Plane>& plane,
+                   RenderScene& scene) {
   if (file.empty()) return;
   SolidMesh solid = read_obstacles(file);
+  if (plane) {
+    const PlaneCut cut = cut_by_plane(solid.positions, solid.triangles, {}, *plane);
+    solid = {cut.values(solid.positions), cut.triangles};
+  }
+  if (solid.triangles.size() == 0) return;
   const Colour grey = colour_of_rgb(kObstacleGrey);
   scene.meshes.push_back({std::move(solid.positions), std::move(solid.triangles), grey, grey});
 }
@@ -142,8 +162,9 @@ Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& f
                      fmt::format("{}, as in {}", setting.lines->rest_corners.cols() / 3,
                                  simulation.mesh.string()));
   }
+  if (setting.cut) mesh = cut_frame(mesh, setting, file);
   RenderScene scene = scene_of(std::move(mesh), setting, options);
-  add_obstacles(simulation.obstacles_of(frame), scene);
+  add_obstacles(simulation.obstacles_of(frame), setting.cut, scene);
   Image image = render(scene, setting.camera, options.size, options.quality, run);
   draw_time(image, frame.time, setting.time_decimals);
   if (setting.scale_bar) draw_scale_bar(image, *setting.scale_bar);
@@ -152,7 +173,7 @@ Image timed_picture(const SimulationFrames& simulation, const SimulationFrame& f
 
 std::optional<RestLines> lines_of(const SimulationFrames& simulation,
                                   const PictureOptions& options) {
-  if (!options.lines || simulation.mesh.empty()) return std::nullopt;
+  if (!options.lines || options.cut || simulation.mesh.empty()) return std::nullopt;
   const TriangleMesh cloth = read_cloth(simulation.mesh);
   const double area = rest_area(cloth);
   if (!(area > 0)) return std::nullopt;
@@ -169,6 +190,12 @@ std::optional<ScaleBar> scale_bar_of(const PictureSetting& setting, double aspec
   bar.share = bar.length / width;
   if (setting.lines) bar.lines = setting.lines->spacing;
   return bar;
+}
+
+/// The plane of a cut, whose normal points to the camera.
+Plane plane_of(const AxisPlane& cut, const Camera& camera) {
+  const double side = camera.position(cut.axis) > cut.at ? 1 : -1;
+  return {side * Eigen::Vector3d::Unit(cut.axis), side * cut.at};
 }
 
 // Of all frames, which differ where obstacles are led.
@@ -204,6 +231,10 @@ PictureSetting setting_of(const SimulationFrames& simulation, const PictureOptio
   // A little below, so that a cloth which lies flat does not touch it.
   if (options.ground) setting.ground = extent.box.min().z() - 1e-3 * extent.box.diagonal().norm();
   setting.lines = lines_of(simulation, options);
+  if (options.cut) {
+    setting.cut = plane_of(*options.cut, setting.camera);
+    if (!simulation.solids.empty()) setting.solids = read_solids(simulation.solids);
+  }
   setting.scale_bar = scale_bar_of(setting, options.size.aspect(), extent.box);
   setting.time_decimals = time_decimals(simulation.frames);
   return setting;

@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "pliant/base/run_context.h"
+#include "pliant/geometry/plane_cut.h"
 #include "pliant/geometry/simulation_frames.h"
 #include "pliant/render/annotations.h"
 #include "pliant/render/contact_sheet.h"
 #include "pliant/render/render.h"
 
 namespace pliant {
+
+/// A plane across an axis of the world.
+struct AxisPlane {
+  int axis = 0;   ///< x, y, z
+  double at = 0;  ///< m
+};
 
 /// How the frames of a simulation are drawn.
 struct PictureOptions {
@@ -30,7 +37,8 @@ struct PictureOptions {
   bool lines = true;                        ///< along weft and warp, where rest shapes are known
   std::optional<double> line_spacing = {};  ///< at rest (m); by default by the size of the cloth
   bool edges = false;
-  bool ground = true;  ///< a floor below the lowest point of all frames
+  std::optional<AxisPlane> cut = {};  ///< on the camera's side of it nothing is drawn
+  bool ground = true;                 ///< a floor below the lowest point of all frames
   bool hard_shadow = false;
 };
 
@@ -40,6 +48,8 @@ struct PictureSetting {
   std::optional<double> ground;       ///< height (m)
   std::optional<FieldLegend> legend;  ///< of the field shown
   std::optional<RestLines> lines;
+  std::optional<Plane> cut;
+  Eigen::Matrix4Xi solids;  ///< tetrahedra that the plane cuts
   std::optional<ScaleBar> scale_bar;
   int time_decimals = 0;
 };

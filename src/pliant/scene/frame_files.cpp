@@ -71,26 +71,24 @@ std::vector<int> corners_of(const auto& elements, int first_point) {
   return corners;
 }
 
-// Triangles of cloth, then the elements of solids.
-std::vector<VtuCells> vtu_cells(const SceneSystem& built) {
-  std::vector<VtuCells> all;
-  const auto add = [&](VtkCell cell, const auto& elements, int first_point) {
-    if (elements.cols() > 0) all.push_back({cell, corners_of(elements, first_point)});
-  };
-  for (const ClothPiece& cloth : built.cloths) {
-    add(VtkCell::triangle, cloth.mesh.triangles, cloth.first_point);
-  }
+void add_cells(VtkCell cell, const auto& elements, int first_point, VtuGrid& grid) {
+  if (elements.cols() > 0) grid.cells.push_back({cell, corners_of(elements, first_point)});
+}
+
+void add_solids(const SceneSystem& built, VtuGrid& grid) {
   for (const SolidPiece& solid : built.solids) {
-    add(VtkCell::tetrahedron, solid.mesh.tetrahedra, solid.first_point);
-    add(VtkCell::hexahedron, solid.mesh.hexahedra, solid.first_point);
+    add_cells(VtkCell::tetrahedron, solid.mesh.tetrahedra, solid.first_point, grid);
+    add_cells(VtkCell::hexahedron, solid.mesh.hexahedra, solid.first_point, grid);
   }
-  return all;
 }
 
 std::string vtu_bytes(const Simulation& simulation) {
   VtuGrid grid;
   grid.points = cloth_points(simulation);
-  grid.cells = vtu_cells(simulation.built());
+  for (const ClothPiece& cloth : simulation.built().cloths) {
+    add_cells(VtkCell::triangle, cloth.mesh.triangles, cloth.first_point, grid);
+  }
+  add_solids(simulation.built(), grid);
   for (const auto& [name, values] : all_fields(simulation)) {
     grid.point_data.push_back({name, 1, numbers(values)});
   }
@@ -203,6 +201,13 @@ std::string cloth_obj(const Simulation& simulation) {
   // Surfaces of solids have no rest plane.
   if (!obj.texture_corners.empty()) obj.texture_corners.resize(obj.faces.corners.size(), -1);
   return write_obj(obj);
+}
+
+std::string solids_vtu(const Simulation& simulation) {
+  VtuGrid grid;
+  grid.points = cloth_points(simulation);
+  add_solids(simulation.built(), grid);
+  return write_vtu(grid);
 }
 
 std::string obstacles_obj(const Simulation& simulation) {

@@ -24,6 +24,8 @@ std::vector<NamedFile> series_files(const Simulation& simulation);
 /// The cloths as one OBJ mesh, with rest-plane coordinates (m) as texture coordinates; the PC2 file
 /// moves its vertices.
 std::string cloth_obj(const Simulation& simulation);
+/// The elements of solids as they start (m), without fields; points are numbered as in frames.
+std::string solids_vtu(const Simulation& simulation);
 /// The obstacles as one OBJ mesh (m), where they are now.
 std::string obstacles_obj(const Simulation& simulation);
 /// The cloths' vertices, for a frame of the PC2 file.

@@ -134,6 +134,7 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"min_contact_distance", least_distance(now.records)},
             {"mesh", scene.solids.empty() ? Json("cloth.obj") : Json(nullptr)},
             {"obstacles", obstacles_path(scene)},
+            {"solids", scene.solids.empty() ? Json(nullptr) : Json("solids.vtu")},
             {"energy", "energy.csv"},
             {"clips", scene.clips.empty() ? Json(nullptr) : Json("clips.csv")},
             {"warnings", simulation.built().warnings}};

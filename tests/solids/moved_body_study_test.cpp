@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/io/base64.h"
+#include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/solid/standard_solids.h"
 #include "pliant/study/body_map.h"
@@ -205,6 +206,42 @@ TEST(MovedBodyStudy, RefusesSamplesThatCannotBe) {
                       "samples: {spread: 4}")
                   .problem(),
               HasSubstr("remembers"));
+}
+
+Material orthotropic_solid() {
+  Material material;
+  material.name = "wood";
+  material.kind = MaterialKind::solid;
+  const std::map<std::string, double> squares{{"green.xx", 90e3}, {"green.yy", 60e3},
+                                              {"green.zz", 40e3}, {"green.yz", 11e3},
+                                              {"green.xz", 14e3}, {"green.xy", 9e3}};
+  const std::map<std::string, double> products{
+      {"green.xx*green.yy", 20e3}, {"green.yy*green.zz", 10e3}, {"green.xx*green.zz", 15e3}};
+  for (const auto& [name, k] : squares) {
+    material.components[name].stiffness = ScalarCurve::constant(k);
+  }
+  for (const auto& [name, c] : products) {
+    MaterialComponent& term = material.components[name];
+    term.stiffness = ScalarCurve::none();
+    term.addends = {Addend(linear_addend(), Eigen::VectorXd::Constant(1, c))};
+  }
+  return material;
+}
+
+// Nine numbers from one body that is pulled, pressed and sheared along its axes.
+TEST(SlowMovedBodyStudy, FindsOrthotropicStVK) {
+  const Material truth = orthotropic_solid();
+  VirtualMovedBody body = moved_block();
+  body.shifts = {{0.004, 0, 0}, {0, 0.004, 0}, {0, 0, 0.004}, {-0.003, 0, 0}};
+  const LabFolder folder = measured(truth, body);
+  const StudyResult result = fit_study(solid_study(folder, "law: orthotropic-stvk"), {}, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.parameters.size(), 9u);
+  for (const auto& [name, component] : truth.components) {
+    const double k = law_of(component).parameters()(0);
+    const std::string number = component.addends.empty() ? ".k" : ".linear.c";
+    EXPECT_NEAR(value_of(result, name + number), k, 0.01 * k) << name;
+  }
 }
 
 }  // namespace

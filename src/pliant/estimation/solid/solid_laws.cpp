@@ -69,6 +69,19 @@ const std::array kLaws{
                return Components{{"trace", of(CurveKind::constant)},
                                  {"trace-of-square", of({&linear_addend()})}};
              }},
+    SolidLaw{
+        "orthotropic-stvk",
+        [] {
+          Components all;
+          for (const char* own :
+               {"green.xx", "green.yy", "green.zz", "green.yz", "green.xz", "green.xy"}) {
+            all[own] = of(CurveKind::constant);
+          }
+          for (const char* pair : {"green.xx*green.yy", "green.yy*green.zz", "green.xx*green.zz"}) {
+            all[pair] = of({&linear_addend()});
+          }
+          return all;
+        }},
 };
 
 }  // namespace

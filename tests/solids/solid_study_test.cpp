@@ -236,51 +236,6 @@ TEST(SolidStudy, FindsFrictionOnAMetric) {
   EXPECT_NEAR(value_of(result, "green.xx.friction.tau"), 0.2, 1e-5 * 0.2);
 }
 
-/// A rubber that swells by 8 % and no further, pulled and squeezed between free sides.
-LabFolder limited_rubber(double noise, std::uint64_t seed) {
-  Material material = neo_hookean_solid(0.3e6, 1.5e6);
-  material.limits.push_back({{"J"}, 5e3});
-  std::vector<test::AnyTest> tests = test::three_modes(noise);
-  for (test::AnyTest& any : tests) {
-    auto& own = dynamic_cast<VirtualHomogeneous&>(*any.test);
-    own.incompressible = false;
-    for (double& peak : own.peaks) peak = 1 + 0.25 * (peak - 1);
-  }
-  return LabFolder(test::measurements_of(test::lab_of(material, tests), seed));
-}
-
-TEST(SlowSolidStudy, FindsALimitOfEnergyWithTheNumbersBelowIt) {
-  const StudyResult result = fit(limited_rubber(0, 1), "law: neo-hookean, limits: [{of: [J]}]");
-  EXPECT_NEAR(value_of(result, "J.limit"), 5e3, 1e-5 * 5e3);
-  EXPECT_NEAR(value_of(result, "J.k"), 1.5e6, 1e-5 * 1.5e6);
-  EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-6 * 0.3e6);
-  ASSERT_EQ(result.material.limits.size(), 1u);
-  EXPECT_EQ(result.material.limits.front().energy, value_of(result, "J.limit"));
-  for (const ExperimentResult& e : result.experiments) EXPECT_GT(e.r_squared.value(), 1 - 1e-9);
-}
-
-TEST(SlowSolidStudy, KnowsTheErrorOfALimitOfEnergy) {
-  constexpr int kSeeds = 3;
-  int covered = 0;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
-    const LabFolder folder = limited_rubber(2000, static_cast<std::uint64_t>(seed));
-    const StudyResult result = fit(folder, "law: neo-hookean, limits: [{of: [J]}]");
-    const NumberError& error = result.material.limits.front().errors.at("energy");
-    ASSERT_TRUE(error.std_error.has_value());
-    EXPECT_LT(*error.std_error, 0.05 * 5e3);
-    covered += std::abs(value_of(result, "J.limit") - 5e3) < 2 * *error.std_error;
-  }
-  // 95 % of 3; fewer than 2 would come by chance in one of 140.
-  EXPECT_GE(covered, 2);
-}
-
-TEST(SolidStudy, ALimitThatNothingReachesIsNotDetermined) {
-  const LabFolder folder = measured(stvk_solid(2e6, 0.6e6));
-  const StudyResult result = fit(folder, "law: stvk, limits: [{of: [trace]}]");
-  EXPECT_EQ(result.material.limits.front().errors.at("energy").determined, Determination::none);
-  EXPECT_NEAR(value_of(result, "trace.k"), 2e6, 1e-4 * 2e6);
-}
-
 /// Mooney and Rivlin, addend by addend.
 constexpr const char* kTwoAddends =
     "components: {I1-bar: {addends: [linear]}, I2-bar: {addends: [linear]}}";

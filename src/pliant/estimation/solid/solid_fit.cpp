@@ -82,6 +82,7 @@ Start search(const FitSettings& settings, SolidProblem& problem, std::vector<Mat
 
 /// An experiment that no number of the material changes tells nothing.
 void refuse_unseen(const FitSettings& settings, const Problem& problem) {
+  if (free_count(problem.unknowns()) == 0) return;  // limits alone are looked for
   for (std::size_t p = 0; p < problem.parts().size(); ++p) {
     const auto rows = problem.predict(p, starts_of(problem.unknowns()), /*derivatives=*/true);
     if (!rows || rows->by.cwiseAbs().maxCoeff() > 0) continue;

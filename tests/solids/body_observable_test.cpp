@@ -113,7 +113,7 @@ TEST(BodyObservable, IntensitiesAndForcesTellASolidByTheOneFit) {
   settings.model.solid_law = "neo-hookean";
   settings.density = 1000;
   const SolidFit fit = fit_solid(settings, solid_components(settings.model, /*compressible=*/true),
-                                 {}, {&experiment}, {});
+                                 {}, {&experiment}, {}, {});
   EXPECT_TRUE(fit.converged);
   ASSERT_EQ(fit.values.size(), 2);
   const Material truth = neo_hookean_solid(15e3, 30e3);

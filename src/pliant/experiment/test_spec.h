@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,8 @@ struct TestSpec {
   virtual bool volume_may_change() const { return false; }
   /// The body at rest, where the test is of a whole one.
   virtual const VolumeMesh* body() const { return nullptr; }
+  /// The same test of the body with elements half as large; null where it is of no body.
+  virtual std::shared_ptr<const TestSpec> on_finer_body() const { return nullptr; }
   /// Files with more of what was measured than the rows: meshes, positions.
   virtual std::vector<std::filesystem::path> files() const { return {}; }
 };

@@ -149,6 +149,10 @@ void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult
 void add_solid_fit(const SolidFit& fit, StudyResult& result) {
   for (Eigen::Index i = 0; i < fit.values.size(); ++i) {
     ParameterEstimate estimate = estimate_of(fit.unknowns, fit.values, fit.uncertainty, i);
+    if (fit.mesh_error.size() > 0 && !estimate.fixed) {
+      estimate.note +=
+          fmt::format("{:.2g} of the error by the mesh; ", std::abs(fit.mesh_error(i)));
+    }
     const auto& strain = fit.unknowns[static_cast<std::size_t>(i)].strain;
     if (strain) estimate.note = "at a strain of " + format_number(*strain, 4);
     result.parameters.push_back(std::move(estimate));

@@ -1,6 +1,7 @@
 #include "pliant/study/solid_study.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -105,6 +106,38 @@ void refuse_samples_in_pieces(const Study& study, const Material& material) {
   }
 }
 
+/// Of the bodies that are fitted.
+int element_count(const Study& study) {
+  int elements = 0;
+  for (const ExperimentSpec& spec : study.experiments) {
+    const VolumeMesh* body = spec.test->body();
+    if (body && spec.role == ExperimentRole::fit) elements += body->element_count();
+  }
+  return elements;
+}
+
+/// The study with bodies of elements half as large; nothing without bodies, or where these would
+/// have so many elements that they took longer than the fit.
+std::optional<Study> on_finer_bodies(const Study& study) {
+  constexpr int kMostElements = 2500;
+  const int elements = element_count(study);
+  if (elements == 0 || elements > kMostElements) return std::nullopt;
+  Study finer = study;
+  for (ExperimentSpec& spec : finer.experiments) {
+    if (spec.role != ExperimentRole::fit) continue;
+    if (auto test = spec.test->on_finer_body()) spec.test = std::move(test);
+  }
+  return finer;
+}
+
+const char* about_mesh_error(const SolidFit& fit) {
+  return fit.mesh_error.size() > 0
+             ? "standard errors contain that of the mesh: by how much the numbers would move on "
+               "one of half the edge, and a third of that again"
+             : "standard errors do not contain that of the mesh: one of half the edge has too many "
+               "elements, or no equilibria";
+}
+
 std::vector<std::string> assumptions_of(const Study& study, const SolidExperiments& experiments) {
   std::vector<std::string> assumptions;
   for (const auto& experiment : experiments) {
@@ -142,9 +175,14 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
                    return !is_isochoric(component.first);
                  }));
   require_components(study, components);
+  StudyResult told_already;
+  const std::optional<Study> finer = on_finer_bodies(study);
+  const SolidExperiments on_finer = finer ? read_solids(*finer, told_already) : SolidExperiments();
   const SolidFit fit =
-      fit_solid(study, components, body_samples(study), fitted(study, experiments), context);
+      fit_solid(study, components, body_samples(study), fitted(study, experiments),
+                finer ? fitted(*finer, on_finer) : std::vector<const Experiment*>(), context);
   result.assumptions = assumptions_of(study, experiments);
+  if (element_count(study) > 0) result.assumptions.emplace_back(about_mesh_error(fit));
   add_solid_fit(fit, result);
   if (is_heterogeneous(fit.material)) result.body = grid_at_rest(*body_of_samples(study));
   std::size_t part = 0;

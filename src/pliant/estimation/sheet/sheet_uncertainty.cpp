@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "pliant/base/assert.h"
-#include "pliant/estimation/estimating_equations.h"
+#include "pliant/estimation/mesh_error.h"
 #include "pliant/estimation/sheet/sheet_problem.h"
-#include "pliant/estimation/statistics/covariance.h"
 
 namespace pliant {
 namespace {
@@ -44,12 +43,6 @@ const SheetStage* limit_stage(const std::vector<SheetStage>& plan) {
   return &*found;
 }
 
-Eigen::VectorXd gradient_of(const EstimatingSums& sums) {
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(sums.unknowns());
-  for (const GroupSum& group : sums.groups) gradient += group.part;
-  return gradient;
-}
-
 /// The tests that stand for those of a problem, where they are the same frames of them.
 std::vector<const SheetTest*> in_place_of(const std::vector<const SheetTest*>& tests,
                                           const std::vector<const SheetTest*>& others) {
@@ -78,16 +71,9 @@ Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Pro
                      (noise.sd * std::sqrt(noise.correlation_length)));
   }
   const Problem coarse(std::move(parts), fine.unknowns, {context.threads, context.stop});
-  const auto there = predicted_sums(coarse, fine.values, weight, known.free, told);
-  if (!there) return {};
-  work += coarse.work();
-  const EstimatingSums here = estimating_sums(problem, known.noise.rows, known.noise.weight,
-                                              known.noise.scatter, known.free, told);
-  const std::vector<double> infinite(coarser.size(), INFINITY);
-  Eigen::VectorXd shift = Eigen::VectorXd::Zero(fine.values.size());
-  shift(known.free) = formula_covariance(*there, known.unit, infinite).inverse_slope *
-                      (gradient_of(here) - gradient_of(*there));
-  return shift;
+  const Eigen::VectorXd moved = moved_on(coarse, weight, problem, fine.values, known, told);
+  if (moved.size() > 0) work += coarse.work();
+  return moved;
 }
 
 }  // namespace

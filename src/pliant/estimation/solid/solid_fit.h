@@ -17,6 +17,7 @@ struct SolidFit {
   std::vector<Unknown> unknowns;
   Eigen::VectorXd values;
   Uncertainty uncertainty;
+  Eigen::VectorXd mesh_error;  ///< of each unknown, either sign; empty: not known
   bool converged = true;
   int iterations = 0;
   double rms = 0;  ///< of the differences, in hundredths of the largest stress of each experiment
@@ -32,11 +33,14 @@ struct SolidFit {
 /// @param samples       places and width, without components; none: the same everywhere
 /// @param components    of the model (`solid_components`)
 /// @param experiments   role fit; they outlive the fit
+/// @param finer         the same with bodies of elements half as large, which tell the error of the
+///                      mesh; none: it is not asked for
 /// @throws InputError where an experiment shows nothing of the material, or a component nothing in
 ///         the experiments; SolverError without any prediction
 SolidFit fit_solid(const FitSettings& settings,
                    const std::map<std::string, ComponentModel>& components,
                    const MaterialSamples& samples,
-                   const std::vector<const Experiment*>& experiments, const RunContext& context);
+                   const std::vector<const Experiment*>& experiments,
+                   const std::vector<const Experiment*>& finer, const RunContext& context);
 
 }  // namespace pliant

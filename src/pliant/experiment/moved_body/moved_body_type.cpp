@@ -12,6 +12,7 @@
 #include "pliant/experiment/moved_body/moved_body_path.h"
 #include "pliant/experiment/solid_material.h"
 #include "pliant/experiment/virtual_table.h"
+#include "pliant/geometry/refined_volume.h"
 #include "pliant/geometry/spread_points.h"
 #include "pliant/geometry/surface_nodes.h"
 #include "pliant/geometry/volume_file.h"
@@ -189,6 +190,13 @@ WrittenFields MovedBodySpec::fields() const {
                         std::filesystem::absolute(points->files.front()).generic_string());
   }
   return fields;
+}
+
+std::shared_ptr<const TestSpec> MovedBodySpec::on_finer_body() const {
+  auto finer = std::make_shared<MovedBodySpec>(*this);
+  const RefinedVolume body = refined(setup.mesh);
+  finer->setup = {body.mesh, body.nodes(setup.held), body.nodes(setup.moved)};
+  return finer;
 }
 
 std::vector<std::filesystem::path> MovedBodySpec::files() const {

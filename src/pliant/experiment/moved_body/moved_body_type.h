@@ -27,6 +27,7 @@ struct MovedBodySpec : TestSpec {
   WrittenFields fields() const override;
   bool volume_may_change() const override { return true; }
   const VolumeMesh* body() const override { return &setup.mesh; }
+  std::shared_ptr<const TestSpec> on_finer_body() const override;
   std::vector<std::filesystem::path> files() const override;
 };
 

@@ -12,6 +12,7 @@
 #include "pliant/experiment/press/press_setup_fields.h"
 #include "pliant/experiment/solid_material.h"
 #include "pliant/experiment/virtual_table.h"
+#include "pliant/geometry/refined_volume.h"
 #include "pliant/geometry/volume_file.h"
 #include "pliant/geometry/volume_source.h"
 
@@ -100,6 +101,14 @@ WrittenFields PressSpec::fields() const {
   WrittenFields fields = written(mesh_file);
   std::ranges::move(setup_fields(setup, fixed), std::back_inserter(fields));
   return fields;
+}
+
+std::shared_ptr<const TestSpec> PressSpec::on_finer_body() const {
+  auto finer = std::make_shared<PressSpec>(*this);
+  const RefinedVolume body = refined(setup.mesh);
+  finer->setup.mesh = body.mesh;
+  finer->setup.held = body.nodes(setup.held);
+  return finer;
 }
 
 void VirtualPress::require(const Material& material) const {

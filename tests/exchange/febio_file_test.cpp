@@ -73,6 +73,17 @@ double written_energy(const FebioMaterial& material, const Eigen::Matrix3d& f) {
   if (material.type == "isotropic elastic") {
     return linear_energy_of(material.at("E"), material.at("v"), at);
   }
+  if (material.type == "orthotropic elastic") {
+    Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero();
+    for (int a = 0; a < 3; ++a) {
+      const std::string i = std::to_string(a + 1), j = std::to_string((a + 1) % 3 + 1);
+      compliance(a, a) = 1 / material.at("E" + i);
+      compliance(a, (a + 1) % 3) = compliance((a + 1) % 3, a) =
+          -material.at("v" + i + j) / material.at("E" + i);
+    }
+    return orthotropic_energy_of(compliance.inverse(),
+                                 {material.at("G23"), material.at("G31"), material.at("G12")}, at);
+  }
   if (material.type == "Mooney-Rivlin") {
     return c1 * (at.i1_bar - 3) + c2 * (at.i2_bar - 3) + volume_energy(material, at.j);
   }
@@ -101,6 +112,7 @@ std::vector<NamedMaterial> materials_of_febio() {
   return {{"LogarithmOfTheVolume", with_volume(shape, "log-J")},
           {"SquareOfTheVolume", with_volume_of_square(shape)},
           {"ArrudaBoyce", with_volume(chains)},
+          {"Orthotropic", orthotropic_material()},
           {"CoupledMooneyRivlin", solid_of({{"I1", component_of({linear(4e4)})},
                                             {"I2", component_of({linear(1e4)})},
                                             {"log-J", volume}})},

@@ -101,6 +101,11 @@ double written_energy(const Keyword& law, const Eigen::Matrix3d& f) {
   }
   if (law.is("OGDEN")) return ogden_energy(n, at);
   if (law.is("ARRUDA-BOYCE")) return chain_energy(n, at);
+  if (law.is("TYPE=ORTHO")) {
+    Eigen::Matrix3d normal;
+    normal << n[0], n[1], n[3], n[1], n[2], n[4], n[3], n[4], n[5];
+    return orthotropic_energy_of(normal, {n[8], n[7], n[6]}, at);
+  }
   if (law.is("*ELASTIC")) return linear_energy_of(n[0], n[1], at);
   ADD_FAILURE() << law.head;
   return NAN;
@@ -129,6 +134,13 @@ TEST_P(KeywordMaterial, HasTheEnergyOfOurs) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, KeywordMaterial, ::testing::ValuesIn(materials_of_all_tools()),
                          [](const auto& one) { return one.param.name; });
+
+TEST(KeywordMaterial, HasTheEnergyOfOrthotropicBodies) {
+  const Material material = orthotropic_material();
+  for (const KeywordTool tool : {KeywordTool::abaqus, KeywordTool::calculix}) {
+    expect_equal_energy(material, keyword_material(to_convert(material), tool), deformations());
+  }
+}
 
 TEST(KeywordMaterial, HasTheEnergyOfChainsWithTheVolumeThatTheyHaveThere) {
   const Material material =

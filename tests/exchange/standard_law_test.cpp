@@ -76,6 +76,18 @@ TEST(StandardLaw, AddsTermsOfOnePower) {
   EXPECT_NEAR(terms[0].mu, 3e4, 1e-9);
 }
 
+TEST(StandardLaw, OfGreenStrainsIsOrthotropicStVK) {
+  const StandardLaw law = law_of_material(orthotropic_material());
+  EXPECT_EQ(name_of(law), "orthotropic St. Venant-Kirchhoff");
+  EXPECT_EQ(shear_modulus(law), 0.9e4);
+  Material soft = orthotropic_material();
+  soft.components["green.xx*green.zz"] = component_of({linear(9e5)});
+  EXPECT_THAT(std::string(refused(soft).what()), HasSubstr("do not resist every small strain"));
+  soft = orthotropic_material();
+  soft.components["green.zz"] = component_of({polynomial(0, 2e4, 100)});
+  EXPECT_EQ(refused(soft).where().field, "components.green.zz");
+}
+
 TEST(StandardLaw, TellsWhatIsLost) {
   Material material = neo_hookean_solid(5e4, kBulk);
   MaterialComponent& shape = material.components["I1-bar"];

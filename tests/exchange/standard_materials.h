@@ -59,6 +59,19 @@ inline std::vector<NamedMaterial> materials_of_all_tools() {
   };
 }
 
+/// An orthotropic body, some of it written as squares of sums.
+inline Material orthotropic_material() {
+  return solid_of({{"green.xx", component_of(ScalarCurve::constant(7e4))},
+                   {"green.yy", component_of({polynomial(0, 2e4, 0)})},
+                   {"green.zz", component_of(ScalarCurve::constant(5e4))},
+                   {"green.xx+yy", component_of(ScalarCurve::constant(2e4))},
+                   {"green.yy*green.zz", component_of({linear(1e4)})},
+                   {"green.xx*green.zz", component_of({linear(1.5e4)})},
+                   {"green.yz", component_of(ScalarCurve::constant(1.1e4))},
+                   {"green.xz", component_of(ScalarCurve::constant(1.4e4))},
+                   {"green.xy", component_of(ScalarCurve::constant(0.9e4))}});
+}
+
 /// Deformation gradients without anything special about them.
 inline std::vector<Eigen::Matrix3d> deformations() {
   std::vector<Eigen::Matrix3d> all(4);
@@ -107,6 +120,14 @@ inline double linear_energy_of(double young, double poisson, const Invariants& a
   const Eigen::Matrix3d e = (at.c - Eigen::Matrix3d::Identity()) / 2;
   const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
   return lambda / 2 * e.trace() * e.trace() + young / (2 * (1 + poisson)) * (e * e).trace();
+}
+
+/// By the stiffness of the normal Green strains and of 2 E_yz, 2 E_xz, 2 E_xy.
+inline double orthotropic_energy_of(const Eigen::Matrix3d& normal, const Eigen::Vector3d& shear,
+                                    const Invariants& at) {
+  const Eigen::Matrix3d e = (at.c - Eigen::Matrix3d::Identity()) / 2;
+  const Eigen::Vector3d own = e.diagonal(), askew(2 * e(1, 2), 2 * e(0, 2), 2 * e(0, 1));
+  return own.dot(normal * own) / 2 + shear.dot(askew.cwiseAbs2()) / 2;
 }
 
 inline SolidToConvert to_convert(const Material& material, const VolumeMesh* mesh = nullptr) {

@@ -157,6 +157,12 @@ Material chains() {
                    {"log-J", component_of({linear(-kBulk / 2)})}});
 }
 
+Material orthotropic() {
+  Eigen::Matrix3d normal;
+  normal << 4, 2, 1.5, 2, 6, 1, 1.5, 1, 5;
+  return orthotropic_stvk_solid(kShear * normal, kShear * Eigen::Vector3d(1.1, 1.4, 0.9));
+}
+
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       {"StVK", stvk_solid(kBulk - 2 * kShear / 3, kShear)},
@@ -172,7 +178,8 @@ const std::vector<Column>& columns() {
             {"I2-bar", component_of({linear(0.1 * kShear)})}})},
       {"Ogden", with_volume({{"stretch-bar",
                               component_of({ogden(0.8 * kShear, 1.5), ogden(0.2 * kShear, -3)})}})},
-      {"ArrudaBoyce", chains()}};
+      {"ArrudaBoyce", chains()},
+      {"OrthotropicStVK", orthotropic()}};
   return all;
 }
 

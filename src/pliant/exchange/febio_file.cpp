@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,6 +43,20 @@ class LawWriter {
     FebioLaw febio{"isotropic elastic", {}};
     febio.add("E", law.young());
     febio.add("v", law.poisson());
+    return febio;
+  }
+
+  FebioLaw law_of(const OrthotropicStvkLaw& law) {
+    const Eigen::Matrix3d compliance = law.normal.inverse();
+    FebioLaw febio{"orthotropic elastic", {}};
+    for (int a = 0; a < 3; ++a) febio.add(fmt::format("E{}", a + 1), 1 / compliance(a, a));
+    febio.add("G12", law.shear(2));
+    febio.add("G23", law.shear(0));
+    febio.add("G31", law.shear(1));
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      febio.add(fmt::format("v{}{}", a + 1, b + 1), -compliance(a, b) / compliance(a, a));
+    }
     return febio;
   }
 

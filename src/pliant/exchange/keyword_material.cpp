@@ -43,12 +43,23 @@ class LawWriter {
   bool is_abaqus() const { return tool_ == KeywordTool::abaqus; }
 
   std::string text_of(const StvkLaw& law) {
-    if (is_abaqus()) {
-      lost_.emplace_back(
-          "St. Venant-Kirchhoff at large strains: *ELASTIC is a law of rates in Abaqus, alike "
-          "where strains are small, however large rotations are");
-    }
+    lose_large_strains();
     return keyword("ELASTIC", {law.young(), law.poisson()});
+  }
+
+  std::string text_of(const OrthotropicStvkLaw& law) {
+    lose_large_strains();
+    const Eigen::Matrix3d& d = law.normal;
+    return keyword(is_abaqus() ? "ELASTIC, TYPE=ORTHOTROPIC" : "ELASTIC, TYPE=ORTHO",
+                   {d(0, 0), d(0, 1), d(1, 1), d(0, 2), d(1, 2), d(2, 2), law.shear(2),
+                    law.shear(1), law.shear(0)});
+  }
+
+  void lose_large_strains() {
+    if (!is_abaqus()) return;
+    lost_.emplace_back(
+        "St. Venant-Kirchhoff at large strains: *ELASTIC is a law of rates in Abaqus, alike "
+        "where strains are small, however large rotations are");
   }
 
   std::string text_of(const InvariantLaw& law) {

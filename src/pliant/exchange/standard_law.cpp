@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include <Eigen/Cholesky>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +14,7 @@
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/density/rubber_energies.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/solid/pair_metric.h"
 
 namespace pliant {
 namespace {
@@ -121,6 +123,9 @@ class Recogniser {
 
   StandardLaw law_of_shape() const {
     if (shape_rests_on({"trace", "trace-of-square"})) return stvk();
+    if (std::ranges::all_of(parts_, [](const Part& part) { return is_orthotropic(part.first); })) {
+      return orthotropic_stvk();
+    }
     if (shape_rests_on({"I1", "I2"})) return coupled_mooney_rivlin();
     if (shape_rests_on({"stretch"})) return unconstrained_ogden();
     if (shape_rests_on({"I1-bar"}) && part("I1-bar")->chains.size() == 1) return arruda_boyce();
@@ -138,6 +143,38 @@ class Recogniser {
     const StvkLaw law{2 * power("trace", 2), power("trace-of-square", 1)};
     if (3 * law.lambda + 2 * law.mu <= 0) refuse("trace", "", "resists no change of volume");
     return {law, {}, {}};
+  }
+
+  static bool is_orthotropic(const std::string& name) {
+    const auto pair = find_pair_metric(name);
+    return name.starts_with("green.") && !(pair && pair->bump);
+  }
+
+  StandardLaw orthotropic_stvk() const {
+    constexpr std::string_view kAxes = "xyz";
+    OrthotropicStvkLaw law;
+    for (const auto& [name, elasticity] : parts_) {
+      const bool is_pair = name.find('*') != std::string::npos;
+      require(name.c_str(), is_pair ? 1 : 2);
+      // "green.xx", "green.xx+yy", "green.xx*green.yy", "green.yz"
+      const auto first = static_cast<Eigen::Index>(kAxes.find(name[6])),
+                 last = static_cast<Eigen::Index>(kAxes.find(name.back()));
+      const bool is_shear = name.size() == 8 && first != last;
+      if (is_shear) {
+        law.shear(3 - first - last) += 2 * elasticity.powers[1];
+      } else if (is_pair) {
+        law.normal(first, last) += elasticity.powers[0];
+        law.normal(last, first) += elasticity.powers[0];
+      } else {
+        Eigen::Vector3d of = Eigen::Vector3d::Zero();
+        of(first) = of(last) = 1;
+        law.normal += 2 * elasticity.powers[1] * of * of.transpose();
+      }
+    }
+    const Eigen::LLT<Eigen::Matrix3d> stable(law.normal);
+    if (stable.info() == Eigen::Success && law.shear.minCoeff() > 0) return {law, {}, {}};
+    throw InputError({file_, 0, "components"}, "do not resist every small strain",
+                     "normal strains and shears of all axes that together do");
   }
 
   StandardLaw coupled_mooney_rivlin() const {
@@ -260,8 +297,9 @@ class Recogniser {
 
   [[noreturn]] void refuse(const std::string& name, const std::string& below,
                            const std::string& problem) const {
-    throw InputError({file_, 0, "components." + name + below}, problem,
-                     "StVK, Neo-Hookean, Mooney-Rivlin, Yeoh, Ogden or Arruda-Boyce");
+    throw InputError(
+        {file_, 0, "components." + name + below}, problem,
+        "StVK (orthotropic, too), Neo-Hookean, Mooney-Rivlin, Yeoh, Ogden or Arruda-Boyce");
   }
 
   /// Names the first component that the ones before make no law with.
@@ -272,8 +310,9 @@ class Recogniser {
       const bool known = std::ranges::find(kKnown, name) != std::end(kKnown);
       if (!known && name != "J" && name != "log-J") refuse(name, "", "is in no standard law");
     }
-    throw InputError({file_, 0, "components"}, "make no standard law together",
-                     "StVK, Neo-Hookean, Mooney-Rivlin, Yeoh, Ogden or Arruda-Boyce");
+    throw InputError(
+        {file_, 0, "components"}, "make no standard law together",
+        "StVK (orthotropic, too), Neo-Hookean, Mooney-Rivlin, Yeoh, Ogden or Arruda-Boyce");
   }
 
   using Part = std::pair<std::string, Elasticity>;
@@ -324,6 +363,8 @@ std::vector<std::string> what_is_lost(const Material& material) {
 
 std::string name_of_shape(const StvkLaw&) { return "St. Venant-Kirchhoff"; }
 
+std::string name_of_shape(const OrthotropicStvkLaw&) { return "orthotropic St. Venant-Kirchhoff"; }
+
 std::string name_of_shape(const InvariantLaw& law) {
   const bool linear = law.first[1] == 0 && law.first[2] == 0;
   if (law.second == 0) return linear ? "Neo-Hookean" : "Yeoh";
@@ -342,6 +383,8 @@ std::string name_of_shape(const CoupledMooneyRivlinLaw& law) {
 }
 
 double shear_of(const StvkLaw& law) { return law.mu; }
+
+double shear_of(const OrthotropicStvkLaw& law) { return law.shear.minCoeff(); }
 
 double shear_of(const InvariantLaw& law) { return 2 * (law.first[0] + law.second); }
 

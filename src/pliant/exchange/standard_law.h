@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "pliant/material/material.h"
 
 namespace pliant {
@@ -15,6 +17,12 @@ struct StvkLaw {
 
   double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
   double poisson() const { return lambda / (2 * (lambda + mu)); }
+};
+
+/// Half of E . D E: nine numbers of a body whose axes are x, y and z; Pa.
+struct OrthotropicStvkLaw {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();  ///< D of E_xx, E_yy, E_zz
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();   ///< D of 2 E_yz, 2 E_xz, 2 E_xy
 };
 
 /// Powers of the isochoric invariants: sum_i first[i - 1] (I1-bar - 3)^i + second (I2-bar - 3), in
@@ -62,7 +70,9 @@ struct VolumeEnergy {
 
 /// The law of a solid as other tools know it, too.
 struct StandardLaw {
-  std::variant<StvkLaw, InvariantLaw, OgdenLaw, ArrudaBoyceLaw, CoupledMooneyRivlinLaw> shape;
+  std::variant<StvkLaw, OrthotropicStvkLaw, InvariantLaw, OgdenLaw, ArrudaBoyceLaw,
+               CoupledMooneyRivlinLaw>
+      shape;
   VolumeEnergy volume;
   std::vector<std::string> lost;  ///< what the material has beside it: friction, damping, errors
 };
@@ -77,7 +87,7 @@ StandardLaw standard_law(const Material& material, const std::string& file);
 /// "Neo-Hookean", "Ogden of 2 terms", ...
 std::string name_of(const StandardLaw& law);
 
-/// Shear modulus at rest (Pa).
+/// Shear modulus at rest (Pa), the least where it differs by direction.
 double shear_modulus(const StandardLaw& law);
 
 /// Coefficients of an Arruda-Boyce law as a polynomial: its energy is sum_i c[i - 1] (I1-bar -

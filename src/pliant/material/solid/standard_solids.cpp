@@ -1,5 +1,8 @@
 #include "pliant/material/solid/standard_solids.h"
 
+#include <array>
+#include <string>
+
 #include "pliant/material/addend/rubber_addends.h"
 
 namespace pliant {
@@ -32,6 +35,22 @@ Material stvk_solid(double lambda, double mu) {
   Material material = solid("StVK");
   material.components["trace"] = of(ScalarCurve::constant(lambda));
   material.components["trace-of-square"] = of(linear(mu));
+  return material;
+}
+
+Material orthotropic_stvk_solid(const Eigen::Matrix3d& normal, const Eigen::Vector3d& shear) {
+  constexpr std::array kNormal{"green.xx", "green.yy", "green.zz"};
+  constexpr std::array kShear{"green.yz", "green.xz", "green.xy"};
+  Material material = solid("orthotropic StVK");
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    const auto i = static_cast<std::size_t>(a);
+    material.components[kNormal[i]] = of(ScalarCurve::constant(normal(a, a)));
+    material.components[kShear[i]] = of(ScalarCurve::constant(shear(a)));
+    for (Eigen::Index b = a + 1; b < 3; ++b) {
+      const std::string pair = std::string(kNormal[i]) + "*" + kNormal[static_cast<std::size_t>(b)];
+      material.components[pair] = of(linear(normal(a, b)));
+    }
+  }
   return material;
 }
 

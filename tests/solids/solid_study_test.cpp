@@ -8,6 +8,7 @@
 
 #include "pliant/material/material_file.h"
 #include "pliant/material/solid/standard_solids.h"
+#include "pliant/study/result_files.h"
 #include "pliant/study/study_evaluation.h"
 
 #include "solids/bodies.h"
@@ -168,6 +169,19 @@ TEST(SolidStudy, TellsTheBandOfAPrediction) {
       fit_study(solid_study(noisy, "law: neo-hookean", "validate: [planar]\n"), {}, {});
   EXPECT_THAT(fitted.experiments.back().handled,
               Contains(::testing::ContainsRegex("is .- 0\\.[0-9]+ % of the peak")));
+  const ExperimentResult& planar = fitted.experiments.back();
+  ASSERT_TRUE(planar.half_band.has_value());
+  EXPECT_EQ(planar.half_band->size(), planar.predicted.size());
+  const auto largest = [](const Eigen::VectorXd& rows) { return rows.cwiseAbs().maxCoeff(); };
+  EXPECT_GT(largest(*planar.half_band), 1e-4 * largest(planar.predicted));
+  EXPECT_LT(largest(*planar.half_band), 1e-2 * largest(planar.predicted));
+  const auto files = fit_files(fitted, {});
+  const auto table = std::ranges::find(files, "predictions/planar.csv",
+                                       [](const auto& file) { return file.first; });
+  ASSERT_NE(table, files.end());
+  EXPECT_THAT(
+      table->second,
+      HasSubstr(",predicted_nominal_stress_Pa,low_nominal_stress_Pa,high_nominal_stress_Pa\n"));
 }
 
 // One reading in eight is a fifth too large.

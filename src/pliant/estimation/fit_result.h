@@ -91,6 +91,7 @@ struct ExperimentResult {
   std::vector<char> used;
   Eigen::VectorXd measured, predicted;
   std::optional<Eigen::VectorXd> elastic;
+  std::optional<Eigen::VectorXd> half_band = {};  ///< of the 95 % band of what was predicted
 };
 
 /// A stress-strain curve of a fitted component: from rest to the largest strain and back to zero.

@@ -308,6 +308,9 @@ std::string prediction_csv(const ExperimentResult& e) {
   header.push_back("measured_" + e.quantity.name);
   header.push_back("predicted_" + e.quantity.name);
   if (e.elastic) header.push_back("elastic_" + e.quantity.name);
+  if (e.half_band) {
+    for (const char* side : {"low_", "high_"}) header.push_back(side + e.quantity.name);
+  }
 
   CsvWriter csv(header);
   for (Eigen::Index i = 0; i < e.measured.size(); ++i) {
@@ -317,6 +320,10 @@ std::string prediction_csv(const ExperimentResult& e) {
     csv.cell(e.strain[row]).cell(branch_name(e.direction_of_row[row])).cell(e.used[row] ? 1 : 0);
     csv.cell(e.quantity.per_si * e.measured(i)).cell(e.quantity.per_si * e.predicted(i));
     if (e.elastic) csv.cell(e.quantity.per_si * (*e.elastic)(i));
+    if (e.half_band) {
+      csv.cell(e.quantity.per_si * (e.predicted(i) - (*e.half_band)(i)));
+      csv.cell(e.quantity.per_si * (e.predicted(i) + (*e.half_band)(i)));
+    }
     csv.end_row();
   }
   return csv.text();

@@ -104,30 +104,30 @@ ExperimentResult compare_solid(const Experiment& experiment, const Material& mat
   return result;
 }
 
-std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
-                               const ExperimentResult& compared, const RunContext& context) {
-  const std::string unknown = "how far the prediction may be off the data do not tell: it ";
+void add_band(const SolidFit& fit, const Experiment& experiment, const RunContext& context,
+              ExperimentResult& result) {
+  const auto unknown = [&](const char* why) {
+    result.handled.push_back(
+        std::string("how far the prediction may be off the data do not tell: it ") + why);
+  };
   std::vector<ProblemPart> parts;
   parts.push_back({&experiment, experiment.predictor(fit.material)});
   const Problem problem(std::move(parts), fit.unknowns, {context.threads, context.stop});
   const auto rows = problem.predict(0, fit.values, /*derivatives=*/true);
-  if (!rows) return unknown + "has no derivatives there";
-  double squares = 0, largest = 0;
-  int inside = 0;
-  for (Eigen::Index i = 0; i < rows->value.size(); ++i) {
+  if (!rows) return unknown("has no derivatives there");
+  Eigen::ArrayXd half(rows->value.size());
+  for (Eigen::Index i = 0; i < half.size(); ++i) {
     const auto error = fit.uncertainty.error_of(rows->by.row(i));
-    if (!error) return unknown + "depends on numbers that they do not determine";
-    const double missed = std::abs(rows->value(i) - experiment.measured()(i));
-    squares += error->half_width * error->half_width;
-    largest = std::max(largest, error->half_width);
-    inside += missed <= error->half_width ? 1 : 0;
+    if (!error) return unknown("depends on numbers that they do not determine");
+    half(i) = error->half_width;
   }
-  const double count = static_cast<double>(rows->value.size());
-  const double percent = 100 / compared.peak_force;
-  return fmt::format(
+  const auto inside = ((rows->value - experiment.measured()).array().abs() <= half).cast<double>();
+  const double percent = 100 / result.peak_force;
+  result.handled.push_back(fmt::format(
       "the 95 % band of the prediction, by the errors of the fitted numbers, is +- {:.3g} % of the "
       "peak (root mean square), {:.3g} % at most; {:.0f} % of the rows lie in it",
-      percent * std::sqrt(squares / count), percent * largest, 100 * inside / count);
+      percent * std::sqrt(half.square().mean()), percent * half.maxCoeff(), 100 * inside.mean()));
+  result.half_band = half.matrix();
 }
 
 void add_solid_curves(const Material& material, const SolidFit* fit, StudyResult& result) {

@@ -13,10 +13,12 @@ namespace pliant {
 /// @throws SolverError where it has no prediction
 ExperimentResult compare_solid(const Experiment& experiment, const Material& material);
 
-/// How far the errors of fitted numbers let the prediction of an experiment be off, in a sentence.
-/// @param compared  the experiment as the fitted material predicts it
-std::string band_of_prediction(const SolidFit& fit, const Experiment& experiment,
-                               const ExperimentResult& compared, const RunContext& context);
+/// Adds how far the prediction of an experiment may be off by the errors of the fitted numbers: its
+/// 95 % band, row by row, and a sentence about it; or why nobody knows.
+/// @param experiment  not fitted
+/// @param result      of its comparison
+void add_band(const SolidFit& fit, const Experiment& experiment, const RunContext& context,
+              ExperimentResult& result);
 
 /// Adds the numbers of a fit, its curves and what is to be said of it to the result of a study.
 void add_solid_fit(const SolidFit& fit, StudyResult& result);

@@ -192,7 +192,7 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
       take_noise(fit.uncertainty, part++, row, result.warnings);
     } else {
       row.handled.emplace_back("predicted, the material not fitted to it");
-      row.handled.push_back(band_of_prediction(fit, *experiment, row, context));
+      add_band(fit, *experiment, context, row);
     }
     result.experiments.push_back(std::move(row));
   }

@@ -10,6 +10,7 @@
 #include "pliant/study/result_files.h"
 #include "pliant/study/study_fit.h"
 
+#include "io/input_error_of.h"
 #include "support/five_sheet_tests.h"
 #include "support/virtual_sheets.h"
 
@@ -78,6 +79,23 @@ TEST(SlowSheetSamples, SayWhereASheetNeedsNone) {
                                     ", samples: {at: [[0.02, 0.05], [0.08, 0.05]], of: [shear]}");
   EXPECT_NEAR(value_of(result, "samples[0].shear.k[0]"), 8, 0.05 * 8);
   EXPECT_TRUE(warns_of_samples(result));
+}
+
+TEST(SheetSamples, AreRefusedWhereTheyMakeNoSense) {
+  const auto problem = [](const std::string& model) {
+    const test::FiveSheetTests tests(test::sheet_cloth(false), kModel + model, 5, 2);
+    return test::input_error_of([&] { fit_study(tests.study(), {}, {}); }).problem();
+  };
+  EXPECT_EQ(problem(", samples: {at: [[0.02, 0.3]]}"), "sample 0 lies outside the sheet");
+  EXPECT_EQ(problem(", samples: {at: [[0.02, 0.03], [0.02, 0.03]]}"),
+            "sample 1 is a second one at its place");
+  EXPECT_EQ(problem(", samples: {grid: [2, 1], of: [area]}"), "\"area\" is fitted by no stage");
+  EXPECT_EQ(problem(", samples: {grid: [2, 1, 1]}"), "has 3 numbers");
+  EXPECT_EQ(problem(", samples: {spread: 3}"), "asks for places that are found in solids alone");
+  EXPECT_EQ(problem(", samples: {grid: [2, 1]}, limits: [{of: [shear]}]"),
+            "stands beside `limits`");
+  EXPECT_EQ(problem(", samples: {grid: [2, 1]}, components: {shear: {friction: dahl}}"),
+            "has friction or another law that remembers, and differs from place to place");
 }
 
 }  // namespace

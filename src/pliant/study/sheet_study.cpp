@@ -34,6 +34,7 @@
 #include "pliant/study/body_map.h"
 #include "pliant/study/sheet_experiment.h"
 #include "pliant/study/sheet_predictions.h"
+#include "pliant/study/sheet_samples.h"
 #include "pliant/study/study_experiments.h"
 #include "pliant/study/whole_sheets.h"
 
@@ -159,37 +160,6 @@ void ask_about_cords(const std::vector<SheetExperiment>& experiments, StudyResul
       fmt::join(names, ", ")));
 }
 
-/// What differs from place to place is elastic.
-void refuse_memory_of_samples(const FitSettings& settings) {
-  if (!settings.model.samples) return;
-  for (const auto& [name, component] : settings.model.components) {
-    const bool remembers_more = std::ranges::any_of(
-        component.addends, [](const AddendKind* kind) { return remembers(*kind); });
-    if (!may_differ(settings, {name})) continue;
-    if (component.friction != FrictionChoice::dahl && !remembers_more) continue;
-    throw InputError({settings.file, 0, "model.components." + name},
-                     "has friction or another law that remembers, and differs from place to place",
-                     "`samples.of` without it, or a component that is elastic");
-  }
-}
-
-/// Samples lie in the rest plane of one sheet.
-void require_one_sheet(const FitSettings& settings, const std::vector<const SheetTest*>& tests) {
-  constexpr double kAlike = 0.02;
-  if (!settings.model.samples) return;
-  const SessionSample& first = tests.front()->session().sample;
-  for (const SheetTest* test : tests) {
-    const SessionSample& sample = test->session().sample;
-    const bool alike = std::abs(sample.width - first.width) < kAlike * first.width &&
-                       std::abs(sample.height - first.height) < kAlike * first.height;
-    if (alike) continue;
-    throw InputError(settings.model.samples->where,
-                     fmt::format("stands beside sheets of several sizes: {} and {}",
-                                 tests.front()->name(), test->name()),
-                     "sessions of one sheet");
-  }
-}
-
 /// A fit with what it predicts.
 struct Candidate {
   SheetFit fit;
@@ -307,7 +277,6 @@ void refuse_foreign_options(const FitSettings& settings) {
              "constant or hermite, or an elastic addend");
     }
   }
-  refuse_memory_of_samples(settings);
   if (settings.fit.estimator == EstimatorKind::anchor) {
     refuse("fit.estimator", "the published estimator of friction knows no sheets", "path");
   }
@@ -383,8 +352,8 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
   require_known_parameters(study, tests_to_fit(experiments));
-  require_one_sheet(study, tests_to_fit(experiments));
   const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(experiments));
+  require_samples_of_sheet(study, tests_to_fit(experiments), plan);
   Candidate best = best_fit(settings_of(study), plan, experiments, context, starts);
   SheetFit& fit = best.fit;
   if (fit.material.density == 0) fit.material.density = stated_density(experiments);

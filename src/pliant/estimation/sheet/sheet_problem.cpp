@@ -24,17 +24,34 @@ double measured_size(const SheetTest& test) {
   return std::max(std::sqrt(sum / test.rows()), 1e-12);
 }
 
+bool compares_positions(const SheetTest& test) {
+  return test.objective() == SheetObjective::positions;
+}
+
 /// Tests of one kind weigh alike: a newton is a newton.
 std::vector<double> first_scales(const std::vector<const SheetTest*>& tests) {
   std::vector<double> scales(tests.size(), 0);
   for (std::size_t i = 0; i < tests.size(); ++i) {
     for (const SheetTest* other : tests) {
-      const bool alike = (other->objective() == SheetObjective::positions) ==
-                         (tests[i]->objective() == SheetObjective::positions);
+      const bool alike = compares_positions(*other) == compares_positions(*tests[i]);
       if (alike) scales[i] = std::max(scales[i], measured_size(*other));
     }
   }
   return scales;
+}
+
+/// How much larger differences of each test count as beside forces: vertices of a sheet miss
+/// together what its mesh makes them miss, so that all positions count no more than all forces do,
+/// however many there are.
+std::vector<double> spreads(const std::vector<const SheetTest*>& tests) {
+  double positions = 0, forces = 0;
+  for (const SheetTest* test : tests) {
+    (compares_positions(*test) ? positions : forces) += test->weights().sum();
+  }
+  const double spread = forces > 0 ? std::max(std::sqrt(positions / forces), 1.0) : 1;
+  std::vector<double> all;
+  for (const SheetTest* test : tests) all.push_back(compares_positions(*test) ? spread : 1);
+  return all;
 }
 
 /// The largest stiffness of a law: of its curve, or where that is one of energies or addends alone
@@ -135,6 +152,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
       material_(material),
       groups_(std::move(groups)),
       scales_(first_scales(tests_)),
+      spreads_(spreads(tests_)),
       noise_(scales_.front()),
       problem_(
           problem_of(tests_, material, groups_, strains, context, cords, options, with_cords)) {
@@ -144,7 +162,7 @@ SheetProblem::SheetProblem(std::vector<const SheetTest*> tests, const Material& 
 void SheetProblem::set_noise(double noise) {
   noise_ = noise;
   for (std::size_t t = 0; t < tests_.size(); ++t) {
-    const double sd = noise * scales_[t] / scales_.front();
+    const double sd = noise * spreads_[t] * scales_[t] / scales_.front();
     problem_.set_weight(t, tests_[t]->weights() * problem_.emphasis(t) / sd);
   }
 }
@@ -155,7 +173,9 @@ double SheetProblem::rms(const LeastSquaresSummary& solution) const {
     squares -= std::pow(prior.miss(solution.parameters), 2);
   }
   double rows = 0;
-  for (const SheetTest* test : tests_) rows += test->weights().sum();
+  for (std::size_t t = 0; t < tests_.size(); ++t) {
+    rows += tests_[t]->weights().sum() / (spreads_[t] * spreads_[t]);
+  }
   return noise_ * std::sqrt(std::max(squares, 0.0) / rows);
 }
 

@@ -22,8 +22,9 @@ using SheetGuesses = std::map<std::string, std::vector<Eigen::Matrix3Xd>>;
 using CordFrictions = std::map<std::string, double>;
 
 /// What a fit of some groups of a material to some tests of sheets minimises: the differences of
-/// forces or positions of all frames in units of their size. Unknowns are the numbers of the
-/// groups, the limits of energies of theirs, then the friction of cords, test by test.
+/// forces or positions of all frames in units of their size, all positions counting no more than
+/// all forces beside them. Unknowns are the numbers of the groups, the limits of energies of
+/// theirs, then the friction of cords, test by test.
 class SheetProblem {
  public:
   /// @param tests     outlive the problem
@@ -61,7 +62,8 @@ class SheetProblem {
   std::vector<const SheetTest*> tests_;
   Material material_;
   std::vector<ComponentGroup> groups_;
-  std::vector<double> scales_;  // size of what each test measures (N or m)
+  std::vector<double> scales_;   // size of what each test measures (N or m)
+  std::vector<double> spreads_;  // how much larger its differences count as
   double noise_;
   Problem problem_;
 };

@@ -83,7 +83,7 @@ TEST(SlowSheetSamples, SayWhereASheetNeedsNone) {
 
 TEST(SheetSamples, AreRefusedWhereTheyMakeNoSense) {
   const auto problem = [](const std::string& model) {
-    const test::FiveSheetTests tests(test::sheet_cloth(false), kModel + model, 5, 2);
+    const test::FiveSheetTests tests(test::sheet_cloth(false), kModel + model, 7, 2);
     return test::input_error_of([&] { fit_study(tests.study(), {}, {}); }).problem();
   };
   EXPECT_EQ(problem(", samples: {at: [[0.02, 0.3]]}"), "sample 0 lies outside the sheet");

@@ -21,8 +21,10 @@ namespace {
 Eigen::Vector3d direction_of(const Session& session, int frame, int clip) {
   const SessionClip& body = session.clips[static_cast<std::size_t>(clip)];
   const Eigen::Matrix3Xd at = session.rest.positions(Eigen::all, body.clamped);
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(at.colwise() - at.rowwise().mean(),
-                                               Eigen::ComputeThinU);
+  // At least three columns, which the decomposition needs of any clip.
+  Eigen::Matrix3Xd ways = Eigen::Matrix3Xd::Zero(3, std::max<Eigen::Index>(at.cols(), 3));
+  ways.leftCols(at.cols()) = at.colwise() - at.rowwise().mean();
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(ways, Eigen::ComputeThinU);
   const Pose& pose =
       session.frames[static_cast<std::size_t>(frame)].poses[static_cast<std::size_t>(clip)];
   return pose.rotation * svd.matrixU().col(0);

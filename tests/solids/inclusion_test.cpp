@@ -163,26 +163,35 @@ TEST(SlowInclusion, IsSeenFromOutside) {
   for (const char* where : {"spread: 8", "grown: 8", "grown: 16"}) see(kSoftEdged, where);
 }
 
+/// What was measured of the block with something stiff in it, and where its fit with 16 samples
+/// begins: soft everywhere.
+struct SixteenSamples {
+  LabFolder folder{test::measurements_of(
+      test::lab_of(StiffPlace(kSoftEdged).material(), {StiffPlace::body()}), 1)};
+  Study study = solid_study(
+      folder, "law: neo-hookean, samples: {grid: [4, 2, 2], width: 10 mm, of: [I1-bar]}");
+  std::unique_ptr<Experiment> experiment = study.experiments.front().test->type().make_solid(
+      study.experiments.front(), DataRows(study.experiments.front().data));
+  Material material = neo_hookean_solid(kSoft, 10 * kSoft);
+
+  SixteenSamples() {
+    material.samples = body_samples(study);
+    for (SampledComponents& sample : material.samples.at) {
+      sample.components["I1-bar"] = material.components.at("I1-bar");
+    }
+  }
+};
+
 // [T] 4.3 takes differences: an equilibrium of all frames for each number, here each from where the
 // one before it was found.
 TEST(SlowInclusion, IsDifferentiatedFasterThanByDifferences) {
-  const StiffPlace truth(kSoftEdged);
-  const LabFolder folder(
-      test::measurements_of(test::lab_of(truth.material(), {StiffPlace::body()}), 1));
-  const Study study = solid_study(
-      folder, "law: neo-hookean, samples: {grid: [4, 2, 2], width: 10 mm, of: [I1-bar]}");
-  const ExperimentSpec& spec = study.experiments.front();
-  const auto experiment = spec.test->type().make_solid(spec, DataRows(spec.data));
-  Material material = neo_hookean_solid(kSoft, 10 * kSoft);
-  material.samples = body_samples(study);
-  for (SampledComponents& sample : material.samples.at) {
-    sample.components["I1-bar"] = material.components.at("I1-bar");
-  }
-  const auto predictor = experiment->predictor(material);
+  const SixteenSamples begun;
+  const auto predictor = begun.experiment->predictor(begun.material);
   const Eigen::VectorXd values = predictor->values();
   std::vector<int> by(static_cast<std::size_t>(values.size()));
   std::iota(by.begin(), by.end(), 0);
-  StoredRows first(*experiment), analytic(*experiment, std::ssize(by)), changed(*experiment);
+  StoredRows first(*begun.experiment), analytic(*begun.experiment, std::ssize(by)),
+      changed(*begun.experiment);
   ASSERT_TRUE(predictor->predict(values, {}, {}, first));
   const Stopwatch of_derivatives;
   ASSERT_TRUE(predictor->predict(values, by, {}, analytic));
@@ -219,21 +228,10 @@ LeastSquaresProblem by_differences(LeastSquaresProblem problem) {
 
 TEST(SlowInclusion, IsFittedFasterThanByDifferences) {
   if (!test::makes_figures()) GTEST_SKIP() << "a table of docs/figures";
-  const StiffPlace truth(kSoftEdged);
-  const LabFolder folder(
-      test::measurements_of(test::lab_of(truth.material(), {StiffPlace::body()}), 1));
-  const Study study = solid_study(
-      folder, "law: neo-hookean, samples: {grid: [4, 2, 2], width: 10 mm, of: [I1-bar]}");
-  const ExperimentSpec& spec = study.experiments.front();
-  const auto experiment = spec.test->type().make_solid(spec, DataRows(spec.data));
-  Material material = neo_hookean_solid(kSoft, 10 * kSoft);
-  material.samples = body_samples(study);
-  for (SampledComponents& sample : material.samples.at) {
-    sample.components["I1-bar"] = material.components.at("I1-bar");
-  }
-  SolidProblem problems(study, {experiment.get()}, {});
+  const SixteenSamples begun;
+  SolidProblem problems(begun.study, {begun.experiment.get()}, {});
   const auto solved = [&](bool differences) {
-    const Problem problem = problems.problem(material);
+    const Problem problem = problems.problem(begun.material);
     const LeastSquaresProblem search = problem.least_squares();
     const Stopwatch watch;
     const LeastSquaresSummary end =

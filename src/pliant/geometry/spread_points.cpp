@@ -24,6 +24,21 @@ std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count) {
   return taken;
 }
 
+std::vector<Eigen::Vector3d> middles_of_cells(const Eigen::Vector3d& low,
+                                              const Eigen::Vector3d& size,
+                                              const Eigen::Vector3i& cells) {
+  std::vector<Eigen::Vector3d> middles;
+  for (int z = 0; z < cells.z(); ++z) {
+    for (int y = 0; y < cells.y(); ++y) {
+      for (int x = 0; x < cells.x(); ++x) {
+        const Eigen::Array3d share = (Eigen::Array3d(x, y, z) + 0.5) / cells.cast<double>().array();
+        middles.emplace_back(low + (size.array() * share).matrix());
+      }
+    }
+  }
+  return middles;
+}
+
 double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places) {
   if (places.size() < 2) return 0;
   double sum = 0;

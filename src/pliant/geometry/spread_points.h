@@ -12,6 +12,12 @@ namespace pliant {
 /// @return their places in the set, in the order in which they were taken
 std::vector<int> spread_points(const Eigen::Matrix3Xd& points, int count);
 
+/// The middles of the cells of a grid over a box, x first.
+/// @param cells  along each axis, at least 1
+std::vector<Eigen::Vector3d> middles_of_cells(const Eigen::Vector3d& low,
+                                              const Eigen::Vector3d& size,
+                                              const Eigen::Vector3i& cells);
+
 /// The mean distance of places to their nearest neighbour; 0 of a single one.
 double spacing_of_neighbours(const std::vector<Eigen::Vector3d>& places);
 

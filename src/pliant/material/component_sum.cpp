@@ -29,9 +29,10 @@ AddedNames ComponentSum::add_blended(const std::string& component, int strain,
     const auto own = std::make_shared<Sum>();
     laws.push_back(own);
     const auto& components = material_.samples.at[k].components;
-    if (!components.contains(component)) continue;
+    const auto found = components.find(component);
+    if (found == components.end()) continue;
     Material sample;
-    sample.components = components;
+    sample.components.insert(*found);
     const AddedNames added = add_component(sample, component, strain, options, *own, part);
     for (const std::string& name : added.parameters) {
       names.parameters.push_back(name_in_sample(k, name));

@@ -9,11 +9,11 @@
 
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
-#include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/green_strain_check.h"
 #include "pliant/material/limit_fields.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/material/sample_place.h"
 #include "pliant/material/solid/principal_metric.h"
 
 namespace pliant {
@@ -255,16 +255,6 @@ void require_alike(const Value& node, const SampledComponents& sample,
   }
 }
 
-/// A place of a body (x, y, z), of a sheet (u, v).
-Eigen::Vector3d read_place_of_sample(const Value& node, MaterialKind kind) {
-  if (kind == MaterialKind::solid) return read_vector(node);
-  const std::vector<double> place = node.numbers();
-  if (place.size() != 2) {
-    node.fail(fmt::format("has {} numbers", place.size()), "two: a place along weft and warp (m)");
-  }
-  return {place[0], place[1], 0};
-}
-
 /// The samples of a material, and the means of what they differ in.
 void read_samples(const Value& node, Material& material) {
   Fields fields = node.fields();
@@ -273,7 +263,7 @@ void read_samples(const Value& node, Material& material) {
   for (const Value& item : list.items()) {
     Fields sample = item.fields();
     SampledComponents& own = material.samples.at.emplace_back();
-    own.place = read_place_of_sample(sample.require("place"), material.kind);
+    own.place = read_sample_place(sample.require("place"), material.kind);
     const Value components = sample.require("components");
     own.components = read_components(components, material);
     require_alike(components, own, material.samples.at.front());

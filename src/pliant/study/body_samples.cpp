@@ -24,16 +24,8 @@ void require_bodies(const Study& study) {
 std::vector<Eigen::Vector3d> places_on_grid(const Eigen::Vector3i& cells, const VolumeMesh& body) {
   const Eigen::Vector3d low = body.positions.rowwise().minCoeff();
   const Eigen::Vector3d size = body.positions.rowwise().maxCoeff() - low;
-  std::vector<Eigen::Vector3d> places;
-  for (int z = 0; z < cells.z(); ++z) {
-    for (int y = 0; y < cells.y(); ++y) {
-      for (int x = 0; x < cells.x(); ++x) {
-        const Eigen::Array3d share = (Eigen::Array3d(x, y, z) + 0.5) / cells.cast<double>().array();
-        const Eigen::Vector3d place = low + (size.array() * share).matrix();
-        if (is_inside(body, place)) places.push_back(place);
-      }
-    }
-  }
+  std::vector<Eigen::Vector3d> places = middles_of_cells(low, size, cells);
+  std::erase_if(places, [&](const Eigen::Vector3d& place) { return !is_inside(body, place); });
   return places;
 }
 

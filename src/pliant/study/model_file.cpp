@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "pliant/estimation/solid/solid_laws.h"
-#include "pliant/io/vector_fields.h"
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/green_strain_check.h"
 #include "pliant/material/limit_fields.h"
+#include "pliant/material/sample_place.h"
 
 namespace pliant {
 namespace {
@@ -86,14 +86,6 @@ std::vector<std::vector<std::string>> read_model_limits(const Value& list, Mater
   return limits;
 }
 
-/// A place of a body, [x, y, z], or of a sheet, [u, v].
-Eigen::Vector3d read_place_of_sample(const Value& node, MaterialKind kind) {
-  if (kind == MaterialKind::solid) return read_vector(node);
-  const std::vector<double> place = node.numbers();
-  if (place.size() != 2) node.fail("has not two numbers", "[u, v] in metres");
-  return {place[0], place[1], 0};
-}
-
 /// Cells of a body along x, y and z, of a sheet along weft and warp.
 Eigen::Vector3i read_grid(const Value& node, MaterialKind kind) {
   const bool solid = kind == MaterialKind::solid;
@@ -118,7 +110,7 @@ SampleOptions read_samples(const Value& node, MaterialKind kind) {
   if (auto v = fields.optional("at")) {
     ++ways;
     for (const Value& place : v->items()) {
-      samples.places.push_back(read_place_of_sample(place, kind));
+      samples.places.push_back(read_sample_place(place, kind));
     }
     if (samples.places.empty()) v->fail("is empty", "at least one place in metres");
   }
@@ -199,7 +191,7 @@ ModelOptions read_solid_model(Fields& fields) {
 void read_samples_of_sheet(const Value& node, ModelOptions& model) {
   model.samples = read_samples(node, model.kind);
   if (!model.limits.empty()) node.fail("stands beside `limits`", "one of both");
-  if (model.membrane == MembraneMeasure::spring || model.bending == "spring") {
+  if (needs_grid(model)) {
     node.fail("stands beside springs", "a membrane of triangles and bending of discrete shells");
   }
 }

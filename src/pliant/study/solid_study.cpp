@@ -116,15 +116,16 @@ int element_count(const Study& study) {
   return elements;
 }
 
-/// The study with bodies of elements half as large; nothing without bodies, or where these would
-/// have so many elements that they took longer than the fit.
+/// What is fitted of the study, with bodies of elements half as large; nothing without bodies, or
+/// where these would have so many elements that they took longer than the fit.
 std::optional<Study> on_finer_bodies(const Study& study) {
   constexpr int kMostElements = 2500;
   const int elements = element_count(study);
   if (elements == 0 || elements > kMostElements) return std::nullopt;
   Study finer = study;
+  std::erase_if(finer.experiments,
+                [](const ExperimentSpec& spec) { return spec.role != ExperimentRole::fit; });
   for (ExperimentSpec& spec : finer.experiments) {
-    if (spec.role != ExperimentRole::fit) continue;
     if (auto test = spec.test->on_finer_body()) spec.test = std::move(test);
   }
   return finer;

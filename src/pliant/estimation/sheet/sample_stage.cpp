@@ -14,14 +14,7 @@ std::vector<Eigen::Vector3d> places_of(const SampleOptions& options, const Trian
   if (!options.places.empty()) return options.places;
   const Eigen::Vector2d low = sheet.rest_corners.rowwise().minCoeff();
   const Eigen::Vector2d size = sheet.rest_corners.rowwise().maxCoeff() - low;
-  std::vector<Eigen::Vector3d> places;
-  for (int v = 0; v < options.grid.y(); ++v) {
-    for (int u = 0; u < options.grid.x(); ++u) {
-      const Eigen::Vector2d share((u + 0.5) / options.grid.x(), (v + 0.5) / options.grid.y());
-      places.emplace_back(low.x() + share.x() * size.x(), low.y() + share.y() * size.y(), 0);
-    }
-  }
-  return places;
+  return middles_of_cells({low.x(), low.y(), 0}, {size.x(), size.y(), 0}, options.grid);
 }
 
 MaterialSamples samples_of(const FitSettings& settings, const SheetStage& stage,

@@ -92,6 +92,16 @@ TEST(LoopFigure, OnPageOneShowsTheLoopsAlone) {
   EXPECT_THAT(groups(loop), Not(Contains("excluded")));
 }
 
+TEST(LoopFigure, DrawsBothEdgesOfABandAlongBothBranches) {
+  Prediction p = cycle();
+  p.low = {-0.1, 0.9, 1.9, 0.4, -0.1};
+  p.high = {0.1, 1.1, 2.1, 0.6, 0.1};
+  const nlohmann::json nothing;
+  EXPECT_EQ(trace_of(loop_figure(experiment("force_N"), p, {}), "band").at("y"),
+            nlohmann::json({-0.1, 0.9, 1.9, nothing, 1.9, 0.4, -0.1, nothing, 0.1, 1.1, 2.1,
+                            nothing, 2.1, 0.6, 0.1}));
+}
+
 TEST(LoopFigure, DrawsLengthsAgainstTheLoadThatCausedThem) {
   Prediction p = cycle();
   p.driver = {0.0, 1.0, 2.0, 1.0, 0.0};

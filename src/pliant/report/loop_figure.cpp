@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 namespace pliant::report {
 namespace {
 
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // breaks a line
 constexpr std::size_t kMostSmallMarkers = 40;  // of a branch; more run into each other
 
 /// The coordinates of each row as measured, as predicted and without friction.
@@ -118,6 +120,27 @@ class LoopPlot {
     add(style, line.x, line.y);
   }
 
+  /// Both edges of the band, along both branches.
+  void add_band(const SeriesStyle& style) {
+    std::vector<double> x, y;
+    for (const std::vector<double>* edge : {&prediction_.low, &prediction_.high}) {
+      if (edge->empty()) continue;
+      for (const Branch branch : {Branch::load, Branch::unload}) {
+        const BrokenLine line =
+            at_.measured_along_x
+                ? line_of_branch(prediction_, rows_, branch, *edge, at_.y_predicted)
+                : line_of_branch(prediction_, rows_, branch, at_.x_predicted, *edge);
+        if (!x.empty()) {
+          x.push_back(kNothing);
+          y.push_back(kNothing);
+        }
+        x.insert(x.end(), line.x.begin(), line.x.end());
+        y.insert(y.end(), line.y.begin(), line.y.end());
+      }
+    }
+    add(style, x, y);
+  }
+
   /// The elastic curve has no branches: one line, in the order of what drives it; or, where the
   /// zero of the instrument drifts from pass to pass, pass by pass.
   void add_elastic(const SeriesStyle& style) {
@@ -204,6 +227,7 @@ LoopFigure loop_figure(const ResultExperiment& experiment, const Prediction& pre
     plot.add_excluded(kExcluded);
     plot.add_outliers(kOutlier, experiment.outliers);
     plot.add_elastic(kElastic);
+    if (!experiment.measures_readings()) plot.add_band(kBand);
     add_predicted();
   }
   LoopFigure result = plot.finish();

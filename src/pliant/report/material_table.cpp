@@ -115,6 +115,7 @@ class FigureColumn {
     if (results_.evaluation || (figure.std_error && error == 0)) {
       return format_significant(value, 3);
     }
+    if (results_.differs_in(figure.component)) return format_significant(value, 3);
     if (!is_determined(figure)) return fmt::format("({})", format_significant(value, 2));
     const UncertainFormat format(value, error);
     return fmt::format("{} ± {}", format(value), format(error));
@@ -236,6 +237,10 @@ std::string notes(const Results& results, bool membranes, bool bending) {
     text +=
         " Bending: moment per width over curvature; B and 2HB (friction) as the Kawabata tester "
         "prints them: 1 µN m = 0.0102 gf cm²/cm, 1 mN = 0.102 gf cm/cm.";
+  }
+  if (results.has_samples()) {
+    text +=
+        " Without an error: the mean of samples, whose numbers stand below, from place to place.";
   }
   const bool beyond = std::ranges::any_of(
       results.figures, [](const ResultFigure& figure) { return figure.beyond_range; });

@@ -37,6 +37,7 @@ inline constexpr SeriesStyle kPredictedUnload = {
     "predicted-unload", "material, unloading", "#b34700", "6px,3px", nullptr, 2.0};
 inline constexpr SeriesStyle kElastic = {
     "elastic", "without friction", "#555f6b", "2px,3px", nullptr, 1.6};
+inline constexpr SeriesStyle kBand = {"band", "95 % band", "#00538a", "1px,2px", nullptr, 1.0};
 inline constexpr SeriesStyle kEnvelope = {
     "envelope", "saturated friction", "#555f6b", "8px,3px,2px,3px", nullptr, 1.6};
 

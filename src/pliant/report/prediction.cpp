@@ -47,6 +47,10 @@ Prediction read_prediction(const std::filesystem::path& file, std::string_view q
     p.used.push_back(used[row] != 0.0 ? 1 : 0);
   }
   if (table.has("elastic_" + name)) p.elastic = table.numbers("elastic_" + name);
+  if (table.has("low_" + name) && table.has("high_" + name)) {
+    p.low = table.numbers("low_" + name);
+    p.high = table.numbers("high_" + name);
+  }
   if (table.has("time_s")) p.time = table.numbers("time_s");
   p.driver_column = driver_column(table, quantity);
   if (!p.driver_column.empty()) p.driver = table.numbers(p.driver_column);

@@ -19,6 +19,7 @@ struct Prediction {
   std::vector<double> measured;
   std::vector<double> predicted;  ///< NaN where there is no prediction
   std::vector<double> elastic;    ///< best purely elastic curve; empty where there is none
+  std::vector<double> low, high;  ///< 95 % band of `predicted`; empty where not known
   std::vector<double> time;       ///< s; empty where not recorded
   /// What drove the experiment, for the other axis of a loop: the load where lengths are measured,
   /// the angle where shear is; empty where the strain itself serves.

@@ -54,7 +54,8 @@ ReportData read_report_data(const std::filesystem::path& directory) {
   const std::filesystem::path material = directory / "material.json";
   const bool any_sheet =
       std::ranges::any_of(data.sheets, [](const auto& sheet) { return sheet.has_value(); });
-  if (any_sheet && std::filesystem::exists(material)) data.material = read_material(material);
+  if ((any_sheet || data.results.has_samples()) && std::filesystem::exists(material))
+    data.material = read_material(material);
   return data;
 }
 

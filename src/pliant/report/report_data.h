@@ -35,7 +35,7 @@ struct ReportData {
   std::vector<std::optional<StripShapes>> shapes;  ///< alike; none where there are no strips
   std::vector<std::optional<SheetData>> sheets;    ///< alike; none where there are no sessions
   std::vector<WholeSheetData> whole_sheets;
-  std::optional<Material> material;  ///< of sessions, where its file is there
+  std::optional<Material> material;  ///< of sessions and of samples, where its file is there
 
   /// Whether there is nothing but full-field sessions.
   bool is_of_sheets() const;

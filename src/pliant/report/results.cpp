@@ -330,6 +330,17 @@ bool Results::is_of_solid() const {
       experiments, [](const ResultExperiment& e) { return facts_of_test(e.type).measures_solids; });
 }
 
+bool Results::has_samples() const {
+  return std::ranges::any_of(
+      parameters, [](const ResultParameter& p) { return p.name.starts_with("samples["); });
+}
+
+bool Results::differs_in(const std::string& component) const {
+  return std::ranges::any_of(parameters, [&](const ResultParameter& p) {
+    return p.component == component && p.name.starts_with("samples[");
+  });
+}
+
 bool Results::has_figures(const std::string& component) const {
   return std::ranges::find(figures, component, &ResultFigure::component) != figures.end();
 }

@@ -164,6 +164,10 @@ struct Results {
   bool has_figures(const std::string& component) const;
   /// Whether a solid was measured.
   bool is_of_solid() const;
+  /// Whether the material differs from place to place.
+  bool has_samples() const;
+  /// Whether a component does.
+  bool differs_in(const std::string& component) const;
 
   /// The warnings beside the questions: the first of them, which stand on page one, or the others,
   /// so that each comes once.

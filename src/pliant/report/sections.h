@@ -20,6 +20,9 @@ std::string whole_sheet_section(const ReportData& data);
 /// The estimated numbers with their uncertainty, nuisance parameters, singular values.
 std::string parameter_section(const ReportData& data);
 
+/// What the numbers of a heterogeneous material are at each of its samples.
+std::string sample_section(const ReportData& data, FigureSheet& figures);
+
 /// Each component's stress-strain curve, the data under it, and its friction envelope.
 std::string curve_section(const ReportData& data, FigureSheet& figures);
 

@@ -100,6 +100,7 @@ std::string fit_into(ResultDirectory& results, const CommandContext& context,
 
   StudyFitOptions options;
   options.compare_friction = arguments.compare == "friction";
+  options.compare_laws = arguments.compare == "laws";
   options.profiles = arguments.profiles;
   const StudyResult result = fit_study(study, options, context.run);
   refuse_unknown_profiles(options.profiles, result);
@@ -211,9 +212,11 @@ void add_fit(CommandRegistry& registry) {
                      "Profile likelihood of a parameter, e.g. stretch.warp.friction.tau or "
                      "'*.friction.*'");
   command
-      .add_option("--compare", arguments->compare,
-                  "friction: fit its other parameterisations too and rank them by AIC and BIC")
-      ->check(CLI::IsMember({"friction"}));
+      .add_option(
+          "--compare", arguments->compare,
+          "friction: fit its other parameterisations too and rank them by AIC and BIC; laws: "
+          "the same with further laws, e.g. softening, and which test would tell them")
+      ->check(CLI::IsMember({"friction", "laws"}));
   command.add_flag("--resume", arguments->resume,
                    "Go on with a fit that was stopped, from its last search in DIR");
   add_model_options(command, *arguments);

@@ -32,7 +32,8 @@ class FadingMoment : public ParametricDensity {
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& share) const override {
     return std::make_unique<FadingMoment>(share(0));
   }
-  void differentiate(const Samples&, int, int, int, SampleDerivatives&) const override {}
+  void differentiate(const Samples&, const StepTime&, int, int, int,
+                     SampleDerivatives&) const override {}
 
  private:
   double share_;

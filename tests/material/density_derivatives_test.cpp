@@ -1,6 +1,5 @@
 // Derivatives of every density against finite differences over random states. One registry holds
-// them all, scalar friction stresses and densities of several strains, and a test compares it with
-// the folder of the densities: a new law cannot be forgotten.
+// them all, and a test compares it with the folder of the densities: a new law cannot be forgotten.
 
 #include <cmath>
 #include <filesystem>
@@ -13,15 +12,15 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
-#include "pliant/material/density/dahl.h"
-#include "pliant/material/density/dahl_constant_slope.h"
 #include "pliant/material/density/dahl_friction.h"
-#include "pliant/material/density/dahl_published.h"
 #include "pliant/material/density/damping.h"
 #include "pliant/material/density/in_plane.h"
 #include "pliant/material/density/linearized_dahl_friction.h"
+#include "pliant/material/density/maxwell_density.h"
 #include "pliant/material/density/plastic_density.h"
 #include "pliant/material/density/rubber_energies.h"
+#include "pliant/material/density/set_density.h"
+#include "pliant/material/density/softening_density.h"
 #include "pliant/material/density/stiffness_density.h"
 #include "pliant/material/density/sum.h"
 #include "pliant/material/solid/solid_density.h"
@@ -41,132 +40,14 @@ using test::random_dahl;
 using test::random_plasticity;
 using test::random_saturating_plasticity;
 
-/// A friction stress at one random state: of its six arguments (three parameters, strain, strain
-/// and stress at the start), with the derivatives it states.
-struct DensitySample {
-  std::function<FrictionStress(const Eigen::VectorXd&)> stress;
-  Eigen::VectorXd at;
-  Eigen::VectorXd scale;
-};
-
-struct RegisteredDensity {
-  std::string header;  ///< file name in material/density/ without its ending
-  std::string name;
-  std::function<DensitySample(RandomStream&)> draw;
-};
-
-DahlParameters dahl_of(const Eigen::VectorXd& x) { return {x(0), x(1), x(2)}; }
-FrictionState start_of(const Eigen::VectorXd& x) { return {x(4), x(5)}; }
-
-/// A strain in +-0.4 or, one-sided, in 0..0.4, at least `gap` from zero and from `other`: the
-/// derivatives jump or bend there.
-double draw_strain(RandomStream& random, double low, double gap, double other) {
-  for (;;) {
-    const double strain = random.uniform(low, 0.4);
-    if (std::abs(strain) > gap && std::abs(strain - other) > gap) return strain;
-  }
-}
-
-/// Arguments near `parameters`; `reach` is the strain over which the friction follows.
-DensitySample sample_near(RandomStream& random, const Eigen::Vector3d& parameters, double reach,
-                          double low) {
-  const double from = draw_strain(random, low, reach / 5, 0);
-  const double strain = draw_strain(random, low, reach / 5, from);
-  DensitySample sample;
-  sample.at.resize(6);
-  sample.at << parameters, strain, from, random.uniform(-1, 1) * parameters(0);
-  sample.scale.resize(6);
-  sample.scale << parameters.cwiseAbs().cwiseMax(0.1), reach, reach, parameters(0);
-  sample.scale *= 0.5;
-  return sample;
-}
-
-DensitySample dahl_sample(RandomStream& random, double low) {
-  const DahlParameters dahl = random_dahl(random);
-  return sample_near(random, {dahl.a, dahl.b, dahl.tau}, dahl.tau, low);
-}
-
-DensitySample draw_dahl(RandomStream& random) {
-  DensitySample sample = dahl_sample(random, -0.4);
-  sample.stress = [](const Eigen::VectorXd& x) {
-    return friction_stress(dahl_of(x), x(3), start_of(x));
-  };
-  return sample;
-}
-
-DensitySample draw_published(RandomStream& random) {
-  DensitySample sample = dahl_sample(random, 0);  // its strain must not change sign
-  sample.stress = [](const Eigen::VectorXd& x) {
-    return published_friction_stress(dahl_of(x), x(3), start_of(x));
-  };
-  return sample;
-}
-
-DensitySample draw_anchored(RandomStream& random) {
-  DensitySample sample = dahl_sample(random, 0);
-  const int direction = sample.at(3) > sample.at(4) ? 1 : -1;
-  sample.stress = [direction](const Eigen::VectorXd& x) {
-    return anchored_friction_stress(dahl_of(x), x(3), x(4), direction);
-  };
-  return sample;
-}
-
-DensitySample draw_constant_slope(RandomStream& random) {
-  const double a = random.uniform(0.2, 3), alpha = log_uniform(random, 10, 400);
-  // b = 0 in one draw of four, where the closed form is a limit.
-  const double b = random.uniform() < 0.25 ? 0 : random.uniform(0, 6);
-  DensitySample sample = sample_near(random, {a, b, alpha}, a / alpha, -0.4);
-  sample.stress = [](const Eigen::VectorXd& x) {
-    return friction_stress(ConstantSlopeParameters{x(0), x(1), x(2)}, x(3), start_of(x));
-  };
-  return sample;
-}
-
-const std::vector<RegisteredDensity>& registered_densities() {
-  static const std::vector<RegisteredDensity> densities{
-      {"dahl", "Dahl", draw_dahl},
-      {"dahl_published", "DahlPublished", draw_published},
-      {"dahl_published", "DahlAnchored", draw_anchored},
-      {"dahl_constant_slope", "DahlConstantSlope", draw_constant_slope},
-  };
-  return densities;
-}
-
-Eigen::MatrixXd stated_jacobian(const FrictionStress& stress) {
-  Eigen::MatrixXd row(1, 6);
-  row << stress.parameters[0], stress.parameters[1], stress.parameters[2], stress.slope,
-      stress.from_strain, stress.from_stress;
-  return row;
-}
-
-class DensityDerivatives : public ::testing::TestWithParam<RegisteredDensity> {};
-
-TEST_P(DensityDerivatives, AreThoseOfFiniteDifferences) {
-  RandomStream random(11);
-  for (int i = 0; i < 200; ++i) {
-    const DensitySample sample = GetParam().draw(random);
-    const VectorFunction value = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(1, sample.stress(x).stress);
-    };
-    const DerivativeCheck check = check_derivatives(
-        value, stated_jacobian(sample.stress(sample.at)), sample.at, sample.scale);
-    // Differences are good to 1e-10 or so; a wrong term shows at 1e-3 and more.
-    EXPECT_LT(check.error, 1e-8) << "draw " << i << " at " << sample.at.transpose() << ": "
-                                 << check.describe();
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Registered, DensityDerivatives,
-                         ::testing::ValuesIn(registered_densities()),
-                         [](const auto& instance) { return instance.param.name; });
-
 /// A law of three strains at random parameters.
 struct RegisteredLaw {
   std::string header;
   std::string name;
   std::function<std::unique_ptr<Density>(RandomStream&)> draw;
   /// Whether a step keeps clear of where its history makes derivatives jump; null: it always does.
-  std::function<bool(const Density&, double strain, double history)> is_clear = nullptr;
+  std::function<bool(const Density&, double strain, const Eigen::VectorXd& history)> is_clear =
+      nullptr;
   int strain = 0;  ///< that it looks at
 };
 
@@ -264,6 +145,20 @@ const std::vector<RegisteredLaw>& registered_laws() {
          return std::make_unique<PlasticDensity>(2, random_saturating_plasticity(random));
        },
        is_amid_a_branch, 2},
+      {"softening_density", "Softening",
+       [](RandomStream& random) {
+         return std::make_unique<SofteningDensity>(1, random.uniform(5, 80),
+                                                   random.uniform(0.1, 0.5));
+       },
+       test::is_clear_of_history, 1},
+      {"set_density", "Set",
+       [](RandomStream& random) { return std::make_unique<SetDensity>(2, random.uniform(5, 80)); },
+       test::is_clear_of_history, 2},
+      {"maxwell_density", "Maxwell",
+       [](RandomStream& random) {
+         return std::make_unique<MaxwellDensity>(1, random.uniform(5, 80),
+                                                 random.uniform(0.005, 0.05));
+       }},
       {"damping", "Damping",
        [](RandomStream& random) { return std::make_unique<Damping>(2, random.uniform(0, 5)); }},
       {"in_plane", "InPlaneOnSumOfStrains",
@@ -310,14 +205,14 @@ test::LaneState draw_state(RandomStream& random, const Density& law,
     do {
       draw_lane(lane);
     } while (registered.is_clear && !registered.is_clear(law, state.strain(lane, registered.strain),
-                                                         state.history(lane, 0)));
+                                                         state.history.row(lane).transpose()));
   }
   return state;
 }
 
 class DensityLaws : public ::testing::TestWithParam<RegisteredLaw> {};
 
-constexpr StepTime kTime{1 / 0.005, 4.0 / 3, -1.0 / 3};
+constexpr StepTime kTime{1 / 0.005, 4.0 / 3, -1.0 / 3, {}, 0.0075};
 // Differences are good to 1e-10 or so; a wrong term shows at 1e-3 and more.
 constexpr double kDifferences = 1e-8;
 
@@ -401,7 +296,8 @@ TEST_P(DensityLaws, StateTheDerivativesThatAPathNeeds) {
     if (!parametric) return;
     const test::LaneState state = draw_state(random, *law, GetParam());
     for (int lane = 0; lane < kLanes; ++lane) {
-      const test::QuasiStaticStep step(*parametric, state, lane, kReach / 2);
+      const test::QuasiStaticStep step(*parametric, state, lane, kReach / 2,
+                                       {.seconds = kTime.seconds});
       const DerivativeCheck check =
           check_derivatives(step, step.stated(), step.arguments(), step.scale());
       EXPECT_LT(check.error, kDifferences) << "draw " << draw << ": " << check.describe();
@@ -429,10 +325,16 @@ INSTANTIATE_TEST_SUITE_P(Registered, DensityLaws, ::testing::ValuesIn(registered
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(DensityRegistry, HoldsEveryDensityOfTheFolder) {
-  // The interface, and a conversion of parameters: no densities. Others are tested by themselves.
-  std::set<std::string> known{"density", "persistent_deformation", "scalar_density",
-                              "blended_density", "limited_density"};
-  for (const RegisteredDensity& density : registered_densities()) known.insert(density.header);
+  // The interface, friction stresses and a conversion of parameters: no densities. Others are
+  // tested by themselves.
+  std::set<std::string> known{"density",
+                              "dahl",
+                              "dahl_published",
+                              "dahl_constant_slope",
+                              "persistent_deformation",
+                              "scalar_density",
+                              "blended_density",
+                              "limited_density"};
   for (const RegisteredLaw& law : registered_laws()) known.insert(law.header);
   const auto folder = std::filesystem::path(PLIANT_SOURCE_DIR) / "src/pliant/material/density";
   int headers = 0;

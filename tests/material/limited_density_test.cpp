@@ -76,7 +76,7 @@ TEST(LimitedDensity, DerivativesByItsNumbersAreTheirClosedForms) {
     const double strain = std::sqrt(2 * kLargest * (1 - left) / kStiffness);
     const test::LaneState state = at(strain);
     SampleDerivatives by(1, 0, 2);
-    limited()->differentiate(state.samples(), 0, 0, 0, by);
+    limited()->differentiate(state.samples(), {}, 0, 0, 0, by);
     const double psi = kLargest * (1 - left), m = limits.share;
     const double slope = m / (kLargest * left * left);  // of the multiplier by psi
     const double by_k = strain * (1 + m / left) + slope * kStiffness * strain * psi / kStiffness;

@@ -11,9 +11,10 @@ namespace pliant::test {
 class QuasiStaticStep {
  public:
   /// @param strain_scale  a change over which the law changes noticeably
+  /// @param time          how long the step takes; without rates
   QuasiStaticStep(const ParametricDensity& law, const LaneState& state, int lane,
-                  double strain_scale)
-      : law_(law), state_(state), lane_(lane), strain_scale_(strain_scale) {}
+                  double strain_scale, const StepTime& time = {})
+      : law_(law), state_(state), lane_(lane), strain_scale_(strain_scale), time_(time) {}
 
   Eigen::VectorXd arguments() const {
     Eigen::VectorXd x(2 * strains() + history() + parameters());
@@ -35,11 +36,11 @@ class QuasiStaticStep {
     state.strain.row(lane_) = x.head(strains()).transpose().array();
     state.last.row(lane_) = x.segment(strains(), strains()).transpose().array();
     state.history.row(lane_) = x.segment(2 * strains(), history()).transpose().array();
-    const Response response = response_of(*law, state);
+    const Response response = response_of(*law, state, time_);
     Eigen::VectorXd result(energies() + strains() + history());
     if (energies() > 0) result(0) = response.stored(lane_);
     result.segment(energies(), strains()) = response.stress.row(lane_).transpose().matrix();
-    advance(*law, state);
+    advance(*law, state, time_);
     result.tail(history()) = state.history.row(lane_).transpose().matrix();
     return result;
   }
@@ -47,8 +48,8 @@ class QuasiStaticStep {
   Eigen::MatrixXd stated() const {
     SampleDerivatives d(static_cast<int>(strains()), static_cast<int>(history()),
                         static_cast<int>(parameters()));
-    law_.differentiate(state_.samples(), lane_, 0, 0, d);
-    const Response response = response_of(law_, state_);
+    law_.differentiate(state_.samples(), time_, lane_, 0, 0, d);
+    const Response response = response_of(law_, state_, time_);
     Eigen::MatrixXd tangent(strains(), strains());
     for (int k = 0; k < tangent.size(); ++k) {
       tangent(k / strains(), k % strains()) = response.tangent(lane_, k);
@@ -76,6 +77,7 @@ class QuasiStaticStep {
   LaneState state_;
   int lane_;
   double strain_scale_;
+  StepTime time_;
 };
 
 }  // namespace pliant::test

@@ -20,7 +20,8 @@ inline PlasticParameters random_saturating_plasticity(RandomStream& random) {
 
 /// Whether differences leave a step of plasticity on its branch: they move the plastic strain
 /// before it by up to 0.1, strains and parameters by less.
-inline bool is_amid_a_branch(const Density& law, double strain, double plastic_strain) {
+inline bool is_amid_a_branch(const Density& law, double strain, const Eigen::VectorXd& history) {
+  const double plastic_strain = history(0);
   constexpr double kGap = 0.12, kSmallGap = 0.03;
   const Eigen::VectorXd values = dynamic_cast<const PlasticDensity&>(law).parameters();
   const double yield = values(1);
@@ -30,6 +31,15 @@ inline bool is_amid_a_branch(const Density& law, double strain, double plastic_s
     if (beyond > -kSmallGap || std::abs(plastic_strain) > values(2) - kGap) return false;
   }
   return std::abs(std::abs(strain - plastic_strain) - yield) > kGap;
+}
+
+/// Whether differences leave a law on its branch whose history is how far strain has reached, above
+/// zero and, where that counts, below.
+inline bool is_clear_of_history(const Density&, double strain, const Eigen::VectorXd& history) {
+  constexpr double kGap = 0.12;
+  const bool is_reached = history(0) >= kGap && (history.size() == 1 || history(1) <= -kGap);
+  return is_reached && ((history.array() - std::abs(strain)).abs() > kGap).all() &&
+         ((history.array() - strain).abs() > kGap).all();
 }
 
 }  // namespace pliant::test

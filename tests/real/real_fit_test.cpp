@@ -11,6 +11,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -185,6 +186,44 @@ TEST(RealElastomer, FileOfATesterWithChineseHeadersIsFitted) {
     const json e = experiment_named(real.fit, "stretch");
     EXPECT_LT(e["rms_percent_of_peak"], e["rms_elastic_percent_of_peak"]);
   }
+}
+
+// VHB 4910 at 0.01, 0.03 and 0.05 per second, every so many rows: of a law that relaxes two rates
+// tell the third, of one without rates they do not.
+TEST(RealElastomer, OfTwoRatesPredictsTheThird) {
+  const auto folder_of_data = measurement("elastomer_cyclic_vhb4910");
+  SKIP_WITHOUT(folder_of_data);
+  const TemporaryFolder folder;
+  std::string study = "pliant: study/1\nname: VHB 4910\nvalidate: [mid]\nexperiments:\n";
+  for (const auto& [name, file, every] : {std::tuple{"slow", "vhb4910_0d01_2d0.csv", 50},
+                                          {"mid", "vhb4910_0d03_2d0_1.csv", 16},
+                                          {"fast", "vhb4910_0d05_2d0.csv", 10}}) {
+    std::ifstream record(folder_of_data / file);
+    std::string line, csv = "time_s,extension_mm,force_N\n";
+    for (int row = -3; std::getline(record, line); ++row) {  // of three lines of headers
+      std::erase_if(line, [](char c) { return c == '"' || c == '\r'; });
+      if (row >= 0 && row % every == 0) csv += line + "\n";
+    }
+    folder.write(std::string(name) + ".csv", csv);
+    study += fmt::format(
+        "  - {{name: {0}, type: tensile-cycles, direction: warp, length: 80 mm, width: 22 mm, "
+        "initial_friction: rest, data: {0}.csv}}\n",
+        name);
+  }
+  const auto missed_by = [&](const std::string& model) {
+    const RealFit real = fit_file(
+        folder, folder.write("study.yaml", study +
+                                               "model: {membrane: soft-constraint, components: "
+                                               "{stretch.warp: {" +
+                                               model + "}}}\n"));
+    fmt::print("VHB 4910, {}\n", model);
+    print_table(real.fit);
+    return experiment_named(real.fit, "mid")["rms_percent_of_peak"].get<double>();
+  };
+  const double without_rates = missed_by("friction: dahl");
+  EXPECT_GT(without_rates, 9);
+  EXPECT_LT(missed_by("addends: [maxwell]"), 6);
+  EXPECT_LT(missed_by("friction: none, addends: [maxwell, maxwell]"), 6);
 }
 
 void expect_no_friction(const json& fit) {

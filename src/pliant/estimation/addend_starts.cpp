@@ -12,7 +12,7 @@ Addend begun(const AddendKind& kind, const std::vector<double>& shares, const Da
   Eigen::VectorXd values(std::ssize(shares));
   for (std::size_t i = 0; i < shares.size(); ++i) {
     values(static_cast<Eigen::Index>(i)) =
-        shares[i] * data_unit(kind.parameters[i], data.stress, data.strain);
+        shares[i] * data_unit(kind.parameters[i], data.stress, data.strain, data.seconds);
   }
   return {kind, values};
 }

@@ -11,6 +11,7 @@
 #include "pliant/estimation/linear_start.h"
 #include "pliant/estimation/profile_likelihood.h"
 #include "pliant/experiment/loop_metrics.h"
+#include "pliant/experiment/row_times.h"
 
 namespace pliant {
 namespace {
@@ -176,6 +177,9 @@ void refuse_addends(const FitSettings& settings,
   if (!plan.addends.empty() && settings.fit.estimator == EstimatorKind::anchor) {
     throw InputError(where, "the published estimator knows stiffness and friction alone", "none");
   }
+  if (plan.form().flows()) {
+    for (const ComponentExperiment* experiment : experiments) require_times(*experiment, where);
+  }
   if (!plan.form().addends_remember()) return;
   for (const ComponentExperiment* experiment : experiments) {
     if (!experiment->info().test.needs_density) continue;
@@ -244,6 +248,13 @@ ComponentPlan plan_component(const FitSettings& settings,
     notes.push_back("friction of " + component +
                     ": the data only loads; friction shows when it unloads");
     if (choice == FrictionChoice::automatic) plan.friction = FrictionLaw::none;
+  }
+  for (const AddendKind* kind : plan.addends) {
+    if (data_unloads || kind->flows || !remembers(*kind)) continue;
+    notes.push_back(
+        fmt::format("{} of {}: the data only loads; what strain leaves behind shows when "
+                    "it returns",
+                    kind->name, component));
   }
   return plan;
 }

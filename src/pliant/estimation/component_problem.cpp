@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pliant/base/assert.h"
+#include "pliant/experiment/row_times.h"
 
 namespace pliant {
 namespace {
@@ -21,12 +22,14 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
                                    StopToken stop, RobustLoss loss, Journal& journal)
     : experiments_(std::move(experiments)), stop_(stop), loss_(loss), journal_(&journal) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
+  double seconds = 0;
   for (const ComponentExperiment* experiment : experiments_) {
     first_nuisance_.push_back(nuisance_count_);
     nuisance_count_ += static_cast<int>(experiment->nuisance().size());
     used_.push_back(experiment->info().used);
     const std::vector<char>& used = used_.back();
     used_rows_ += static_cast<int>(std::count(used.begin(), used.end(), 1));
+    seconds = std::max(seconds, duration_of(experiment->info()));
     const MeasuredPath& path = experiment->path();
     for (size_t i = 0; i < path.strain.size(); ++i) {
       if (!used[i]) continue;
@@ -35,6 +38,7 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
     }
     weight_.push_back(Eigen::VectorXd::Constant(experiment->rows(), 1 / first_noise(*experiment)));
   }
+  if (seconds > 0) seconds_ = seconds;
 }
 
 ComponentProblem ComponentProblem::restricted_to(const RowChoice& takes) const {
@@ -58,7 +62,7 @@ ComponentProblem ComponentProblem::restricted_to(size_t experiment, int specimen
 std::vector<Unknown> ComponentProblem::unknowns(const ComponentLaw& shape,
                                                 const FitOptions& options) const {
   const std::string& component = experiments_.front()->info().component;
-  std::vector<Unknown> all = unknowns_of(shape, {component}, {peak_stress_, largest_strain_});
+  std::vector<Unknown> all = unknowns_of(shape, {component}, scale());
   for (const ComponentExperiment* experiment : experiments_) {
     const std::vector<Unknown> own = unknowns_of(*experiment);
     all.insert(all.end(), own.begin(), own.end());

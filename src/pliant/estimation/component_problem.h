@@ -47,6 +47,7 @@ class ComponentProblem {
   /// The unknowns of a law of some form, with what a study says of them.
   std::vector<Unknown> unknowns(const ComponentLaw& shape, const FitOptions& options) const;
 
+  DataScale scale() const { return {peak_stress_, largest_strain_, seconds_}; }
   double peak_stress() const { return peak_stress_; }
   double largest_strain() const { return largest_strain_; }
 
@@ -70,6 +71,7 @@ class ComponentProblem {
   int used_rows_ = 0;
   double peak_stress_ = 0;
   double largest_strain_ = 0;
+  double seconds_ = 1;  // that its longest experiment takes; 1 where none has times
 };
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/estimation/law_comparison.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/fill.h"
@@ -172,6 +173,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_starts(work.fit.fit.starts, result);
   result.singular_values[work.component] = work.fit.uncertainty.singular_values;
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
+  std::ranges::move(law_advice(work.models), std::back_inserter(result.warnings));
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
 }
 

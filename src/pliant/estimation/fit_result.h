@@ -112,6 +112,7 @@ struct ModelRank {
   int parameters = 0;
   double rms_percent = 0;
   double aic = 0, bic = 0, delta_bic = 0;
+  std::string told_by = {};  ///< the test that would tell it from others; empty: none is known
 };
 
 /// Profile likelihood of one parameter: all others fitted again at each value.

@@ -1,10 +1,9 @@
 #include "pliant/estimation/friction_comparison.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 
-#include "pliant/estimation/experiment_result.h"
-#include "pliant/estimation/statistics/model_ranking.h"
+#include "pliant/estimation/plan_ranking.h"
 
 namespace pliant {
 namespace {
@@ -33,48 +32,19 @@ bool can_predict(const ComponentProblem& problem, FrictionLaw law) {
   return law != FrictionLaw::constant_slope || !shaped;
 }
 
-double worst_percent(const ComponentProblem& problem, const LawFit& fit) {
-  double worst = 0;
-  for (size_t e = 0; e < problem.experiments().size(); ++e) {
-    const ComponentExperiment& experiment = *problem.experiments()[e];
-    const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
-    const ExperimentResult result =
-        compare(experiment, fit.law, fit.nuisance.segment(problem.first_nuisance(e), count));
-    worst = std::max(worst, result.rms_percent);
-  }
-  return worst;
-}
-
 }  // namespace
 
 std::vector<ModelRank> compare_friction(const ComponentProblem& problem, const ComponentFit& fit,
                                         const ComponentPlan& plan) {
-  std::vector<ModelRank> ranks;
-  std::vector<RankedModel> models;
+  std::vector<RivalPlan> rivals;
   for (const Candidate& candidate : candidates()) {
     if (!can_predict(problem, candidate.law)) continue;
     ComponentPlan own = plan;
     own.friction = candidate.law;
     if (candidate.constant_maximum) own.fit.fix[fit.component + ".friction.b"] = 0;
-    const LawFit model = fit_form(problem, own).fit;
-    ModelRank rank;
-    rank.component = fit.component;
-    rank.name = candidate.name;
-    rank.parameters = free_count(model.unknowns);
-    rank.rms_percent = worst_percent(problem, model);
-    ranks.push_back(rank);
-    models.push_back({2 * model.solution.cost / problem.used_rows(), rank.parameters});
+    rivals.push_back({candidate.name, std::move(own)});
   }
-  const std::vector<ModelScore> scores =
-      rank_models(models, effective_rows(fit.uncertainty.noise.of).effective);
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    ranks[i].aic = scores[i].aic;
-    ranks[i].bic = scores[i].bic;
-    ranks[i].delta_bic = scores[i].delta_bic;
-  }
-  std::sort(ranks.begin(), ranks.end(),
-            [](const ModelRank& x, const ModelRank& y) { return x.bic < y.bic; });
-  return ranks;
+  return rank_plans(problem, fit, rivals);
 }
 
 }  // namespace pliant

@@ -42,15 +42,18 @@ class MeasuredWalk {
     } else if (row == 0 || path_.specimen[row] != path_.specimen[row - 1]) {
       PathPoint start = rest();
       start.strain = strain(row);
-      walk_ = LawPath(law_, start);
+      walk_ = LawPath(law_, start, time(row));
     } else if (path_.anchor[row] != path_.anchor[row - 1]) {
       walk_.turn_at(strain(anchor), fixed_);
     }
-    return walk_.at(strain(row));
+    const PathStress here = walk_.at(strain(row), time(row));
+    walk_.pass(strain(row), fixed_, time(row));
+    return here;
   }
 
  private:
   PathPoint rest() const { return {0, 0, fixed_, fixed_}; }
+  double time(size_t row) const { return path_.time.empty() ? kEndless : path_.time[row]; }
   double strain(size_t row) const {
     return tension_only_ ? std::max(path_.strain[row], 0.0) : path_.strain[row];
   }
@@ -245,7 +248,7 @@ std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
 std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
                                        int most) {
   std::vector<LinearStart> best;
-  const DataScale data{problem.peak_stress(), problem.largest_strain()};
+  const DataScale data = problem.scale();
   for (const ComponentLaw& law : addend_starts(shape, data)) {
     std::ranges::move(starts_over_tau(problem, law), std::back_inserter(best));
   }

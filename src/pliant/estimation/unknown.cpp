@@ -53,7 +53,7 @@ void limit_addends(const ComponentLaw& law, const DataScale& data, std::vector<U
   for (const Addend& addend : law.addends) {
     for (const AddendParameter& parameter : addend.kind().parameters) {
       Unknown& unknown = unknowns[next++];
-      const double unit = data_unit(parameter, data.stress, data.strain);
+      const double unit = data_unit(parameter, data.stress, data.strain, data.seconds);
       unknown.lower = parameter.smallest * unit;
       if (parameter.largest > 0) unknown.upper = parameter.largest * unit;
       unknown.scale = parameter.step * unit;

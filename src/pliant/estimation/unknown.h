@@ -40,6 +40,7 @@ struct Unknown {
 struct DataScale {
   double stress = 1;
   double strain = 1;
+  double seconds = 1;  ///< that it took
 };
 
 /// The numbers of a law that a group shares, which begin at their values: control values of the

@@ -99,6 +99,16 @@ double ComponentExperiment::reference() const {
   return measured_.cwiseAbs().maxCoeff();
 }
 
+double ComponentExperiment::time_at(int row) const {
+  return info_.time.empty() ? kEndless : info_.time[static_cast<std::size_t>(row)];
+}
+
+std::span<const double> ComponentExperiment::times_of(const SpecimenRows& rows) const {
+  if (info_.time.empty()) return {};
+  return std::span(info_.time)
+      .subspan(static_cast<std::size_t>(rows.first), static_cast<std::size_t>(rows.count));
+}
+
 double ComponentExperiment::peak_force() const {
   double peak = 0;
   for (const double force : path_.force) peak = std::max(peak, std::abs(force));

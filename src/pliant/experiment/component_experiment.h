@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,6 +29,7 @@ struct MeasuredPath {
   std::vector<int> direction;  ///< 1 loading, -1 unloading
   std::vector<int> anchor;     ///< row of the turning point before; the row itself at the start
   std::vector<int> specimen;   ///< 0, 1, ...
+  std::vector<double> time;    ///< s; empty unless measured
   /// Rows where the path begins anew: from zero strain, free of friction, it comes to the row's
   /// strain and turns. Empty: there are none.
   std::vector<char> starts_flat;
@@ -103,6 +105,11 @@ class ComponentExperiment : public Experiment {
   }
 
  protected:
+  /// When a row was measured (s); without times, when all is at rest.
+  double time_at(int row) const;
+  /// The times of a specimen's rows; empty where there are none.
+  std::span<const double> times_of(const SpecimenRows& rows) const;
+
   MeasuredPath path_;
   int threads_ = 1;
 };

@@ -21,15 +21,16 @@ std::vector<double> factors_of(StrainRecord& record) {
 
 }  // namespace
 
-ImposedStrain::ImposedStrain(StrainRecord record, std::vector<HalfCycle> half_cycles)
+ImposedStrain::ImposedStrain(StrainRecord record, const SampledPath& path)
     : apparatus_(std::move(record.apparatus)), factor_(factors_of(record)) {
   for (const double driven : record.driven) strain_.push_back(record.strain_of(driven));
-  for (HalfCycle& half : half_cycles) half.turn = record.strain_of(half.turn);
   const auto rows = static_cast<int>(strain_.size());
+  info_.time = path.time;
   measured_ = Eigen::VectorXd::Zero(rows);
   Specimen specimen;
   specimen.rows.count = rows;
-  specimen.half_cycles = std::move(half_cycles);
+  specimen.half_cycles = path.half_cycles;
+  for (HalfCycle& half : specimen.half_cycles) half.turn = record.strain_of(half.turn);
   specimens_.push_back(std::move(specimen));
 }
 
@@ -43,6 +44,7 @@ ImposedStrain::ImposedStrain(const ExperimentSpec& spec, InitialFriction start,
   info_ = describe_experiment(spec, data, record.quantity);
   const bool rested = start == InitialFriction::rest;
   for (const SpecimenRows& rows : data.specimens()) add_specimen(rows, record, rested);
+  path_.time = info_.time;
   describe_start(spec, start);
 }
 
@@ -133,13 +135,15 @@ void ImposedStrain::predict_specimen(const Specimen& specimen, const ComponentLa
     start.friction_gradient(law.stiffness.size() + 1) = ratio * std::abs(first_strain);
     start.friction_gradient(first_index + kInitialFriction) = law.max_friction(first_strain);
   }
-  LawPath path(law, start);
+  LawPath path(law, start, time_at(specimen.rows.first));
   for (const HalfCycle& half : specimen.half_cycles) {
     for (int i = half.first; i <= half.last; ++i) {
       const int row = specimen.rows.first + i;
       const auto index = static_cast<size_t>(row);
-      const PathStress here = path.at(strain_[index]);
+      const double time = time_at(row);
+      const PathStress here = path.at(strain_[index], time);
       prediction.value(row) = offset + factor_[index] * here.stress + apparatus_[index];
+      path.pass(strain_[index], fixed, time);
       if (!with_jacobian) continue;
       prediction.jacobian.row(row) = factor_[index] * here.gradient;
       prediction.jacobian(row, first_index + kOffset) += 1;

@@ -8,6 +8,7 @@
 
 #include "pliant/experiment/component_experiment.h"
 #include "pliant/experiment/experiment_spec.h"
+#include "pliant/experiment/sampled_path.h"
 #include "pliant/experiment/specimen_fields.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/turning_points.h"
@@ -48,9 +49,8 @@ class ImposedStrain : public ComponentExperiment {
   /// Asks where what is measured falls while what is driven grows.
   std::optional<std::string> sign_question(std::string_view measured,
                                            std::string_view driven) const;
-  /// A path from rest, without measured values.
-  /// @param half_cycles  of what is driven
-  ImposedStrain(StrainRecord record, std::vector<HalfCycle> half_cycles);
+  /// A path of what is driven, from rest, without measured values.
+  ImposedStrain(StrainRecord record, const SampledPath& path);
 
  private:
   struct Specimen {

@@ -28,6 +28,14 @@ SampledPath sample_path(const std::vector<double>& turns, double spacing) {
   return path;
 }
 
+void set_duration(double duration, SampledPath& path) {
+  const auto last = static_cast<double>(path.value.size()) - 1;
+  path.time.clear();
+  for (std::size_t row = 0; row < path.value.size(); ++row) {
+    path.time.push_back(duration * static_cast<double>(row) / last);
+  }
+}
+
 std::vector<double> cycle_turns(double start, const std::vector<double>& peaks, int repeats) {
   std::vector<double> turns{start};
   for (int repeat = 0; repeat < repeats; ++repeat) {

@@ -23,6 +23,7 @@ struct TestFacts {
   bool is_released = false;        ///< a strip is bent to a cylinder and let go
   bool bends_by_weight = false;    ///< its own weight alone bends a strip, from flat
   bool needs_density = false;      ///< the cloth's own weight bends it along
+  bool follows_time = false;       ///< rows are followed in time, where a law flows with it
   bool has_unknown_zero = false;   ///< of the force: errors are shares of its span, and what the
                                    ///< material carries is not known without a fit
 

@@ -164,6 +164,11 @@ SampledPath VirtualCycles::clamp_path(int way) const {
   return sample_path(cycle_turns(start, turns, repeats), reach / (samples - 1));
 }
 
+SampledPath VirtualCycles::timed(SampledPath path) const {
+  if (duration > 0) set_duration(duration, path);
+  return path;
+}
+
 void VirtualCycles::require_samples(double share) const {
   constexpr int kFewestRows = 9;
   const double rows = share * (samples - 1);
@@ -171,6 +176,11 @@ void VirtualCycles::require_samples(double share) const {
   throw InputError({where.file, where.line, where.field + ".samples"},
                    fmt::format("the shortest half cycle would have {:.0f} rows", rows),
                    fmt::format("at least {}: more `samples`, or no such small peak", kFewestRows));
+}
+
+std::vector<ReadColumn> with_times(std::vector<ReadColumn> columns, const SampledPath& path) {
+  if (!path.time.empty()) columns.push_back({"time_s", path.time});
+  return columns;
 }
 
 std::string table_text(const std::vector<ReadColumn>& columns, RandomStream& random) {
@@ -210,6 +220,12 @@ void read_repeats(Fields& fields, VirtualTable& test) {
 
 void read_samples(Fields& fields, VirtualCycles& test) {
   if (auto v = fields.optional("samples")) test.samples = v->integer(3, 1000000);
+}
+
+void read_duration(Fields& fields, VirtualCycles& test) {
+  if (auto v = fields.optional("duration")) {
+    test.duration = v->positive_quantity(Dimension::time);
+  }
 }
 
 void read_instrument(Fields& fields, VirtualTable& test) {

@@ -65,16 +65,22 @@ struct VirtualTable : VirtualTest {
 
 /// A virtual test that goes to and fro between turning points at even speed.
 struct VirtualCycles : VirtualTable {
-  int samples = 100;  ///< rows of a half cycle of the largest amplitude
-  double slack = 0;   ///< m, by which clamps start nearer than the length
+  int samples = 100;    ///< rows of a half cycle of the largest amplitude
+  double slack = 0;     ///< m, by which clamps start nearer than the length
+  double duration = 0;  ///< s, that the whole path takes; 0: no times are written
 
  protected:
   /// Distances of clamps that go apart (1) or together (-1) by shares of the length, and back.
   SampledPath clamp_path(int way) const;
+  /// The path, with the times at which its rows are read.
+  SampledPath timed(SampledPath path) const;
   /// @param share  of a half cycle of the largest amplitude that the shortest one has
   /// @throws InputError where its reversals could not be found again
   void require_samples(double share) const;
 };
+
+/// Adds the column of a path's times, where it has them.
+std::vector<ReadColumn> with_times(std::vector<ReadColumn> columns, const SampledPath& path);
 
 /// @param random  is drawn from row by row
 std::string table_text(const std::vector<ReadColumn>& columns, RandomStream& random);
@@ -85,6 +91,7 @@ void read_virtual_size(Fields& fields, VirtualTable& test);
 void read_cycles(Fields& fields, Dimension dimension, VirtualTable& test);
 void read_repeats(Fields& fields, VirtualTable& test);
 void read_samples(Fields& fields, VirtualCycles& test);
+void read_duration(Fields& fields, VirtualCycles& test);
 /// Reads a list of quantities, at least one.
 /// @param what  one of them, for messages: "peak"
 std::vector<double> read_quantities(const Value& list, Dimension dimension, std::string_view what);

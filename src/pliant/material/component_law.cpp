@@ -47,6 +47,10 @@ bool ComponentLaw::addends_remember() const {
   return std::ranges::any_of(addends, [](const Addend& addend) { return !addend.is_elastic(); });
 }
 
+bool ComponentLaw::flows() const {
+  return std::ranges::any_of(addends, [](const Addend& addend) { return addend.flows(); });
+}
+
 double ComponentLaw::fall() const {
   double fall = friction_law == FrictionLaw::none ? 0 : friction[1];
   for (const Addend& addend : addends) fall += addend.fall();

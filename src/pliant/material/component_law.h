@@ -39,6 +39,8 @@ struct ComponentLaw {
   /// Whether its stress hangs on more than the strain.
   bool remembers() const { return friction_law != FrictionLaw::none || addends_remember(); }
   bool addends_remember() const;
+  /// Whether some of it depends on time.
+  bool flows() const;
   /// How much the stress of friction and of addends that remember may fall per strain while the
   /// strain returns: the sum of their b.
   double fall() const;

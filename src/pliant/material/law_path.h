@@ -32,21 +32,27 @@ struct PathStress {
 /// with the derivatives of its state (forward sensitivities).
 ///
 /// Within a stretch every strain is evaluated from the turning point that began it, so that noise
-/// of single samples does not add up; the state changes at turning points alone.
+/// of single samples does not add up; the state changes at turning points alone. What flows with
+/// time goes on from row to row (`pass`).
 class LawPath {
  public:
   /// @param law         its parameters are the first of the gradient
   /// @param start       state at the first turning point
-  LawPath(const ComponentLaw& law, PathPoint start);
+  /// @param time        there (s)
+  LawPath(const ComponentLaw& law, PathPoint start, double time = 0);
 
   /// The state at the turning point that began the present stretch.
   const PathPoint& start() const { return start_; }
 
   /// Stress at `strain`, reached monotonically from the last turning point.
-  PathStress at(double strain) const;
+  /// @param time  (s); without one what flows is at rest
+  PathStress at(double strain, double time = kEndless) const;
 
   /// The stress alone, for root searches.
-  double stress_at(double strain) const;
+  double stress_at(double strain, double time = kEndless) const;
+
+  /// Goes on from a row.
+  void pass(double strain, const Eigen::VectorXd& strain_gradient, double time);
 
   /// Ends the stretch at `strain`, whose derivatives are `strain_gradient`.
   void turn_at(double strain, const Eigen::VectorXd& strain_gradient);
@@ -54,11 +60,21 @@ class LawPath {
  private:
   bool with_gradients() const { return start_.strain_gradient.size() > 0; }
 
-  void add_memory(double strain, PathStress& result) const;
-  void advance_memory(double strain, const Eigen::VectorXd& strain_gradient);
+  /// From where an addend has gone on.
+  struct Moment {
+    double strain;
+    Eigen::VectorXd strain_gradient;
+    double time;
+  };
+  Moment last_moment(const Addend& addend) const;
+
+  void add_memory(double strain, double time, PathStress& result) const;
+  void advance_memory(bool of_flow, double strain, const Eigen::VectorXd& strain_gradient,
+                      double time);
 
   ComponentLaw law_;
   PathPoint start_;
+  Moment row_;  // that was passed last
 };
 
 }  // namespace pliant

@@ -342,7 +342,7 @@ void ElementPotential<Measure>::add_force_sensitivity(
   const auto parameters = static_cast<int>(density_->parameters().size());
   for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    const LaneDerivatives d(law_at(at), elements.samples, parameters);
+    const LaneDerivatives d(law_at(at), elements.samples, at.time, parameters);
     for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
       const LaneView history(
           history_by_parameter.col(k).data() + Eigen::Index(kLanes) * columns() * batch, kLanes,
@@ -370,7 +370,7 @@ void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
   const auto parameters = static_cast<int>(density_->parameters().size());
   for (int batch = 0; batch < batches(); ++batch) {
     const Batch elements(*this, batch, at.configuration, at.history);
-    const LaneDerivatives d(law_at(at), elements.samples, parameters);
+    const LaneDerivatives d(law_at(at), elements.samples, at.time, parameters);
     const auto gradients = strain_gradients(elements);
     for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {
       const LanePositions<Measure> motion = gather(batch, positions_by_parameter.col(k).data());

@@ -13,11 +13,12 @@ struct LaneDerivatives {
   Entries stress_by_last, stress_by_history, stress_by_parameter;
   Entries next_by_strain, next_by_last, next_by_history, next_by_parameter;
 
-  LaneDerivatives(const ParametricDensity& density, const Samples& samples, int parameters) {
+  LaneDerivatives(const ParametricDensity& density, const Samples& samples, const StepTime& time,
+                  int parameters) {
     for (int l = 0; l < kLanes; ++l) {
       SampleDerivatives d(static_cast<int>(samples.strain.cols()), density.history_size(),
                           parameters);
-      density.differentiate(samples, l, 0, 0, d);
+      density.differentiate(samples, time, l, 0, 0, d);
       set(l, d.stress_by_last, stress_by_last);
       set(l, d.stress_by_history, stress_by_history);
       set(l, d.stress_by_parameter, stress_by_parameter);

@@ -29,7 +29,7 @@ void NodalDilatation::add_force_sensitivity(const Evaluation& at, const std::vec
     const auto batch = static_cast<int>(p / kLanes), lane = static_cast<int>(p % kLanes);
     const LaneStrains strain = strains.segment<kLanes>(kLanes * batch).array();
     SampleDerivatives d(1, own, static_cast<int>(own_columns.size()));
-    law_at(at).differentiate(samples(batch, strain, at.history), lane, 0, 0, d);
+    law_at(at).differentiate(samples(batch, strain, at.history), at.time, lane, 0, 0, d);
     for (Eigen::Index k = 0; k < pressures.cols(); ++k) {
       const LaneView history(
           history_by_parameter.col(k).data() + Eigen::Index(kLanes) * columns() * batch, kLanes,
@@ -61,7 +61,7 @@ void NodalDilatation::advance_sensitivity(const Evaluation& at, const std::vecto
     const auto batch = static_cast<int>(p / kLanes), lane = static_cast<int>(p % kLanes);
     const LaneStrains strain = strains.segment<kLanes>(kLanes * batch).array();
     SampleDerivatives d(1, own, static_cast<int>(own_columns.size()));
-    law_at(at).differentiate(samples(batch, strain, at.history), lane, 0, 0, d);
+    law_at(at).differentiate(samples(batch, strain, at.history), at.time, lane, 0, 0, d);
     const Patch& patch = patches_[static_cast<size_t>(p)];
     const Eigen::Matrix3Xd gradient = patch_gradient(patch, gradients) / rest_volumes_(p);
     for (Eigen::Index k = 0; k < history_by_parameter.cols(); ++k) {

@@ -22,7 +22,8 @@ std::string model_section(const Results& results) {
                    {"RMS error", Align::number, "of peak force"},
                    {"AIC", Align::number},
                    {"BIC", Align::number},
-                   {"BIC above best", Align::number}});
+                   {"BIC above best", Align::number},
+                   {"Told by"}});
   for (const RankedModel& model : results.models) {
     table.begin_row(model.delta_bic && *model.delta_bic <= 0.0 ? "best" : "");
     table.cell(model.component);
@@ -32,6 +33,7 @@ std::string model_section(const Results& results) {
     table.cell(information_criterion(model.aic));
     table.cell(information_criterion(model.bic));
     table.cell(model.delta_bic ? format_significant(model.delta_bic, 3) : std::string(kNoValue));
+    table.cell(model.told_by);
   }
   return "<section id=\"models\"><h2>Comparison of models</h2>\n"
          "<p>AIC and BIC weigh how closely a model follows the data against the number of its "

@@ -207,7 +207,8 @@ RankedModel read_model(const JsonReader& json) {
           json.number("rms_percent_of_peak"),
           json.number("aic"),
           json.number("bic"),
-          json.number("delta_bic")};
+          json.number("delta_bic"),
+          json.text_or("told_by", "")};
 }
 
 ProfileLikelihood read_profile(const JsonReader& json) {

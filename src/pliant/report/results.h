@@ -92,6 +92,7 @@ struct RankedModel {
   std::string component, name;
   int parameters = 0;
   std::optional<double> rms_percent_of_peak, aic, bic, delta_bic;
+  std::string told_by;  ///< the test that would tell it; empty where none is known
 };
 
 struct ProfileLikelihood {

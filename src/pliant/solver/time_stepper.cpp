@@ -249,7 +249,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   const Conditions under{
       .from = from,
       .controls = controls,
-      .time = {1 / scheme.time, scheme.now, scheme.earlier, {.share = kLimitBarrier}}};
+      .time = {1 / scheme.time, scheme.now, scheme.earlier, {.share = kLimitBarrier}, step}};
   StepSummary summary;
   PhaseSeconds seconds;
   Objective objective(system_, under, &seconds);

@@ -8,6 +8,7 @@
 #include "pliant/base/parallel.h"
 #include "pliant/estimation/fit_journal.h"
 #include "pliant/estimation/friction_comparison.h"
+#include "pliant/estimation/law_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
 
 namespace pliant {
@@ -38,6 +39,7 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunConte
     work.models = compare_friction(*work.problem, work.fit, work.plan);
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
+  if (options.compare_laws) work.models = compare_laws(*work.problem, work.fit, work.plan);
   const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
   for (size_t i = 0; i < unknowns.size(); ++i) {
     const bool wanted =

@@ -241,7 +241,8 @@ void add_searches(const StudyResult& result, Json& json) {
                               {"rms_percent_of_peak", number(m.rms_percent)},
                               {"aic", number(m.aic)},
                               {"bic", number(m.bic)},
-                              {"delta_bic", number(m.delta_bic)}});
+                              {"delta_bic", number(m.delta_bic)},
+                              {"told_by", m.told_by}});
   }
   json["profiles"] = Json::array();
   for (const Profile& p : result.profiles) {

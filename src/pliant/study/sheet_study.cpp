@@ -270,6 +270,11 @@ void refuse_foreign_options(const FitSettings& settings) {
     if (component.stiffness == CurveKind::affine) {
       refuse(field.c_str(), "sheets are not fitted with affine stiffnesses", "constant or hermite");
     }
+    if (std::ranges::any_of(component.addends, &AddendKind::flows)) {
+      refuse(("model.components." + name + ".addends").c_str(),
+             "asks for what flows with time, and sheets are fitted along equilibria without it",
+             "laws without time, or strips in one dimension");
+    }
     if (component.stiffness == CurveKind::none &&
         std::ranges::all_of(component.addends,
                             [](const AddendKind* kind) { return remembers(*kind); })) {

@@ -12,6 +12,7 @@
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/solid/solid_laws.h"
 #include "pliant/estimation/stated_options.h"
+#include "pliant/experiment/row_times.h"
 #include "pliant/experiment/solid_material.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/study/body_samples.h"
@@ -100,6 +101,17 @@ void require_components(const Study& study,
   for (const std::string& name : study.model.samples->of) require(name, "model.samples.of");
 }
 
+/// Where a component flows with time, each row that is fitted has one.
+void require_times(const Study& study, const std::map<std::string, ComponentModel>& components,
+                   const SolidExperiments& experiments) {
+  for (const auto& [name, model] : components) {
+    if (std::ranges::none_of(model.addends, &AddendKind::flows)) continue;
+    for (const auto& experiment : experiments) {
+      pliant::require_times(*experiment, {study.file, 0, "model.components." + name + ".addends"});
+    }
+  }
+}
+
 void refuse_samples_in_pieces(const Study& study, const Material& material) {
   for (const ExperimentSpec& spec : study.experiments) {
     if (!spec.test->body()) require_same_everywhere(material, spec.where);
@@ -176,6 +188,7 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
                    return !is_isochoric(component.first);
                  }));
   require_components(study, components);
+  require_times(study, components, experiments);
   StudyResult told_already;
   const std::optional<Study> finer = on_finer_bodies(study);
   const SolidExperiments on_finer = finer ? read_solids(*finer, told_already) : SolidExperiments();

@@ -16,6 +16,7 @@
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_curve.h"
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/experiment/row_times.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/material_samples.h"
 #include "pliant/material/use_warnings.h"
@@ -227,6 +228,9 @@ StudyResult evaluate_study(const Study& study, const Material& material, const R
     const ExperimentInfo& info = experiment->info();
     const std::optional<ComponentLaw> law = law_of(material, info.component);
     PLIANT_ASSERT(law.has_value(), "experiments without their component are skipped");
+    if (law->flows() && info.test.follows_time) {
+      require_times(*experiment, {study.file, 0, "experiments"});
+    }
     const auto spec = std::ranges::find(study.experiments, info.name, &ExperimentSpec::name);
     result.experiments.push_back(
         evaluated(*experiment, *law, found, spec->role == ExperimentRole::fit, result));

@@ -9,6 +9,7 @@
 
 #include "pliant/estimation/measured_noise.h"
 #include "pliant/estimation/sampled_numbers.h"
+#include "pliant/experiment/row_times.h"
 #include "pliant/material/addend/rubber_addends.h"
 #include "pliant/material/solid/metric.h"
 #include "pliant/material/solid/pair_metric.h"
@@ -56,13 +57,15 @@ bool MetricData::is_seen() const {
 SolidProblem::SolidProblem(const FitSettings& settings, std::vector<const Experiment*> experiments,
                            const RunContext& context)
     : settings_(settings), experiments_(std::move(experiments)), context_(context) {
-  double reach = 0, peak = 0;
+  double reach = 0, peak = 0, seconds = 0;
   for (const Experiment* experiment : experiments_) {
     peak = std::max(peak, experiment->stress());
+    seconds = std::max(seconds, duration_of(experiment->info()));
     probes_.push_back(experiment->predictor(probe(experiment->stress())));
   }
   for (const double strain : strains_of("fibre.x")) reach = std::max(reach, std::abs(strain));
   energy_ = peak * reach;
+  if (seconds > 0) seconds_ = seconds;
 }
 
 int SolidProblem::rows() const {
@@ -89,6 +92,7 @@ const MetricData& SolidProblem::data_of(const std::string& metric) {
   if (!data.is_seen()) return data;
   data.scale.strain = std::max(std::abs(data.low()), std::abs(data.high()));
   data.scale.stress = energy_ / data.scale.strain;
+  data.scale.seconds = seconds_;
   return data;
 }
 

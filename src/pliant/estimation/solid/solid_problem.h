@@ -77,6 +77,7 @@ class SolidProblem {
   std::vector<const Experiment*> experiments_;
   RunContext context_;
   double energy_ = 0;                               // largest of the data, roughly
+  double seconds_ = 1;                              // that the longest took; 1 where none has times
   std::vector<std::unique_ptr<Predictor>> probes_;  // of the experiments
   std::map<std::string, MetricData> data_;
   std::vector<Eigen::VectorXd> by_loss_;  // weights of rows; empty: squares count

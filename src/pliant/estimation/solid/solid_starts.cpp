@@ -43,7 +43,7 @@ std::vector<Addend> more_addends(const std::vector<Addend>& before, const Addend
   Eigen::VectorXd values(std::ssize(start));
   for (std::size_t i = 0; i < start.size(); ++i) {
     values(static_cast<Eigen::Index>(i)) =
-        start[i] * data_unit(kind.parameters[i], data.stress, data.strain);
+        start[i] * data_unit(kind.parameters[i], data.stress, data.strain, data.seconds);
   }
   std::vector<Addend> addends = before;
   addends.emplace_back(kind, values);

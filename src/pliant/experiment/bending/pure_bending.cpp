@@ -30,8 +30,7 @@ StrainRecord read_record(const DataRows& data) {
 
 }  // namespace
 
-PureBending::PureBending(const SampledPath& path)
-    : ImposedStrain(record_of(path.value), path.half_cycles) {}
+PureBending::PureBending(const SampledPath& path) : ImposedStrain(record_of(path.value), path) {}
 
 PureBending::PureBending(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
     : ImposedStrain(spec, spec_of<PureBendingSpec>(spec).initial_friction, data,

@@ -19,6 +19,7 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   auto test = std::make_shared<VirtualPureBending>();
   test->direction = read_direction(fields);
   read_samples(fields, *test);
+  read_duration(fields, *test);
   read_cycles(fields, Dimension::curvature, *test);
   return test;
 }
@@ -26,19 +27,20 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
 }  // namespace
 
 const TestType& pure_bending_type() {
-  static const TestType type{
-      .name = "pure-bending",
-      .facts = {.deformation = Deformation::bend, .unfitted = kUnfittedImposedStrain},
-      .channels = {force_channel("moment")},
-      .template_files = template_files("bending"),
-      .required = {"direction"},
-      .read = read,
-      .make = make_experiment<PureBending>,
-      .read_virtual = read_virtual,
-      .is_table = [](const TableColumns& columns) {
-        return columns.has("curvature", Dimension::curvature) &&
-               columns.has("moment", Dimension::force);
-      }};
+  static const TestType type{.name = "pure-bending",
+                             .facts = {.deformation = Deformation::bend,
+                                       .follows_time = true,
+                                       .unfitted = kUnfittedImposedStrain},
+                             .channels = {force_channel("moment")},
+                             .template_files = template_files("bending"),
+                             .required = {"direction"},
+                             .read = read,
+                             .make = make_experiment<PureBending>,
+                             .read_virtual = read_virtual,
+                             .is_table = [](const TableColumns& columns) {
+                               return columns.has("curvature", Dimension::curvature) &&
+                                      columns.has("moment", Dimension::force);
+                             }};
   return type;
 }
 

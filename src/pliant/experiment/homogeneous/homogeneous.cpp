@@ -26,6 +26,16 @@ HomogeneousTest::HomogeneousTest(const ExperimentSpec& spec, const DataRows& dat
                                  : "the stretches across are those at which the stress on the free "
                                    "sides vanishes");
   cut_into_frames(specimens);
+  take_times();
+}
+
+// The first row of each beginning is come to from rest, in no time that is told.
+void HomogeneousTest::take_times() {
+  if (info_.time.empty()) return;
+  for (std::size_t row = 1; row < path_.size(); ++row) {
+    const bool begins = std::ranges::binary_search(beginnings(), static_cast<int>(row));
+    if (!begins) path_[row].seconds = info_.time[row] - info_.time[row - 1];
+  }
 }
 
 void HomogeneousTest::cut_into_frames(const std::vector<SpecimenRows>& specimens) {

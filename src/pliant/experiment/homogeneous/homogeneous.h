@@ -23,6 +23,7 @@ class HomogeneousTest : public SolidExperiment {
   std::unique_ptr<Predictor> predictor(const Material& material) const override;
 
  private:
+  void take_times();
   void cut_into_frames(const std::vector<SpecimenRows>& specimens);
 
   std::vector<HomogeneousRow> path_;

@@ -86,7 +86,7 @@ HomogeneousPoint::HomogeneousPoint(const ParametricDensity& law, bool incompress
 HomogeneousPoint::Response3 HomogeneousPoint::respond(const Eigen::Vector3d& logs) const {
   const OnePoint point(strain_of(logs), last_, history_);
   Response response(6);
-  law_.add(point.samples(), {.limits = limits_}, response);
+  law_.add(point.samples(), {.limits = limits_, .seconds = seconds_}, response);
   const Eigen::Vector3d squares = (2 * logs.array()).exp();
   Response3 result;
   result.energy = response.stored(0) + response.work(0);
@@ -182,7 +182,7 @@ HomogeneousStress HomogeneousPoint::stress_of(const Free& free, const Eigen::Vec
   const auto history = static_cast<int>(history_.size());
   const OnePoint point(strain, last_, history_);
   SampleDerivatives own(6, history, count);
-  law_.differentiate(point.samples(), /*lane=*/0, 0, 0, own);
+  law_.differentiate(point.samples(), {.seconds = seconds_}, /*lane=*/0, 0, 0, own);
   const Eigen::Vector3d squares = (2 * logs.array()).exp();
   Eigen::MatrixXd stress_by =  // at fixed strain
       squares.asDiagonal() * (own.stress_by_parameter + own.stress_by_last * last_by_ +
@@ -209,13 +209,15 @@ void HomogeneousPoint::advance(const Strain& strain) {
   Numbers next(kLanes, history_.size());
   next.setZero();
   Lane work = Lane::Zero();
-  law_.advance(point.samples(), {}, MutableLaneView(next.data(), kLanes, next.cols()), work);
+  law_.advance(point.samples(), {.seconds = seconds_},
+               MutableLaneView(next.data(), kLanes, next.cols()), work);
   history_ = next.row(0).transpose().matrix();
   last_ = strain;
 }
 
 std::optional<HomogeneousStress> HomogeneousPoint::move_to(const HomogeneousRow& row) {
   const Free free(row, incompressible_);
+  seconds_ = row.seconds;
   const auto logs = equilibrium(free);
   if (!logs) return std::nullopt;
   return stress_of(free, *logs);

@@ -48,6 +48,7 @@ class HomogeneousPoint {
   bool incompressible_;
   bool derivatives_;
   LimitBarrier limits_;
+  double seconds_ = 0;                // that the way to the present row takes
   Eigen::Matrix<double, 6, 1> last_;  // strain
   Eigen::VectorXd history_;
   Eigen::MatrixXd last_by_, history_by_;  // by the parameters

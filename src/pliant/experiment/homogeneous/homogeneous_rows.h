@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,9 @@ HomogeneousMode read_mode(const Value& value);
 /// What is done to a specimen at a row.
 struct HomogeneousRow {
   HomogeneousMode mode = HomogeneousMode::uniaxial;
-  double stretch = 1;    ///< along 1
-  double stretch_2 = 1;  ///< along 2; of biaxial rows alone
+  double stretch = 1;                                        ///< along 1
+  double stretch_2 = 1;                                      ///< along 2; of biaxial rows alone
+  double seconds = std::numeric_limits<double>::infinity();  ///< that the way to it takes
 };
 
 /// Rows as they were measured.

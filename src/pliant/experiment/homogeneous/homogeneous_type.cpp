@@ -50,6 +50,7 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   }
   if (auto v = fields.optional("samples")) test->samples = v->integer(3, 100000);
   if (auto v = fields.optional("cycles")) test->cycles = v->flag();
+  if (auto v = fields.optional("duration")) test->duration = v->positive_quantity(Dimension::time);
   if (auto v = fields.optional("noise")) test->noise = v->quantity_from_zero(Dimension::stress);
   return test;
 }
@@ -64,6 +65,7 @@ const TestType& homogeneous_type() {
   static const TestType type{
       .name = "homogeneous",
       .facts = {.measures_solids = true,
+                .follows_time = true,
                 .assumption = "the specimen deforms alike all over, along its axes",
                 .unfitted = "a specimen at rest at its first row"},
       .channels = {force_channel("stress", Dimension::stress)},
@@ -118,6 +120,10 @@ std::vector<HomogeneousRow> VirtualHomogeneous::path() const {
     go(peaks[i], peaks_2.empty() ? 1 : peaks_2[i]);
     if (cycles) go(1, 1);
   }
+  if (duration > 0) {
+    const double seconds = duration / static_cast<double>(rows.size() - 1);
+    for (HomogeneousRow& row : rows) row.seconds = seconds;
+  }
   return rows;
 }
 
@@ -135,15 +141,17 @@ VirtualData VirtualHomogeneous::measure(const VirtualSpecimen& specimen,
     throw SolverError("virtual experiment " + name + ": the equilibrium of the free sides", 0, 0);
   }
   ReadColumn first{"stretch", {}}, second{"stretch_2", {}},
-      stress{"nominal_stress_Pa", {}, 1, {noise, 0}};
+      stress{"nominal_stress_Pa", {}, 1, {noise, 0}}, time{"time_s", {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     first.values.push_back(rows[i].stretch);
     second.values.push_back(rows[i].stretch_2);
     stress.values.push_back((*stresses)[i].value);
+    time.values.push_back(static_cast<double>(i) * rows[i].seconds);
   }
   std::vector<ReadColumn> columns{first};
   if (mode == HomogeneousMode::biaxial) columns.push_back(second);
   columns.push_back(stress);
+  if (duration > 0) columns.push_back(time);
   return {{{specimen.name + ".csv", table_text(columns, random)}}};
 }
 

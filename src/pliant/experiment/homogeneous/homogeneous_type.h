@@ -28,6 +28,7 @@ struct VirtualHomogeneous : VirtualTest {
   std::vector<double> peaks_2;  ///< along 2 at the same time; of biaxial tests
   int samples = 30;             ///< rows of the way from rest to the largest peak
   bool cycles = false;          ///< after each peak back to rest
+  double duration = 0;          ///< s, that the whole way takes; 0: no times are written
   double noise = 0;             ///< of the nominal stress (Pa)
 
   const TestType& type() const override { return homogeneous_type(); }

@@ -45,7 +45,7 @@ StrainRecord read_record(const DataRows& data, double transverse_tension) {
 }  // namespace
 
 ShearCycles::ShearCycles(const SampledPath& path, double transverse_tension)
-    : ImposedStrain(record_of(path.value, transverse_tension), path.half_cycles) {}
+    : ImposedStrain(record_of(path.value, transverse_tension), path) {}
 
 ShearCycles::ShearCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth)
     : ImposedStrain(spec, spec_of<ShearCyclesSpec>(spec).initial_friction, data,

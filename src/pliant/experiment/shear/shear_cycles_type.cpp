@@ -20,6 +20,7 @@ std::shared_ptr<const TestSpec> read(Fields& fields, const SpecimenDefaults&, Ex
 std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   auto test = std::make_shared<VirtualShearCycles>();
   read_samples(fields, *test);
+  read_duration(fields, *test);
   test->transverse_tension =
       read_from_zero(fields, "transverse_tension", Dimension::force_per_length);
   read_cycles(fields, Dimension::angle, *test);
@@ -31,7 +32,9 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
 const TestType& shear_cycles_type() {
   static const TestType type{
       .name = "shear-cycles",
-      .facts = {.deformation = Deformation::shear, .unfitted = kUnfittedImposedStrain},
+      .facts = {.deformation = Deformation::shear,
+                .follows_time = true,
+                .unfitted = kUnfittedImposedStrain},
       .channels = {force_channel("force", Dimension::force_per_length), length_channel()},
       .template_files = template_files("shear"),
       .read = read,

@@ -25,14 +25,15 @@ class StripWalk {
     geometry_.gauge_length += setup.rest_length_change;
   }
 
-  bool start(double length) {
+  bool start(double length, double time) {
     const double strain = strain_at(geometry_, length);
     // A strip cannot push: where the stress at the start would, it is slack as well.
     slack_ = strain < 0 ||
              law_.elastic_stress(strain) + setup_.initial_friction * law_.max_friction(strain) < 0;
     const auto point = slack_ ? slack_start() : taut_start(strain, strain_gradient(length));
     if (!point) return false;
-    path_ = LawPath(law_, *point);
+    path_ = LawPath(law_, *point, time);
+    last_strain_ = point->strain;
     return true;
   }
 
@@ -51,17 +52,20 @@ class StripWalk {
     }
   }
 
-  void row(const HalfCycle& half, double length, Eigen::Index i, StripForces& out) const {
+  void row(const HalfCycle& half, double length, double time, Eigen::Index i, StripForces& out) {
     const double strain = strain_at(geometry_, length);
+    if (law_.flows()) find_slack(strain, time);
     out.force(i) = setup_.force_offset + half.direction * setup_.apparatus_friction;
     out.length_gain(i) = 0;
     if (parameters_ > 0) out.jacobian.row(i).setZero();
     if (columns_.force_offset >= 0) out.jacobian(i, columns_.force_offset) = 1;
     if (slack_strain_ && strain < *slack_strain_) {
       out.strain(i) = *slack_strain_;
+      if (law_.flows()) go_on(*slack_strain_, kept_gradient(time), time);
       return;
     }
-    const PathStress here = path_.at(strain);
+    const PathStress here = path_.at(strain, time);
+    if (law_.flows()) go_on(strain, strain_gradient(length), time);
     const double factor = force_factor(geometry_, strain);
     const double slope = factor * here.slope + force_factor_slope(geometry_, strain) * here.stress;
     out.strain(i) = strain;
@@ -79,15 +83,38 @@ class StripWalk {
     const bool ends_slack = slack_strain_ && turn < *slack_strain_;
     if (!ends_slack) {
       path_.turn_at(turn, strain_gradient(half.turn));
-    } else if (!slack_) {
-      // The stress stays zero there whatever the parameters: d strain = -d stress / slope.
-      const PathStress here = path_.at(*slack_strain_);
-      path_.turn_at(*slack_strain_, -here.gradient / here.slope);
+    } else if (!slack_ || law_.flows()) {
+      path_.turn_at(*slack_strain_, kept_gradient(last_time_));
     }
     slack_ = ends_slack;
   }
 
  private:
+  // What flows lets go while the strip is slack: it is where the stress is zero by now.
+  void find_slack(double strain, double time) {
+    const auto stress = [&](double at) { return path_.stress_at(at, time); };
+    slack_strain_.reset();
+    if (stress(strain) >= 0) return;
+    if (strain >= last_strain_ || stress(last_strain_) <= 0) {
+      slack_strain_ = std::max(strain, last_strain_);
+    } else {
+      slack_strain_ = first_root(stress, last_strain_, -kRootStep, strain);
+    }
+  }
+
+  // The stress stays zero there whatever the parameters: d strain = -d stress / slope.
+  Eigen::VectorXd kept_gradient(double time) const {
+    if (slack_ && !law_.flows()) return path_.start().strain_gradient;
+    const PathStress here = path_.at(*slack_strain_, time);
+    return -here.gradient / here.slope;
+  }
+
+  void go_on(double strain, const Eigen::VectorXd& gradient, double time) {
+    path_.pass(strain, gradient, time);
+    last_strain_ = strain;
+    last_time_ = time;
+  }
+
   double strain_by_rest_length(double length) const {
     return -length / geometry_.gauge_length * strain_slope(geometry_, length);
   }
@@ -145,6 +172,7 @@ class StripWalk {
   StripColumns columns_;
   int parameters_;
   LawPath path_;
+  double last_strain_ = 0, last_time_ = 0;  // of the row before
   bool slack_ = false;
   std::optional<double>
       slack_strain_;  // kept by the material while the present half cycle is slack
@@ -155,16 +183,18 @@ class StripWalk {
 std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
                                       const StripSetup& setup, const StripColumns& columns,
                                       std::span<const double> lengths,
-                                      std::span<const HalfCycle> half_cycles, int parameters) {
+                                      std::span<const HalfCycle> half_cycles, int parameters,
+                                      std::span<const double> times) {
   const auto rows = static_cast<Eigen::Index>(lengths.size());
   StripForces out{Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::VectorXd(rows),
                   Eigen::MatrixXd(rows, parameters)};
   StripWalk walk(law, geometry, setup, columns, parameters);
-  if (!walk.start(lengths.front())) return std::nullopt;
+  const auto time = [&](int i) { return times.empty() ? kEndless : times[static_cast<size_t>(i)]; };
+  if (!walk.start(lengths.front(), time(0))) return std::nullopt;
   for (const HalfCycle& half : half_cycles) {
     walk.begin(half);
     for (int i = half.first; i <= half.last; ++i) {
-      walk.row(half, lengths[static_cast<size_t>(i)], i, out);
+      walk.row(half, lengths[static_cast<size_t>(i)], time(i), i, out);
     }
     walk.end(half);
   }

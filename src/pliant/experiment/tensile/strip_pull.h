@@ -41,13 +41,16 @@ struct StripForces {
 /// keeps the strain it had then (friction holds it), and it takes up load again when the clamps
 /// have come back to that length. A strip that is slack at the start may hold a persistent strain,
 /// told by a negative initial friction.
+/// Where the law flows with time, what a slack strip keeps does so too.
 /// @param lengths     clamp distances (m)
 /// @param half_cycles   of `lengths`
 /// @param parameters  number of columns of the Jacobian; 0: no derivatives
+/// @param times       of the rows (s); empty: what flows is at rest
 /// @return nothing when the persistent strain at the start has no value
 std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
                                       const StripSetup& setup, const StripColumns& columns,
                                       std::span<const double> lengths,
-                                      std::span<const HalfCycle> half_cycles, int parameters);
+                                      std::span<const HalfCycle> half_cycles, int parameters,
+                                      std::span<const double> times = {});
 
 }  // namespace pliant

@@ -21,14 +21,14 @@ constexpr double kRestLengthShare = 0.1;   // and of the gauge length
 
 }  // namespace
 
-TensileCycles::TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
-                             std::vector<HalfCycle> half_cycles)
-    : geometry_(geometry), length_(std::move(lengths)) {
+TensileCycles::TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path)
+    : geometry_(geometry), length_(path.value) {
   const auto rows = static_cast<int>(length_.size());
+  info_.time = path.time;
   measured_ = Eigen::VectorXd::Zero(rows);
   Specimen specimen;
   specimen.rows.count = rows;
-  specimen.half_cycles = std::move(half_cycles);
+  specimen.half_cycles = path.half_cycles;
   specimens_.push_back(std::move(specimen));
 }
 
@@ -134,6 +134,7 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
         fmt::format("`{}` and `force` count a pull negative: both are turned round", rows.column));
   }
   for (const SpecimenRows& specimen : data.specimens()) add_specimen(specimen, spec);
+  path_.time = info_.time;
   describe(spec);
   info_.questions = questions_of(*this, spec, data, rows, cloth.density);
 }
@@ -281,8 +282,8 @@ std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
                                column(own.initial_friction)};
     const std::span<const double> lengths(length_.data() + specimen.rows.first,
                                           static_cast<size_t>(specimen.rows.count));
-    const auto forces =
-        pull_strip(law, geometry_, setup, columns, lengths, specimen.half_cycles, parameters);
+    const auto forces = pull_strip(law, geometry_, setup, columns, lengths, specimen.half_cycles,
+                                   parameters, times_of(specimen.rows));
     if (!forces) return std::nullopt;
     prediction.value.segment(specimen.rows.first, specimen.rows.count) = forces->force;
     prediction.strain.segment(specimen.rows.first, specimen.rows.count) = forces->strain;

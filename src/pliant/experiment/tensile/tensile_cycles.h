@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pliant/experiment/component_experiment.h"
+#include "pliant/experiment/sampled_path.h"
 #include "pliant/experiment/tensile/strip_pull.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/experiment/uniaxial_geometry.h"
@@ -18,8 +19,7 @@ class TensileCycles : public ComponentExperiment {
  public:
   TensileCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
   /// A path of the clamps (m) without measured forces, of a fresh strip in an ideal apparatus.
-  TensileCycles(const UniaxialGeometry& geometry, std::vector<double> lengths,
-                std::vector<HalfCycle> half_cycles);
+  TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path);
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;

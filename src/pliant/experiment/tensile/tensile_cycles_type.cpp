@@ -49,6 +49,7 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   test->direction = read_direction(fields);
   read_virtual_size(fields, *test);
   read_samples(fields, *test);
+  read_duration(fields, *test);
   test->slack = read_from_zero(fields, "slack", Dimension::length);
   read_cycles(fields, Dimension::fraction, *test);
   return test;
@@ -60,6 +61,7 @@ const TestType& tensile_cycles_type() {
   static const TestType type{.name = "tensile-cycles",
                              .facts = {.deformation = Deformation::stretch,
                                        .may_be_sheet = true,
+                                       .follows_time = true,
                                        .unfitted = kUnfittedStrip},
                              .channels = {force_channel(), length_channel()},
                              .template_files = template_files("tensile"),
@@ -89,12 +91,12 @@ WrittenFields TensileCyclesSpec::fields() const {
 
 std::string VirtualTensileCycles::rows(const ComponentLaw& law, const ClothFacts& cloth,
                                        RandomStream& random) const {
-  const SampledPath path = clamp_path(1);
-  const Prediction pulled =
-      predicted(TensileCycles({length, width, cloth.membrane}, path.value, path.half_cycles), law);
-  return table_text({{"force_N", {pulled.value.begin(), pulled.value.end()}, 1, force()},
-                     {"length_mm", path.value, 1e3, lengths()},
-                     {"cycle", {path.cycle.begin(), path.cycle.end()}}},
+  const SampledPath path = timed(clamp_path(1));
+  const Prediction pulled = predicted(TensileCycles({length, width, cloth.membrane}, path), law);
+  return table_text(with_times({{"force_N", {pulled.value.begin(), pulled.value.end()}, 1, force()},
+                                {"length_mm", path.value, 1e3, lengths()},
+                                {"cycle", {path.cycle.begin(), path.cycle.end()}}},
+                               path),
                     random);
 }
 

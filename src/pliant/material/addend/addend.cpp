@@ -35,8 +35,9 @@ Addend::Addend(const AddendKind& kind, const Eigen::VectorXd& values)
 }
 
 double Addend::range_stiffness() const {
-  if (is_elastic() || is_friction()) return 0;
-  return at(0, 0, Eigen::VectorXd::Zero(history_size())).tangent;
+  constexpr double kFirstStep = 1e-12;  // where two ways part, it is the way on that counts
+  if (is_elastic() || is_friction() || flows()) return 0;
+  return at(kFirstStep, 0, Eigen::VectorXd::Zero(history_size())).tangent;
 }
 
 Addend Addend::scaled(double factor) const {
@@ -47,26 +48,29 @@ Addend Addend::scaled(double factor) const {
   return {*kind_, values};
 }
 
-Addend::Answer Addend::at(double strain, double last, const Eigen::VectorXd& history) const {
+Addend::Answer Addend::at(double strain, double last, const Eigen::VectorXd& history,
+                          double seconds) const {
   const OnePoint point(strain, last, history);
   Response response(1);
-  density_->add(point.samples(), {}, response);
+  density_->add(point.samples(), {.seconds = seconds}, response);
   return {response.stress(0, 0), response.tangent(0, 0), response.stored(0), response.work(0)};
 }
 
-SampleDerivatives Addend::derivatives(double strain, double last,
-                                      const Eigen::VectorXd& history) const {
+SampleDerivatives Addend::derivatives(double strain, double last, const Eigen::VectorXd& history,
+                                      double seconds) const {
   const OnePoint point(strain, last, history);
   SampleDerivatives result(1, history_size(), size());
-  density_->differentiate(point.samples(), /*lane=*/0, 0, 0, result);
+  density_->differentiate(point.samples(), {.seconds = seconds}, /*lane=*/0, 0, 0, result);
   return result;
 }
 
-Eigen::VectorXd Addend::advanced(double strain, double last, const Eigen::VectorXd& history) const {
+Eigen::VectorXd Addend::advanced(double strain, double last, const Eigen::VectorXd& history,
+                                 double seconds) const {
   const OnePoint point(strain, last, history);
   LaneNumbers next(kLanes, history_size());
   Lane work = Lane::Zero();
-  density_->advance(point.samples(), {}, MutableLaneView(next.data(), kLanes, next.cols()), work);
+  density_->advance(point.samples(), {.seconds = seconds},
+                    MutableLaneView(next.data(), kLanes, next.cols()), work);
   return next.row(0).transpose();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "pliant/material/addend/addend_kind.h"
 
 namespace pliant {
+
+/// How long a step without end takes (s).
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// A law of some kind with its numbers, on a strain of its own: what it answers at one material
 /// point. A value; copies share the law.
@@ -24,7 +28,9 @@ class Addend {
   int history_size() const { return density_->history_size(); }
   bool is_elastic() const { return history_size() == 0; }
   bool is_friction() const { return kind_->friction; }
-  /// Stiffness of the elastic range of a law that remembers and is no friction; 0 of others.
+  bool flows() const { return kind_->flows; }
+  /// Stiffness of the elastic range of a law that remembers and neither is friction nor flows; 0 of
+  /// others.
   double range_stiffness() const;
   /// How much its stress may fall per strain while the strain goes on.
   double fall() const { return kind_->fall ? kind_->fall(values_) : 0; }
@@ -39,13 +45,17 @@ class Addend {
     double stored = 0;  ///< energy that comes back
     double work = 0;    ///< what the way from `last` took
   };
-  Answer at(double strain, double last, const Eigen::VectorXd& history) const;
+  /// @param seconds  that the way from `last` takes; only what flows depends on it
+  Answer at(double strain, double last, const Eigen::VectorXd& history,
+            double seconds = kEndless) const;
 
   /// Derivatives of the stress and of the history that a step leaves.
-  SampleDerivatives derivatives(double strain, double last, const Eigen::VectorXd& history) const;
+  SampleDerivatives derivatives(double strain, double last, const Eigen::VectorXd& history,
+                                double seconds = kEndless) const;
 
   /// The history that a step from `last` to `strain` leaves.
-  Eigen::VectorXd advanced(double strain, double last, const Eigen::VectorXd& history) const;
+  Eigen::VectorXd advanced(double strain, double last, const Eigen::VectorXd& history,
+                           double seconds = kEndless) const;
 
  private:
   const AddendKind* kind_;

@@ -7,6 +7,7 @@
 namespace pliant {
 
 std::string unit_of(const AddendParameter& parameter, LawUnits units) {
+  if (parameter.time == 1) return "s";
   const bool bending = units == LawUnits::bending;
   if (units == LawUnits::solid) return parameter.stress != 0 ? "Pa" : "1";
   const std::string_view stress = bending ? "N" : "N/m";
@@ -24,8 +25,9 @@ bool remembers(const AddendKind& kind) {
   return kind.density(0, any)->history_size() > 0;
 }
 
-double data_unit(const AddendParameter& parameter, double stress, double strain) {
-  return std::pow(stress, parameter.stress) * std::pow(strain, parameter.strain);
+double data_unit(const AddendParameter& parameter, double stress, double strain, double seconds) {
+  return std::pow(stress, parameter.stress) * std::pow(strain, parameter.strain) *
+         std::pow(seconds, parameter.time);
 }
 
 }  // namespace pliant

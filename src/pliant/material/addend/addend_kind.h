@@ -12,12 +12,14 @@
 namespace pliant {
 
 /// A number of an addend. Bounds, step and starts of a fit are told in units of its data: the
-/// largest stress to the power `stress` times the largest strain to the power `strain`.
+/// largest stress to the power `stress`, times the largest strain to the power `strain`, times how
+/// long it took to the power `time`.
 struct AddendParameter {
   std::string_view name;     ///< in files and results: "tau"
   std::string_view meaning;  ///< for readers of a report
   int stress = 0;            ///< power of the stress in its unit
   int strain = 0;            ///< power of the strain in its unit
+  int time = 0;              ///< power of seconds in its unit
   bool scales = false;       ///< the stress is proportional to all such numbers together
   double smallest = 0;       ///< where it is above 0 no number may be 0; where it is below, numbers
                              ///< may be negative
@@ -41,6 +43,10 @@ struct AddendKind {
   /// remembers and is no friction has an elastic range, as plasticity does.
   bool friction = false;
 
+  /// What flows does so with time, while the strain rests too: it has no stress where all is at
+  /// rest, and a fit needs to know when each row was measured.
+  bool flows = false;
+
   /// How much the stress may fall per strain while the strain goes on, as Dahl friction does by b
   /// while it returns; null: it never falls.
   double (*fall)(const Eigen::VectorXd& values) = nullptr;
@@ -61,6 +67,8 @@ bool remembers(const AddendKind& kind);
 
 /// The unit of a parameter in the scale of data.
 /// @param stress, strain  largest of the data
-double data_unit(const AddendParameter& parameter, double stress, double strain);
+/// @param seconds         that the data took
+double data_unit(const AddendParameter& parameter, double stress, double strain,
+                 double seconds = 1);
 
 }  // namespace pliant

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/material/addend/dahl_branch.h"
+#include "pliant/material/addend/lasting_addends.h"
 #include "pliant/material/addend/plasticity.h"
 #include "pliant/material/addend/rubber_addends.h"
 
@@ -14,6 +15,7 @@ std::span<const AddendKind* const> addend_kinds() {
   static const std::array kinds{
       &dahl_branch(),       &plasticity(),   &saturating_plasticity(), &linear_addend(),
       &polynomial_addend(), &ogden_addend(), &arruda_boyce_addend(),   &exponential_addend(),
+      &softening_addend(),  &set_addend(),   &maxwell_addend(),
   };
   return kinds;
 }

@@ -64,12 +64,12 @@ std::unique_ptr<ParametricDensity> BlendedDensity::with_parameters(
   return std::make_unique<BlendedDensity>(std::move(laws), alike_);
 }
 
-void BlendedDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
-                                   SampleDerivatives& derivatives) const {
+void BlendedDensity::differentiate(const Samples& samples, const StepTime& time, int lane, int,
+                                   int first_parameter, SampleDerivatives& derivatives) const {
   const auto strains = static_cast<int>(samples.strain.cols());
   const auto derivatives_of = [&](std::size_t k) {
     SampleDerivatives own(strains, 0, static_cast<int>(first_[k + 1] - first_[k]));
-    laws_[k]->differentiate(samples, lane, 0, 0, own);
+    laws_[k]->differentiate(samples, time, lane, 0, 0, own);
     return own;
   };
   SampleDerivatives own = derivatives_of(0);  // of laws that are linear, those of all samples

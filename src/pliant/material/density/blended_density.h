@@ -27,8 +27,8 @@ class BlendedDensity : public ParametricDensity {
   Eigen::VectorXd parameters() const override;
   bool is_linear() const override { return linear_; }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   Laws laws_;

@@ -24,8 +24,8 @@ std::unique_ptr<ParametricDensity> ClosedFormDensity::with_parameters(
   return std::make_unique<ClosedFormDensity>(component_, energy_, values, linear_);
 }
 
-void ClosedFormDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
-                                      SampleDerivatives& derivatives) const {
+void ClosedFormDensity::differentiate(const Samples& samples, const StepTime&, int lane, int,
+                                      int first_parameter, SampleDerivatives& derivatives) const {
   const EnergyAt at = energy_(samples.strain(lane, component_), values_);
   for (Eigen::Index i = 0; i < values_.size(); ++i) {
     const auto number = static_cast<std::size_t>(i);

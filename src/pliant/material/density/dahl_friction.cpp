@@ -128,8 +128,9 @@ std::unique_ptr<ParametricDensity> DahlFriction::with_parameters(
                                         DahlBySide{positive, dahl_of(values.tail<3>())});
 }
 
-void DahlFriction::differentiate(const Samples& samples, int lane, int first_history,
-                                 int first_parameter, SampleDerivatives& derivatives) const {
+void DahlFriction::differentiate(const Samples& samples, const StepTime&, int lane,
+                                 int first_history, int first_parameter,
+                                 SampleDerivatives& derivatives) const {
   const FrictionState start{samples.last(lane, component_), samples.history(lane, 0)};
   const FrictionStressBySide sides =
       friction_stress(dahl_, samples.strain(lane, component_), start);

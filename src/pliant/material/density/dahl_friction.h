@@ -30,8 +30,8 @@ class DahlFriction : public ParametricDensity {
   /// (a, b, tau), and those of negative strain where they differ.
   Eigen::VectorXd parameters() const override;
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   int component_;

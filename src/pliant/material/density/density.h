@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include <Eigen/Core>
@@ -33,13 +34,16 @@ struct LimitBarrier {
   double mended = 0;
 };
 
-/// What laws that depend on the rate of strain know of the present step: the rate is
+/// What laws that depend on time know of the present step: the rate of strain is
 /// (strain - (now last + earlier before)) per_second.
 struct StepTime {
   double per_second = 0;  ///< 1/s; 0 in statics, where there are no rates
   double now = 1;         ///< weight of the strain at the last accepted step
   double earlier = 0;     ///< weight of the strain one accepted step before that
   LimitBarrier limits = {};
+  /// How long the step takes (s): what flows with time comes to rest in one without end, as those
+  /// of statics are unless they follow a record.
+  double seconds = std::numeric_limits<double>::infinity();
 };
 
 /// Eight material points: their strain, and what they remember. A view: the numbers outlive it.
@@ -133,10 +137,11 @@ class ParametricDensity : public Density {
   virtual std::unique_ptr<ParametricDensity> with_parameters(
       const Eigen::VectorXd& values) const = 0;
 
-  /// Adds the derivatives of material point `lane`, in statics.
+  /// Adds the derivatives of material point `lane`, where nothing has a rate.
   /// @param first_history, first_parameter  where its own begin in `derivatives`
-  virtual void differentiate(const Samples& samples, int lane, int first_history,
-                             int first_parameter, SampleDerivatives& derivatives) const = 0;
+  virtual void differentiate(const Samples& samples, const StepTime& time, int lane,
+                             int first_history, int first_parameter,
+                             SampleDerivatives& derivatives) const = 0;
 };
 
 }  // namespace pliant

@@ -76,11 +76,12 @@ std::unique_ptr<ParametricDensity> InPlane::with_parameters(const Eigen::VectorX
   return std::make_unique<InPlane>(of_solid_->with_parameters(values));
 }
 
-void InPlane::differentiate(const Samples& samples, int lane, int first_history,
-                            int first_parameter, SampleDerivatives& derivatives) const {
+void InPlane::differentiate(const Samples& samples, const StepTime& time, int lane,
+                            int first_history, int first_parameter,
+                            SampleDerivatives& derivatives) const {
   const int history = history_size(), count = static_cast<int>(parameters().size());
   SampleDerivatives of_solid(kSolidStrains, history, count);
-  of_solid_->differentiate(LiftedPoints(samples).samples(), lane, 0, 0, of_solid);
+  of_solid_->differentiate(LiftedPoints(samples).samples(), time, lane, 0, 0, of_solid);
   derivatives.stored_by_parameter.segment(first_parameter, count) += of_solid.stored_by_parameter;
   derivatives.stress_by_last += of_solid.stress_by_last(kPlaces, kPlaces);
   derivatives.stress_by_history.middleCols(first_history, history) +=

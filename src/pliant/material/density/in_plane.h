@@ -22,8 +22,8 @@ class InPlane : public ParametricDensity {
   Eigen::VectorXd parameters() const override { return of_solid_->parameters(); }
   bool is_linear() const override { return of_solid_->is_linear(); }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   std::shared_ptr<const ParametricDensity> of_solid_;

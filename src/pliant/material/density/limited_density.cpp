@@ -86,12 +86,12 @@ std::unique_ptr<ParametricDensity> LimitedDensity::with_parameters(
   return std::make_unique<LimitedDensity>(law_->with_parameters(values.head(own)), values(own));
 }
 
-void LimitedDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
-                                   SampleDerivatives& derivatives) const {
+void LimitedDensity::differentiate(const Samples& samples, const StepTime& time, int lane, int,
+                                   int first_parameter, SampleDerivatives& derivatives) const {
   const auto strains = static_cast<int>(samples.strain.cols());
   const Eigen::Index count = law_->parameters().size(), last = first_parameter + count;
   SampleDerivatives own(strains, 0, static_cast<int>(count));
-  law_->differentiate(samples, lane, 0, 0, own);
+  law_->differentiate(samples, time, lane, 0, 0, own);
   Response at(strains);
   law_->add(samples, {}, at);
   const double energy = at.stored(lane);

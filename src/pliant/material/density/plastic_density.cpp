@@ -63,8 +63,9 @@ std::unique_ptr<ParametricDensity> PlasticDensity::with_parameters(
   return std::make_unique<PlasticDensity>(component_, PlasticParameters::of(values));
 }
 
-void PlasticDensity::differentiate(const Samples& samples, int lane, int first_history,
-                                   int first_parameter, SampleDerivatives& derivatives) const {
+void PlasticDensity::differentiate(const Samples& samples, const StepTime&, int lane,
+                                   int first_history, int first_parameter,
+                                   SampleDerivatives& derivatives) const {
   const double k = plastic_.stiffness;
   const double before = samples.history(lane, 0), now = plastic_strain(samples)(lane);
   const double elastic = samples.strain(lane, component_) - now;

@@ -48,8 +48,8 @@ class PlasticDensity : public ParametricDensity {
   /// (stiffness, yield), and the saturation where there is one.
   Eigen::VectorXd parameters() const override;
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   Lane plastic_strain(const Samples& samples) const;

@@ -61,12 +61,12 @@ class ScalarDensity : public ParametricDensity {
     return std::make_unique<ScalarDensity>(scalar_, law_->with_parameters(values));
   }
 
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override {
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override {
     const Own own(scalar_, samples);
     const auto history = history_size(), count = static_cast<int>(parameters().size());
     SampleDerivatives inner(1, history, count);
-    law_->differentiate(own.samples(), lane, 0, 0, inner);
+    law_->differentiate(own.samples(), time, lane, 0, 0, inner);
     const Eigen::VectorXd now = own.now.gradient.row(lane).transpose().matrix();
     const Eigen::RowVectorXd last = own.last.gradient.row(lane).matrix();
     derivatives.stored_by_parameter.segment(first_parameter, count) += inner.stored_by_parameter;

@@ -142,8 +142,8 @@ std::unique_ptr<ParametricDensity> StiffnessDensity::with_parameters(
   return std::make_unique<StiffnessDensity>(component_, stiffness_.with_values(values.data()));
 }
 
-void StiffnessDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
-                                     SampleDerivatives& derivatives) const {
+void StiffnessDensity::differentiate(const Samples& samples, const StepTime&, int lane, int,
+                                     int first_parameter, SampleDerivatives& derivatives) const {
   const double strain = samples.strain(lane, component_);
   derivatives.stored_by_parameter.segment(first_parameter, stiffness_.size()) +=
       stiffness_.first_moment_weights(strain);

@@ -23,8 +23,8 @@ class StiffnessDensity : public ParametricDensity {
   Eigen::VectorXd parameters() const override;
   bool is_linear() const override { return true; }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   // A cubic from one strain on: sum of coefficients times powers of the way. Of a hermite curve it

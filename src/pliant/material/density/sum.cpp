@@ -78,11 +78,11 @@ std::unique_ptr<ParametricDensity> Sum::with_parameters(const Eigen::VectorXd& v
   return other;
 }
 
-void Sum::differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                        SampleDerivatives& derivatives) const {
+void Sum::differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                        int first_parameter, SampleDerivatives& derivatives) const {
   for (const Addend& addend : addends_) {
     if (!addend.parametric) continue;
-    addend.parametric->differentiate(own(addend, samples), lane,
+    addend.parametric->differentiate(own(addend, samples), time, lane,
                                      first_history + addend.first_history,
                                      first_parameter + addend.first_parameter, derivatives);
   }

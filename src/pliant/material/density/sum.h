@@ -26,8 +26,8 @@ class Sum : public ParametricDensity {
   Eigen::VectorXd parameters() const override;
   bool is_linear() const override;
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   struct Addend {

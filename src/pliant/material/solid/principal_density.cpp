@@ -135,14 +135,14 @@ std::unique_ptr<ParametricDensity> PrincipalDensity::with_parameters(
   return std::make_unique<PrincipalDensity>(*metric_, law_->with_parameters(values));
 }
 
-void PrincipalDensity::differentiate(const Samples& samples, int lane, int, int first_parameter,
-                                     SampleDerivatives& derivatives) const {
+void PrincipalDensity::differentiate(const Samples& samples, const StepTime& time, int lane, int,
+                                     int first_parameter, SampleDerivatives& derivatives) const {
   const PrincipalPoints points(*metric_, samples);
   const auto count = static_cast<int>(parameters().size());
   Eigen::MatrixXd by_parameter(3, count);
   for (int a = 0; a < 3; ++a) {
     SampleDerivatives inner(1, 0, count);
-    law_->differentiate(points.samples(a), lane, 0, 0, inner);
+    law_->differentiate(points.samples(a), time, lane, 0, 0, inner);
     by_parameter.row(a) = inner.stress_by_parameter.row(0);
     derivatives.stored_by_parameter.segment(first_parameter, count) += inner.stored_by_parameter;
   }

@@ -23,8 +23,8 @@ class PrincipalDensity : public ParametricDensity {
   Eigen::VectorXd parameters() const override { return law_->parameters(); }
   bool is_linear() const override { return law_->is_linear(); }
   std::unique_ptr<ParametricDensity> with_parameters(const Eigen::VectorXd& values) const override;
-  void differentiate(const Samples& samples, int lane, int first_history, int first_parameter,
-                     SampleDerivatives& derivatives) const override;
+  void differentiate(const Samples& samples, const StepTime& time, int lane, int first_history,
+                     int first_parameter, SampleDerivatives& derivatives) const override;
 
  private:
   const PrincipalMetric* metric_;

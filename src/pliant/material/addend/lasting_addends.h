@@ -1,0 +1,16 @@
+#pragma once
+
+#include "pliant/material/addend/addend_kind.h"
+
+namespace pliant {
+
+/// Elasticity that strain takes away for good (`SofteningDensity`).
+const AddendKind& softening_addend();
+
+/// Elasticity whose rest follows the largest strain (`SetDensity`).
+const AddendKind& set_addend();
+
+/// What relaxes with time (`MaxwellDensity`).
+const AddendKind& maxwell_addend();
+
+}  // namespace pliant

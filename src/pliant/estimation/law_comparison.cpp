@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "pliant/base/errors.h"
 #include "pliant/estimation/plan_ranking.h"
 #include "pliant/experiment/row_times.h"
 #include "pliant/material/addend/addend_registry.h"
@@ -31,14 +30,9 @@ constexpr Candidate kCandidates[] = {
 };
 
 bool have_times(const ComponentProblem& problem) {
-  try {
-    for (const ComponentExperiment* experiment : problem.experiments()) {
-      require_times(*experiment, {});
-    }
-  } catch (const InputError&) {
-    return false;
-  }
-  return true;
+  return std::ranges::all_of(problem.experiments(), [](const ComponentExperiment* experiment) {
+    return has_times(*experiment);
+  });
 }
 
 bool may_remember(const ComponentProblem& problem) {

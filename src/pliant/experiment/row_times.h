@@ -5,6 +5,9 @@
 
 namespace pliant {
 
+/// Whether an experiment can be followed in time: its test can, and its rows tell when.
+bool has_times(const Experiment& experiment);
+
 /// Checks that an experiment tells when each of its rows was measured, which a law that flows with
 /// time needs.
 /// @param where  the study asks for such a law

@@ -333,12 +333,12 @@ bool Results::is_of_solid() const {
 
 bool Results::has_samples() const {
   return std::ranges::any_of(
-      parameters, [](const ResultParameter& p) { return p.name.starts_with("samples["); });
+      parameters, [](const ResultParameter& p) { return p.name.starts_with(kOfSample); });
 }
 
 bool Results::differs_in(const std::string& component) const {
   return std::ranges::any_of(parameters, [&](const ResultParameter& p) {
-    return p.component == component && p.name.starts_with("samples[");
+    return p.component == component && p.name.starts_with(kOfSample);
   });
 }
 

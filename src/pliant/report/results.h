@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct ResultParameter {
   bool at_bound = false;
   bool fixed = false;
 };
+
+/// How numbers begin that belong to one sample of a heterogeneous material.
+inline constexpr std::string_view kOfSample = "samples[";
 
 /// What a load-unload loop says at a glance.
 struct LoopMeasures {

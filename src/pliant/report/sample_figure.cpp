@@ -12,8 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kSample = "samples[";
-
 constexpr SeriesStyle kKnown = {"known", "sample", "#00538a", nullptr, "circle-open", 6.0};
 constexpr SeriesStyle kUnknown = {"unknown", "not determined", "#8a94a0",
                                   nullptr,   "x-thin-open",    6.0};
@@ -21,7 +19,7 @@ constexpr SeriesStyle kUnknown = {"unknown", "not determined", "#8a94a0",
 /// `samples[2].J.k` -> `J.k`; nothing for a number that is the same everywhere.
 std::optional<std::string> name_of_all(const std::string& name) {
   const std::size_t end = name.find("].");
-  if (!name.starts_with(kSample) || end == std::string::npos) return std::nullopt;
+  if (!name.starts_with(kOfSample) || end == std::string::npos) return std::nullopt;
   return name.substr(end + 2);
 }
 

@@ -267,12 +267,6 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
   return experiments;
 }
 
-FrictionChoice friction_choice(const Study& study, const std::string& component) {
-  const auto found = study.model.components.find(component);
-  const bool own = found != study.model.components.end() && found->second.friction;
-  return own ? *found->second.friction : study.model.friction;
-}
-
 std::string friction_reason(FrictionChoice choice, bool data_unloads) {
   if (choice == FrictionChoice::none) return "as the study says";
   if (choice == FrictionChoice::automatic) {
@@ -291,7 +285,8 @@ void add_plan(const Study& study, const std::string& component,
   const bool data_unloads = std::any_of(
       fitted.begin(), fitted.end(),
       [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
-  const std::string reason = friction_reason(friction_choice(study, component), data_unloads);
+  const std::string reason =
+      friction_reason(friction_of(study.model, component).choice, data_unloads);
   const std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
   std::vector<std::string> names;
   for (const ComponentExperiment* experiment : fitted) names.push_back(experiment->info().name);

@@ -1,10 +1,9 @@
-#include "pliant/estimation/control_points.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/experiment_result.h"
+#include "pliant/estimation/law_growth.h"
 #include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/study.h"
 
@@ -46,8 +45,7 @@ TEST(ControlPoints, OneIsEnoughForAConstantStiffness) {
   for (const double noise : {0.0, 2e-3}) {
     const VirtualStudy study(lab_of(material, noisy_cycles({0.05, 0.1, 0.2}, noise)));
     const OneExperiment one(study.study());
-    const GrownFit grown =
-        grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
+    const GrownFit grown = grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {5}, {});
     EXPECT_EQ(grown.fit.law.stiffness.size(), 1) << "noise " << noise;
     EXPECT_TRUE(grown.stages.front().accepted);
     for (size_t i = 1; i < grown.stages.size(); ++i) EXPECT_FALSE(grown.stages[i].accepted) << i;
@@ -75,7 +73,7 @@ TEST(ControlPoints, StandWhereAStiffWeaveBends) {
   // Engineering strains whose Green-Lagrange strains reach 0.2.
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
+  const GrownFit grown = grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {5}, {});
   const LawFit equidistant = fit_equidistant(one, 5);
   EXPECT_LE(grown.fit.law.stiffness.size(), 5);
   EXPECT_LT(one.percent_of_peak(grown.fit), 1);
@@ -85,9 +83,7 @@ TEST(ControlPoints, StandWhereAStiffWeaveBends) {
 TEST(ControlPoints, StayWithinTheNumberThatTheStudyAllows) {
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  FitOptions options;
-  options.control_points = 3;
-  EXPECT_LE(grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, options)
+  EXPECT_LE(grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {3}, {})
                 .fit.law.stiffness.size(),
             3);
 }
@@ -102,7 +98,7 @@ TEST(ControlPoints, OfShearBeginAtZero) {
   const VirtualStudy study(lab_of(material, experiment));
   const OneExperiment one(study.study());
   const ScalarCurve curve =
-      grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {}).fit.law.stiffness;
+      grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {5}, {}).fit.law.stiffness;
   EXPECT_TRUE(curve.even());
   EXPECT_EQ(curve.knots().front(), 0);
   EXPECT_GT(curve.size(), 1);
@@ -111,7 +107,7 @@ TEST(ControlPoints, OfShearBeginAtZero) {
 TEST(ControlPoints, GrowthNeverLeavesALargerResidual) {
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {});
+  const GrownFit grown = grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {5}, {});
   double accepted = grown.stages.front().rms;
   for (size_t i = 1; i < grown.stages.size(); ++i) {
     if (!grown.stages[i].accepted) continue;
@@ -127,7 +123,7 @@ TEST(ControlPoints, OfThreeRowsDoNotCoincide) {
   const OneExperiment one(
       folder.study("{name: strip, type: tensile-cycles, data: t.csv, length: 80 mm, width: 40 mm, "
                    "direction: warp}"));
-  const GrownFit grown = grow_stiffness(one.problem, {ScalarCurve::none(), FrictionLaw::none}, {});
+  const GrownFit grown = grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::none}, {5}, {});
   EXPECT_TRUE(std::isfinite(one.percent_of_peak(grown.fit)));
 }
 

@@ -330,6 +330,7 @@ constexpr QuantityPlace kQuantityPlaces[] = {
     {0, "/experiments/0/length", "mm"},  // above 0
     {0, "/experiments/0/clip_mass", "g"},
     {0, "/experiments/1/pretension", "N"},
+    {0, "/experiments/1/compliance", "mm/N"},
     {0, "/experiments/2/transverse_tension", "N/m"},
     {1, "/experiments/1/slack", "mm"},  // from 0
     {1, "/experiments/1/peaks/0", "%"},

@@ -141,6 +141,7 @@ constexpr Unit kTemperatures[] = {{"K", 1},
                                   {"C", 1, kAlias, 273.15},
                                   {"degF", 5.0 / 9, kAccepted, 273.15 - 32 * 5.0 / 9}};
 constexpr Unit kFrequencies[] = {{"Hz", 1, kPretty}};
+constexpr Unit kCompliances[] = {{"m/N", 1}, {"mm/N", 1e-3, kPretty}, {"um/N", 1e-6, kPretty}};
 constexpr Unit kFractions[] = {
     {"%", 1e-2, kPretty}, {"percent", 1e-2}, {"mm/mm", 1, kAlias}, {"in/in", 1, kAlias}};
 
@@ -168,6 +169,7 @@ const DimensionEntry& entry_of(Dimension dimension) {
       {"mass per volume", "a", "kg/m^3", kVolumeDensities},
       {"temperature", "a", "K", kTemperatures},
       {"frequency", "a", "Hz", kFrequencies},
+      {"compliance", "a", "m/N", kCompliances},
       {"fraction", "a", "", kFractions},
   };
   const auto index = static_cast<std::size_t>(dimension);

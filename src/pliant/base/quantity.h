@@ -27,6 +27,7 @@ enum class Dimension {
   volume_density,     ///< kg/m^3
   temperature,        ///< K
   frequency,          ///< 1/s
+  compliance,         ///< m/N: how far something gives way to a force
   fraction,           ///< 1; written in percent
 };
 

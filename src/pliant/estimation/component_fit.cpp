@@ -7,7 +7,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/anchor_estimator.h"
-#include "pliant/estimation/control_points.h"
+#include "pliant/estimation/law_growth.h"
 #include "pliant/estimation/linear_start.h"
 #include "pliant/estimation/profile_likelihood.h"
 #include "pliant/experiment/loop_metrics.h"
@@ -152,6 +152,11 @@ void refuse_anchors(const FitSettings& settings,
   for (const ComponentExperiment* experiment : experiments) {
     const std::string name = quoted_value(experiment->info().name);
     const std::vector<char>& sampled = experiment->path().published_samples;
+    for (const NuisanceParameter& nuisance : experiment->nuisance()) {
+      if (!nuisance.name.ends_with(".slip") && !nuisance.name.ends_with(".compliance")) continue;
+      throw InputError(where, "the published estimator does not look for " + nuisance.name,
+                       "path, or numbers for `slip` and `compliance`");
+    }
     if (experiment->info().test.has_unknown_zero) {
       throw InputError(
           where, "the published estimator knows no moments of the buckled strip " + name, "path");
@@ -191,6 +196,28 @@ void refuse_addends(const FitSettings& settings,
   }
 }
 
+/// How many branches of friction there may be; of strips that bend under their weight one.
+void plan_branches(const FrictionModel& asked, const FitSettings& settings,
+                   const std::vector<const ComponentExperiment*>& experiments, ComponentPlan& plan,
+                   std::vector<std::string>& notes) {
+  constexpr int kMostBranches = 4;
+  if (plan.friction == FrictionLaw::none || asked.branches == 1) return;
+  if (settings.fit.estimator == EstimatorKind::anchor) {
+    throw InputError({settings.file, 0, "model.friction"},
+                     "the published estimator knows one branch of friction", "dahl");
+  }
+  for (const ComponentExperiment* experiment : experiments) {
+    if (!experiment->info().test.needs_density) continue;
+    notes.push_back(fmt::format(
+        "further branches of friction of {}: strips that bend under their weight, as {}, are "
+        "followed with one",
+        experiment->info().component, quoted_value(experiment->info().name)));
+    return;
+  }
+  plan.branches_stated = asked.branches > 0;
+  plan.branches = plan.branches_stated ? asked.branches : kMostBranches;
+}
+
 void refuse_energies(const FitSettings& settings, const std::string& component, CurveKind kind) {
   if (kind != CurveKind::spline && kind != CurveKind::energy) return;
   throw InputError(
@@ -199,6 +226,23 @@ void refuse_energies(const FitSettings& settings, const std::string& component, 
                   "stiffness",
                   name_of(kind)),
       "hermite, affine or constant, or `model: {strips: sheet}`");
+}
+
+// What growth has tried: "3 control points, 2 branches".
+std::string stage_name(const ComponentPlan& plan, const GrowthStage& stage) {
+  const auto counted = [](int count, const char* one, const char* several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+  };
+  std::string name;
+  if (plan.stiffness == CurveKind::hermite) {
+    name = counted(stage.control_points, "control point", "control points");
+  } else if (plan.stiffness == CurveKind::none) {
+    name = "addends alone";
+  } else {
+    name = fmt::format("{} stiffness", name_of(plan.stiffness));
+  }
+  if (plan.branches > 1) name += ", " + counted(stage.branches, "branch", "branches");
+  return name;
 }
 
 }  // namespace
@@ -239,7 +283,8 @@ ComponentPlan plan_component(const FitSettings& settings,
   if (are_of_one_type(experiments) && !undetermined.empty()) {
     notes.push_back(fmt::format("stiffness of {} {}", component, undetermined));
   }
-  const FrictionChoice choice = model.friction.value_or(settings.model.friction);
+  const FrictionModel asked = friction_of(settings.model, component);
+  const FrictionChoice choice = asked.choice;
   const bool data_unloads = std::any_of(
       experiments.begin(), experiments.end(),
       [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
@@ -249,6 +294,7 @@ ComponentPlan plan_component(const FitSettings& settings,
                     ": the data only loads; friction shows when it unloads");
     if (choice == FrictionChoice::automatic) plan.friction = FrictionLaw::none;
   }
+  plan_branches(asked, settings, experiments, plan, notes);
   for (const AddendKind* kind : plan.addends) {
     if (data_unloads || kind->flows || !remembers(*kind)) continue;
     notes.push_back(
@@ -262,20 +308,13 @@ ComponentPlan plan_component(const FitSettings& settings,
 FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
   const std::string& component = component_of(problem);
   FormFit result;
-  if (plan.stiffness != CurveKind::hermite) {
-    result.fit = fit_law(problem, shape_of(plan, problem), plan.fit);
-    const std::string form = plan.stiffness == CurveKind::none
-                                 ? "addends alone"
-                                 : std::string(name_of(plan.stiffness)) + " stiffness";
-    result.stages.push_back({component, form, unit_of_residuals(problem), result.fit.rms, true});
-    return result;
-  }
-  GrownFit grown = grow_stiffness(problem, plan.form(), plan.fit);
+  const bool points_grow = plan.stiffness == CurveKind::hermite;
+  const GrowthLimits limits{points_grow ? plan.fit.control_points : 0, plan.branches};
+  const ComponentLaw form = points_grow ? plan.form() : shape_of(plan, problem);
+  GrownFit grown = grow_law(problem, form, limits, plan.fit);
   for (const GrowthStage& stage : grown.stages) {
-    result.stages.push_back({component,
-                             std::to_string(stage.control_points) + " control point" +
-                                 (stage.control_points == 1 ? "" : "s"),
-                             unit_of_residuals(problem), stage.rms, stage.accepted});
+    result.stages.push_back({component, stage_name(plan, stage), unit_of_residuals(problem),
+                             stage.rms, stage.accepted});
   }
   result.fit = std::move(grown.fit);
   return result;
@@ -305,7 +344,7 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan)
   result.limits.resize(result.fit.unknowns.size());
   if (result.fit.law.remembers()) {
     const ComponentLaw elastic = result.fit.law.elastic_part();
-    result.elastic = fit_law_roughly(problem, elastic, plan.fit, {elastic});
+    result.elastic = fit_law_roughly(problem, elastic, plan.fit, {{elastic}});
   }
   return result;
 }

@@ -17,6 +17,8 @@ namespace pliant {
 struct ComponentPlan {
   CurveKind stiffness = CurveKind::hermite;
   FrictionLaw friction = FrictionLaw::dahl;
+  int branches = 1;  ///< of friction at most; those beyond the first grow
+  bool branches_stated = false;
   std::vector<const AddendKind*> addends;
   FitOptions fit;
 

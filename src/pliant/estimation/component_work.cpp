@@ -95,6 +95,13 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
           name + (interval ? " (its 95 % interval includes zero)" : " (the data leaves it free)"));
     }
   }
+  const auto added = std::ssize(fit.fit.law.addends) - std::ssize(work.plan.addends);
+  if (work.plan.branches_stated && added + 1 < work.plan.branches) {
+    result.undetermined.push_back(
+        fmt::format("{} of {} branches of friction of {} (a further one explains no more than "
+                    "chance does)",
+                    work.plan.branches - added - 1, work.plan.branches, work.component));
+  }
   const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
   if (rows.rows > 1.5 * rows.effective) {
     result.assumptions.push_back(fmt::format(
@@ -165,6 +172,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_parameters(work, result);
   add_experiments(work, result);
   add_warnings(work, result);
+  result.assumptions.insert(result.assumptions.end(), work.apparatus.begin(), work.apparatus.end());
   warn_of_snapping(work, result);
   result.curves.push_back(component_curve(work.component, work.fit.fit.law,
                                           strains_of_data(work).second,

@@ -21,6 +21,7 @@ struct ComponentWork {
   ComponentFit fit;
   std::vector<ModelRank> models;
   std::vector<Profile> profiles;
+  std::vector<std::string> apparatus;  ///< what it takes of the misfit
 };
 
 /// Adds what a component's fit found out to the result of its study: parameters, comparisons,

@@ -41,25 +41,26 @@ LeastSquaresOptions finish() {
   return options;
 }
 
-std::vector<ComponentLaw> starting_laws(const ComponentProblem& problem, const ComponentLaw& shape,
-                                        const std::vector<ComponentLaw>& extra) {
-  std::vector<ComponentLaw> laws;
+std::vector<LawStart> first_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                   const std::vector<LawStart>& extra) {
+  std::vector<LawStart> starts;
   for (const LinearStart& start : linear_starts(problem, shape, kMostLinearStarts)) {
-    laws.push_back(start.law);
+    starts.push_back({start.law});
   }
   if (shape.friction_law == FrictionLaw::dahl) {
-    const ComponentLaw first = laws.front();
+    const ComponentLaw first = starts.front().law;
     for (const double factor : {0.3, 3.0}) {
-      laws.push_back(linear_start(problem, first, factor * first.friction[2]).law);
+      starts.push_back({linear_start(problem, first, factor * first.friction[2]).law});
     }
   }
-  laws.insert(laws.end(), extra.begin(), extra.end());
-  return laws;
+  starts.insert(starts.end(), extra.begin(), extra.end());
+  return starts;
 }
 
-Eigen::VectorXd start_vector(const ComponentLaw& law, const LawFit& fit) {
+Eigen::VectorXd start_vector(const LawStart& start, const LawFit& fit) {
   Eigen::VectorXd all = starts_of(fit.unknowns);
-  all.head(law.parameter_count()) = law.parameters();
+  all.head(start.law.parameter_count()) = start.law.parameters();
+  if (start.nuisance.size() > 0) all.tail(start.nuisance.size()) = start.nuisance;
   return all;
 }
 
@@ -81,9 +82,9 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
   fit.rms = rms_of(solution.cost, fit, residuals);
 }
 
-LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
-                  const FitOptions& options, const std::vector<ComponentLaw>& extra,
-                  const Effort& effort) {
+LawFit best_trial(const ComponentProblem& problem, const std::vector<LawStart>& starts,
+                  const FitOptions& options, const Effort& effort) {
+  const ComponentLaw& shape = starts.front().law;
   LawFit fit;
   fit.law = shape;
   fit.unknowns = problem.unknowns(shape, options);
@@ -91,17 +92,16 @@ LawFit best_trial(const ComponentProblem& problem, const ComponentLaw& shape,
   const Problem rows = problem_of(problem, fit);
   const LeastSquaresProblem least_squares = rows.least_squares();
   const double exact = residual_count(rows) * kExactRms * kExactRms / 2;
-  const std::vector<ComponentLaw> laws = starting_laws(problem, shape, extra);
   std::vector<LeastSquaresSummary> ends;
   const auto follow = [&](std::size_t start, double least) {
     const std::string question = fmt::format("start {} of {}", start + 1, component_of(problem));
     ends.push_back(answered(problem.journal(), question, [&] {
-      return solve_least_squares(least_squares, start_vector(laws[start], fit),
+      return solve_least_squares(least_squares, start_vector(starts[start], fit),
                                  trial(std::max(least, exact), effort), problem.stop());
     }));
     return ends.back().cost;
   };
-  const StartSearch search = search_from(laws.size(), follow, {.exact = exact});
+  const StartSearch search = search_from(starts.size(), follow, {.exact = exact});
   take_solution(fit, shape, ends[search.best], residual_count(rows));
   fit.starts = {component_of(problem), "law", unit_of_residuals(problem), {}, search.reached_best};
   for (const double cost : search.costs) {
@@ -135,13 +135,18 @@ std::string unit_of_residuals(const ComponentProblem& problem) {
 }
 
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
-               const FitOptions& options, const std::vector<ComponentLaw>& extra) {
-  return refit(problem, best_trial(problem, shape, options, extra, kTrial));
+               const FitOptions& options, const std::vector<LawStart>& extra) {
+  return fit_law_from(problem, first_starts(problem, shape, extra), options);
+}
+
+LawFit fit_law_from(const ComponentProblem& problem, const std::vector<LawStart>& starts,
+                    const FitOptions& options) {
+  return refit(problem, best_trial(problem, starts, options, kTrial));
 }
 
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const std::vector<ComponentLaw>& extra) {
-  return best_trial(problem, shape, options, extra, kRough);
+                       const FitOptions& options, const std::vector<LawStart>& extra) {
+  return best_trial(problem, first_starts(problem, shape, extra), options, kRough);
 }
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit) {

@@ -19,6 +19,12 @@ struct LawFit {
   StartRecord starts;  ///< ends as `rms`; one without hope was left on its way
 };
 
+/// Where a search begins.
+struct LawStart {
+  ComponentLaw law;
+  Eigen::VectorXd nuisance = {};  ///< empty: where the unknowns begin
+};
+
 /// Fits stiffness values, friction and nuisance parameters of a law by bounded least squares, from
 /// several starting points.
 ///
@@ -28,11 +34,16 @@ struct LawFit {
 /// @param shape  stiffness curve and friction law; its values are not used
 /// @param extra  further starting points (e.g. a fit of a simpler shape); may be empty
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
-               const FitOptions& options, const std::vector<ComponentLaw>& extra = {});
+               const FitOptions& options, const std::vector<LawStart>& extra = {});
+
+/// The same from these starts alone.
+/// @param starts  at least one; all of one shape
+LawFit fit_law_from(const ComponentProblem& problem, const std::vector<LawStart>& starts,
+                    const FitOptions& options);
 
 /// The same to the few digits that a comparison needs.
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
-                       const FitOptions& options, const std::vector<ComponentLaw>& extra = {});
+                       const FitOptions& options, const std::vector<LawStart>& extra = {});
 
 /// Fits again from the solution itself, after the problem's noise has changed.
 LawFit refit(const ComponentProblem& problem, const LawFit& fit);

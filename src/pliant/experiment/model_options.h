@@ -15,9 +15,21 @@ namespace pliant {
 
 enum class FrictionChoice { automatic, dahl, none };
 
+/// The friction that a study asks a fit for.
+struct FrictionModel {
+  /// A choice alone is one branch.
+  FrictionModel(FrictionChoice chosen = FrictionChoice::automatic, int most = 1)
+      : choice(chosen), branches(most) {}
+
+  bool operator==(const FrictionModel&) const = default;
+
+  FrictionChoice choice;
+  int branches;  ///< at most; those beyond the first are addends `dahl`. 0: as many as data tell
+};
+
 struct ComponentModel {
   std::optional<CurveKind> stiffness;
-  std::optional<FrictionChoice> friction;
+  std::optional<FrictionModel> friction;
   std::vector<const AddendKind*> addends = {};
   /// Of two strains of a solid: Gaussian terms at so many places by so many; 0: one bilinear term.
   int gaussians = 0;
@@ -51,12 +63,20 @@ struct ModelOptions {
   bool measured_mesh = false;     ///< sheets are simulated on the meshes of their sessions
   bool strips_as_sheets = false;  ///< tensile-cycles are fitted as sheets, else in one dimension
   std::optional<CurveKind> stiffness;  ///< absent: affine for hanging weights, else hermite
-  FrictionChoice friction = FrictionChoice::automatic;
+  FrictionModel friction;
   std::map<std::string, ComponentModel> components;
   /// Of solids: components whose energies together have a limit.
   std::vector<std::vector<std::string>> limits;
   std::optional<SampleOptions> samples;  ///< absent: the same everywhere
 };
+
+/// The addends of a component whose branches of friction are all to be there: those that it names,
+/// and a `dahl` for each branch beyond the first.
+std::vector<const AddendKind*> addends_with_branches(const ComponentModel& component,
+                                                     const FrictionModel& friction);
+
+/// The friction of a component: its own, or else that of the model.
+FrictionModel friction_of(const ModelOptions& model, const std::string& component);
 
 /// Whether a model has springs, which lie along weft and warp.
 inline bool needs_grid(const ModelOptions& model) {

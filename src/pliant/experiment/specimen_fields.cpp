@@ -10,6 +10,14 @@ double read_size(Fields& fields, std::string_view key, double fallback) {
   return fields.require(key).positive_quantity(Dimension::length);
 }
 
+/// A number of clamps, or that it is unknown; what it was where it is not given.
+void read_clamp(Fields& fields, std::string_view key, double& value, bool& is_known) {
+  const auto v = fields.optional(key);
+  if (!v) return;
+  is_known = v->text() != "unknown";
+  value = is_known ? v->quantity_from_zero(Dimension::compliance) : 0;
+}
+
 }  // namespace
 
 std::string read_direction(Fields& fields) {
@@ -43,6 +51,13 @@ RestLength read_rest_length(Fields& fields, double pretension) {
   return pretension > 0 ? RestLength::unknown : RestLength::known;
 }
 
+Clamps read_clamps(Fields& fields, const Clamps& defaults) {
+  Clamps clamps = defaults;
+  read_clamp(fields, "slip", clamps.slip, clamps.slip_is_known);
+  read_clamp(fields, "compliance", clamps.compliance, clamps.compliance_is_known);
+  return clamps;
+}
+
 double read_from_zero(Fields& fields, std::string_view key, Dimension dimension) {
   const auto v = fields.optional(key);
   return v ? v->quantity_from_zero(dimension) : 0;
@@ -62,6 +77,14 @@ std::pair<std::string, std::string> written(InitialFriction friction) {
 
 std::pair<std::string, std::string> written(RestLength rest_length) {
   return {"rest_length", rest_length == RestLength::known ? "known" : "unknown"};
+}
+
+WrittenFields written(const Clamps& clamps) {
+  const auto text = [](double value, bool is_known) {
+    return is_known ? exact_quantity(value, Dimension::compliance) : "unknown";
+  };
+  return {{"slip", text(clamps.slip, clamps.slip_is_known)},
+          {"compliance", text(clamps.compliance, clamps.compliance_is_known)}};
 }
 
 }  // namespace pliant

@@ -45,6 +45,8 @@ void read_strip(Fields& fields, const SpecimenDefaults& defaults, TestSpec& spec
 void read_recorded_width(Fields& fields, const SpecimenDefaults& defaults, TestSpec& spec);
 InitialFriction read_initial_friction(Fields& fields);
 RestLength read_rest_length(Fields& fields, double pretension);
+/// `slip` and `compliance`; what is not stated is that of the defaults.
+Clamps read_clamps(Fields& fields, const Clamps& defaults);
 /// A quantity that is not negative; zero where it is not given.
 double read_from_zero(Fields& fields, std::string_view key, Dimension dimension);
 
@@ -52,5 +54,6 @@ double read_from_zero(Fields& fields, std::string_view key, Dimension dimension)
 WrittenFields written_size(const TestSpec& spec);
 std::pair<std::string, std::string> written(InitialFriction friction);
 std::pair<std::string, std::string> written(RestLength rest_length);
+WrittenFields written(const Clamps& clamps);
 
 }  // namespace pliant

@@ -40,10 +40,20 @@ constexpr Channel length_channel(std::string_view key = "length") {
           &Instrument::length_resolution};
 }
 
+/// What clamps add to a pull: cloth that the largest pull so far has drawn out of them, and what
+/// the apparatus gives way (strip_pull.h).
+struct Clamps {
+  double slip = 0;            ///< m/N
+  double compliance = 0;      ///< m/N
+  bool slip_is_known = true;  ///< else it is estimated along
+  bool compliance_is_known = true;
+};
+
 /// `defaults:` of a study; zero where nothing was said.
 struct SpecimenDefaults {
   double length = 0;
   double width = 0;
+  Clamps clamps = {};
 };
 
 /// What of the cloth a test needs beside the law that it is predicted with.

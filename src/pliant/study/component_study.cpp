@@ -6,6 +6,7 @@
 
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/parallel.h"
+#include "pliant/estimation/apparatus_shares.h"
 #include "pliant/estimation/fit_journal.h"
 #include "pliant/estimation/friction_comparison.h"
 #include "pliant/estimation/law_comparison.h"
@@ -39,6 +40,7 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunConte
     work.models = compare_friction(*work.problem, work.fit, work.plan);
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
+  work.apparatus = apparatus_shares(*work.problem, work.fit);
   if (options.compare_laws) work.models = compare_laws(*work.problem, work.fit, work.plan);
   const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
   for (size_t i = 0; i < unknowns.size(); ++i) {

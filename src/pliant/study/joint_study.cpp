@@ -169,12 +169,6 @@ Eigen::MatrixXd raised_covariance(const JointFit& joint, const JointLayout& layo
   return raised_to(joint.uncertainty.covariance, sd);
 }
 
-FrictionChoice friction_choice(const ModelOptions& model, const std::string& component) {
-  const auto own = model.components.find(component);
-  const bool said = own != model.components.end() && own->second.friction;
-  return said ? *own->second.friction : model.friction;
-}
-
 FittedModel judged(const ComponentWork& work, const LawFit& fit) {
   const double rows = effective_rows(work.fit.uncertainty.noise.of).effective;
   return {std::sqrt(2 * fit.solution.cost / work.problem->used_rows()), free_count(fit.unknowns), 0,
@@ -187,7 +181,7 @@ void leave_out_unseen_friction(const Study& study, std::vector<ComponentWork>& w
                                StudyResult& result) {
   for (ComponentWork& work : works) {
     if (!work.problem || !work.fit.elastic) continue;
-    if (friction_choice(study.model, work.component) != FrictionChoice::automatic) continue;
+    if (friction_of(study.model, work.component).choice != FrictionChoice::automatic) continue;
     if (is_worth(judged(work, *work.fit.elastic), judged(work, work.fit.fit))) continue;
     work.plan.friction = FrictionLaw::none;
     work.fit = fit_component(*work.problem, work.plan);

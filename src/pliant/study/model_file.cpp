@@ -21,10 +21,13 @@ CurveKind curve_kind(const std::string& kind) {
   return kind == "affine" ? CurveKind::affine : CurveKind::hermite;
 }
 
-FrictionChoice read_friction_choice(const Value& value) {
-  const std::string choice = value.choice({"auto", "dahl", "none"});
-  if (choice == "auto") return FrictionChoice::automatic;
-  return choice == "dahl" ? FrictionChoice::dahl : FrictionChoice::none;
+FrictionModel read_friction(const Value& value) {
+  const std::string name =
+      value.choice({"auto", "dahl", "dahl-2", "dahl-3", "dahl-4", "dahl-n", "none"});
+  if (name == "auto") return FrictionChoice::automatic;
+  if (name == "none") return FrictionChoice::none;
+  if (name == "dahl") return FrictionChoice::dahl;
+  return {FrictionChoice::dahl, name.back() == 'n' ? 0 : name.back() - '0'};
 }
 
 std::vector<const AddendKind*> read_addends(const Value& list) {
@@ -60,7 +63,7 @@ ComponentModel read_component_model(const Value& node,
               "another stiffness, or `addends`");
     }
   }
-  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
+  if (auto v = fields.optional("friction")) model.friction = read_friction(*v);
   fields.finish();
   return model;
 }
@@ -223,7 +226,7 @@ ModelOptions read_model(Fields& study, MaterialKind kind) {
   if (auto v = fields.optional("stiffness")) {
     model.stiffness = curve_kind(v->choice({"constant", "affine", "hermite"}));
   }
-  if (auto v = fields.optional("friction")) model.friction = read_friction_choice(*v);
+  if (auto v = fields.optional("friction")) model.friction = read_friction(*v);
   if (auto v = fields.optional("components")) {
     model.components =
         read_components(*v, kind, {"none", "constant", "affine", "hermite", "spline", "energy"});

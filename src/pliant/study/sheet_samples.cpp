@@ -13,7 +13,7 @@ namespace {
 
 /// What differs from place to place is elastic.
 void refuse_memory(const FitSettings& settings) {
-  if (settings.model.friction == FrictionChoice::dahl) {
+  if (settings.model.friction.choice == FrictionChoice::dahl) {
     throw InputError(
         {settings.file, 0, "model.friction"},
         "is `dahl`, and the model has samples, which are elastic",
@@ -23,7 +23,8 @@ void refuse_memory(const FitSettings& settings) {
     const bool remembers_more = std::ranges::any_of(
         component.addends, [](const AddendKind* kind) { return remembers(*kind); });
     if (!may_differ(settings, {name})) continue;
-    if (component.friction != FrictionChoice::dahl && !remembers_more) continue;
+    const bool rubs = component.friction && component.friction->choice == FrictionChoice::dahl;
+    if (!rubs && !remembers_more) continue;
     throw InputError({settings.file, 0, "model.components." + name},
                      "has friction or another law that remembers, and differs from place to place",
                      "`samples.of` without it, or a component that is elastic");

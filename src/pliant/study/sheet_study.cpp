@@ -35,6 +35,7 @@
 #include "pliant/study/sheet_experiment.h"
 #include "pliant/study/sheet_predictions.h"
 #include "pliant/study/sheet_samples.h"
+#include "pliant/study/stated_branches.h"
 #include "pliant/study/study_experiments.h"
 #include "pliant/study/whole_sheets.h"
 
@@ -354,6 +355,7 @@ StudyResult fit_sheet_study(const Study& study, const RunContext& context,
   StudyResult result = describe(study);
   result.assumptions = stated_options(study.fit);
   refuse_foreign_options(study);
+  require_stated_branches(study);
   const std::vector<SheetExperiment> experiments = read_sheet_experiments(study, result);
   warn_of_left_out(study, result);
   require_known_parameters(study, tests_to_fit(experiments));

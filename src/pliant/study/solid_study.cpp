@@ -18,6 +18,7 @@
 #include "pliant/study/body_samples.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/solid_results.h"
+#include "pliant/study/stated_branches.h"
 #include "pliant/study/study_experiments.h"
 
 namespace pliant {
@@ -76,6 +77,7 @@ void refuse_estimator(const Study& study) {
 
 /// What a fit of a solid would not heed.
 void refuse_options_of_cloth(const Study& study) {
+  require_stated_branches(study);
   if (study.fit.monotone_stress) {
     throw InputError({study.file, 0, "fit.monotone_stress"},
                      "is of cloth: the control values of a solid's spline energies are not "

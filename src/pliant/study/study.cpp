@@ -10,6 +10,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/experiment/specimen_fields.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
@@ -48,6 +49,7 @@ SpecimenDefaults read_defaults(Fields& fields) {
   Fields inner = node->fields();
   if (auto v = inner.optional("length")) defaults.length = v->positive_quantity(Dimension::length);
   if (auto v = inner.optional("width")) defaults.width = v->positive_quantity(Dimension::length);
+  defaults.clamps = read_clamps(inner, {});
   inner.finish();
   return defaults;
 }

@@ -9,14 +9,15 @@
 namespace pliant {
 namespace {
 
-std::string_view name_of(FrictionChoice choice) {
-  switch (choice) {
+std::string written(const FrictionModel& friction) {
+  switch (friction.choice) {
     case FrictionChoice::automatic:
       return "auto";
-    case FrictionChoice::dahl:
-      return "dahl";
     case FrictionChoice::none:
       return "none";
+    case FrictionChoice::dahl:
+      if (friction.branches == 0) return "dahl-n";
+      return friction.branches == 1 ? "dahl" : "dahl-" + std::to_string(friction.branches);
   }
   return "";
 }
@@ -87,7 +88,7 @@ void write_components(const ModelOptions& model, YAML::Node& node) {
   for (const auto& [name, component] : model.components) {
     YAML::Node inner;
     if (component.stiffness) inner["stiffness"] = std::string(name_of(*component.stiffness));
-    if (component.friction) inner["friction"] = std::string(name_of(*component.friction));
+    if (component.friction) inner["friction"] = written(*component.friction);
     for (const AddendKind* kind : component.addends) {
       inner["addends"].push_back(std::string(kind->name));
     }
@@ -140,7 +141,7 @@ YAML::Node model_node(const ModelOptions& model) {
   if (model.mesh_edge) node["mesh"]["edge"] = exact_quantity(*model.mesh_edge, Dimension::length);
   node["strips"] = model.strips_as_sheets ? "sheet" : "one-dimensional";
   if (model.stiffness) node["stiffness"] = std::string(name_of(*model.stiffness));
-  node["friction"] = std::string(name_of(model.friction));
+  node["friction"] = written(model.friction);
   write_components(model, node);
   write_limits(model, node);
   if (model.samples) node["samples"] = samples_node(*model.samples, model.kind);

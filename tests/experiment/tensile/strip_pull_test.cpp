@@ -83,6 +83,44 @@ TEST(StripPull, ASlackStripCarriesNoForce) {
   EXPECT_EQ(forces.length_gain.maxCoeff(), 0);
 }
 
+// The apparatus takes its part of the distance; the strip does what it does at what is left.
+TEST(StripPull, GivesWayByTheComplianceOfItsApparatus) {
+  constexpr double kCompliance = 2e-4;
+  const ComponentLaw law = simple_law();
+  const std::vector<double> lengths = lengths_between({0.085, 0.095, 0.088, 0.097}, 5);
+  const StripForces given_way = pull(law, lengths, {.compliance = kCompliance});
+  std::vector<double> of_strip;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    of_strip.push_back(lengths[i] - kCompliance * given_way.force(static_cast<Eigen::Index>(i)));
+  }
+  const StripForces rigid = pull(law, of_strip);
+  EXPECT_LT((given_way.force - rigid.force).norm(), 1e-9);
+  EXPECT_LT((given_way.strain - rigid.strain).norm(), 1e-12);
+  EXPECT_LT(given_way.force.maxCoeff(), 0.99 * pull(law, lengths).force.maxCoeff());
+}
+
+// Cloth that has slipped out of the clamps stays out.
+TEST(StripPull, SlipsByItsLargestPullSoFar) {
+  constexpr double kSlip = 2e-4;
+  const ComponentLaw elastic{ScalarCurve::affine(50, 40)};
+  const std::vector<double> lengths = lengths_between({0.081, 0.095, 0.085, 0.1, 0.085}, 40);
+  const StripForces slipped = pull(elastic, lengths, {.slip = kSlip});
+  double largest = 0, longest = 0;
+  for (Eigen::Index i = 0; i < slipped.force.size(); ++i) {
+    const double strain = slipped.strain(i);
+    EXPECT_NEAR(slipped.force(i), force_factor(kStrip, strain) * elastic.elastic_stress(strain),
+                1e-12)
+        << i;
+    const double out = lengths[static_cast<std::size_t>(i)] / std::sqrt(1 + 2 * strain) - 0.08;
+    largest = std::max(largest, slipped.force(i));
+    // The largest pull is that at the turn, which lies a little beyond its row.
+    EXPECT_NEAR(out, kSlip * largest, slipped.force(i) < largest ? 0.01 * kSlip * largest : 1e-14)
+        << i;
+    EXPECT_GE(out, longest - 1e-14) << i;
+    longest = std::max(longest, out);
+  }
+}
+
 TEST(StripPull, StartsToCarryAtItsRestLength) {
   const StripForces slack_first = pull(simple_law(), lengths_between({0.076, 0.092}, 8));
   const StripForces from_rest = pull(simple_law(), lengths_between({0.080, 0.092}, 6));
@@ -183,27 +221,30 @@ struct StripCase {
   StripSetup setup;
   std::vector<double> lengths;
 
-  /// Law, force offset, rest length change, initial friction.
+  /// Law, force offset, rest length change, initial friction, slip, compliance.
   Eigen::VectorXd parameters() const {
-    Eigen::VectorXd all(law.parameter_count() + 3);
-    all << law.parameters(), setup.force_offset, setup.rest_length_change, setup.initial_friction;
+    Eigen::VectorXd all(law.parameter_count() + 5);
+    all << law.parameters(), setup.force_offset, setup.rest_length_change, setup.initial_friction,
+        setup.slip, setup.compliance;
     return all;
   }
 
   /// Small changes: no row may pass the length at which the strip goes slack.
   Eigen::VectorXd scales() const {
-    Eigen::VectorXd all(law.parameter_count() + 3);
-    all << parameter_scales(law) * 0.01, 0.01, 1e-6, 1e-3;
+    Eigen::VectorXd all(law.parameter_count() + 5);
+    all << parameter_scales(law) * 0.01, 0.01, 1e-6, 1e-3, 1e-6, 1e-6;
     return all;
   }
 
   std::optional<StripForces> forces(const Eigen::VectorXd& parameters, bool jacobian) const {
     const int count = law.parameter_count();
-    const StripSetup changed{parameters(count), parameters(count + 1), parameters(count + 2), 0.02};
+    const StripSetup changed{parameters(count),     parameters(count + 1),
+                             parameters(count + 2), 0.02,
+                             parameters(count + 3), parameters(count + 4)};
     const StripColumns columns =
-        jacobian ? StripColumns{count, count + 1, count + 2} : StripColumns{};
+        jacobian ? StripColumns{count, count + 1, count + 2, count + 3, count + 4} : StripColumns{};
     return pull_strip(law.with_parameters(parameters), kStrip, changed, columns, lengths,
-                      half_cycles_of(lengths, 1e-5), jacobian ? count + 3 : 0);
+                      half_cycles_of(lengths, 1e-5), jacobian ? count + 5 : 0);
   }
 };
 
@@ -230,13 +271,14 @@ StripCase random_strip(RandomStream& random, CurveKind curve, FrictionLaw fricti
 
 TEST(StripPull, DerivativesAreThoseOfDifferencesThroughSlackAndBack) {
   RandomStream random(43);
+  const auto given_way = [&] { return random.uniform(1e-5, 1e-4); };
   for (const CurveKind curve : {CurveKind::constant, CurveKind::affine, CurveKind::hermite}) {
     for (const FrictionLaw friction :
          {FrictionLaw::none, FrictionLaw::dahl, FrictionLaw::constant_slope}) {
       for (int draw = 0; draw < 5; ++draw) {
         StripCase strip = random_strip(random, curve, friction, 0.0783);
         // Friction that pulls cannot be held by a slack strip: it has no effect.
-        strip.setup = {0.1, random.uniform(-2e-4, 2e-4), 0.3, 0};
+        strip.setup = {0.1, random.uniform(-2e-4, 2e-4), 0.3, 0, given_way(), given_way()};
         expect_right_derivatives(strip);
       }
     }
@@ -245,10 +287,13 @@ TEST(StripPull, DerivativesAreThoseOfDifferencesThroughSlackAndBack) {
 
 TEST(StripPull, DerivativesAreThoseOfDifferencesFromAPersistentStart) {
   RandomStream random(44);
+  const auto given_way = [&] { return random.uniform(1e-5, 1e-4); };
   for (const CurveKind curve : {CurveKind::constant, CurveKind::affine, CurveKind::hermite}) {
     for (int draw = 0; draw < 8; ++draw) {
       StripCase strip = random_strip(random, curve, FrictionLaw::dahl, 0.0783);
-      strip.setup = {-0.1, random.uniform(-2e-4, 2e-4), random.uniform(-0.9, -0.1), 0};
+      strip.setup = {
+          -0.1,       random.uniform(-2e-4, 2e-4), random.uniform(-0.9, -0.1), 0, given_way(),
+          given_way()};
       expect_right_derivatives(strip);
     }
   }
@@ -256,10 +301,12 @@ TEST(StripPull, DerivativesAreThoseOfDifferencesFromAPersistentStart) {
 
 TEST(StripPull, DerivativesAreThoseOfDifferencesFromATautStart) {
   RandomStream random(45);
+  const auto given_way = [&] { return random.uniform(1e-5, 1e-4); };
   for (const CurveKind curve : {CurveKind::constant, CurveKind::affine, CurveKind::hermite}) {
     for (int draw = 0; draw < 8; ++draw) {
       StripCase strip = random_strip(random, curve, FrictionLaw::dahl, 0.0865);
-      strip.setup = {0, random.uniform(-2e-4, 2e-4), random.uniform(0, 0.9), 0};
+      strip.setup = {
+          0, random.uniform(-2e-4, 2e-4), random.uniform(0, 0.9), 0, given_way(), given_way()};
       expect_right_derivatives(strip);
     }
   }

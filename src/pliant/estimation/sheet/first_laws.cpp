@@ -151,16 +151,22 @@ ScalarCurve with_points(const ScalarCurve& curve, CurveKind kind, int points, do
 }
 
 ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group) {
+  ComponentModel model;
   for (const std::string& component : group) {
     const auto own = settings.model.components.find(component);
-    if (own != settings.model.components.end()) return own->second;
+    if (own == settings.model.components.end()) continue;
+    model = own->second;
+    break;
   }
-  return {};
+  model.friction = model.friction.value_or(settings.model.friction);
+  if (!is_bending(group.front()) && !is_sheet_pair(group.front())) {
+    model.addends = addends_with_branches(model, *model.friction);
+  }
+  return model;
 }
 
 bool asks_for_friction(const FitSettings& settings, const ComponentGroup& group) {
-  return model_of(settings, group).friction.value_or(settings.model.friction) !=
-         FrictionChoice::none;
+  return model_of(settings, group).friction->choice != FrictionChoice::none;
 }
 
 std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain) {

@@ -93,7 +93,14 @@ std::vector<std::string_view> solid_laws() {
 }
 
 Components solid_components(const ModelOptions& model, bool compressible) {
-  if (!model.components.empty()) return model.components;
+  if (!model.components.empty()) {
+    Components stated = model.components;
+    for (auto& [name, component] : stated) {
+      if (component.friction)
+        component.addends = addends_with_branches(component, *component.friction);
+    }
+    return stated;
+  }
   const auto law = std::ranges::find(kLaws, model.solid_law, &SolidLaw::name);
   PLIANT_ASSERT(law != kLaws.end(), "a law that studies may ask for");
   Components components = law->components();

@@ -80,7 +80,7 @@ MaterialComponent first_component(const std::string& name, const ComponentModel&
   const CurveKind kind =
       model.stiffness.value_or(model.addends.empty() ? CurveKind::spline : CurveKind::none);
   component.stiffness = first_curve(kind, seen, data, is_even(name));
-  if (model.friction == FrictionChoice::dahl) {
+  if (model.friction && model.friction->choice == FrictionChoice::dahl) {
     component.friction = ComponentFriction{
         {kFriction * data.stress, kFriction * data.stress / data.strain, 0.1 * data.strain}, {}};
   }

@@ -1,6 +1,7 @@
 #include "pliant/estimation/statistics/model_growth.h"
 
 #include <cmath>
+#include <limits>
 
 namespace pliant {
 namespace {
@@ -14,12 +15,16 @@ constexpr double kPlaceCost = 0.5;
 
 bool is_worth(const FittedModel& simple, const FittedModel& rich, double accuracy) {
   if (simple.rms <= accuracy || !(rich.rms < (1 - kWorthwhileFall) * simple.rms)) return false;
+  return growth_gain(simple, rich) > 0;
+}
+
+double growth_gain(const FittedModel& simple, const FittedModel& rich) {
   const double rows = rich.effective_rows;
   const double spare = rows - rich.parameters;
-  if (spare <= 0) return false;
+  if (spare <= 0) return -std::numeric_limits<double>::infinity();
   const double cost =
       rich.parameters - simple.parameters + kPlaceCost * (rich.placed - simple.placed);
-  return 2 * spare * std::log(simple.rms / rich.rms) > std::log(rows) * cost;
+  return 2 * spare * std::log(simple.rms / rich.rms) - std::log(rows) * cost;
 }
 
 Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy, int patience) {

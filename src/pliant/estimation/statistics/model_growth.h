@@ -31,6 +31,10 @@ struct FittedModel {
 /// @param accuracy  an rms below it is as good as any (in the unit of rms)
 bool is_worth(const FittedModel& simple, const FittedModel& rich, double accuracy = 0);
 
+/// By how much the left side above is larger than the right one: of richer models that with the
+/// largest gain is worth most. Minus infinity where no rows are to spare.
+double growth_gain(const FittedModel& simple, const FittedModel& rich);
+
 /// Fits a model with so many control points; nothing where there is no such model or no fit.
 using FitOfPoints = std::function<std::optional<FittedModel>(int points)>;
 

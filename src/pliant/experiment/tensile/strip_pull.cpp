@@ -28,9 +28,15 @@ class StripWalk {
   bool start(double length, double time) {
     const double strain = strain_at(geometry_, length);
     // A strip cannot push: where the stress at the start would, it is slack as well.
-    slack_ = strain < 0 ||
-             law_.elastic_stress(strain) + setup_.initial_friction * law_.max_friction(strain) < 0;
-    const auto point = slack_ ? slack_start() : taut_start(strain, strain_gradient(length));
+    slack_ = strain < 0 || start_stress(strain).stress < 0;
+    std::optional<PathPoint> point;
+    if (slack_) {
+      point = slack_start();
+    } else {
+      const Pull pull = pulled(length, [&](double at) { return start_stress(at); });
+      point = taut_start(pull.strain, pull.strain_gradient);
+      remember(pull);
+    }
     if (!point) return false;
     path_ = LawPath(law_, *point, time);
     last_strain_ = point->strain;
@@ -44,7 +50,7 @@ class StripWalk {
     if (slack_ || half.direction == 1) return;
     const auto stress = [&](double strain) { return path_.stress_at(strain); };
     const double from = path_.start().strain;
-    const double lowest = std::min(strain_at(geometry_, half.turn), from);
+    const double lowest = std::min(strain_at(own_geometry(), half.turn), from);
     if (stress(from) <= 0) {
       slack_strain_ = from;
     } else if (stress(lowest) < 0) {
@@ -53,36 +59,33 @@ class StripWalk {
   }
 
   void row(const HalfCycle& half, double length, double time, Eigen::Index i, StripForces& out) {
-    const double strain = strain_at(geometry_, length);
-    if (law_.flows()) find_slack(strain, time);
+    const double unloaded = strain_at(own_geometry(), length);
+    if (law_.flows()) find_slack(unloaded, time);
     out.force(i) = setup_.force_offset + half.direction * setup_.apparatus_friction;
     out.length_gain(i) = 0;
     if (parameters_ > 0) out.jacobian.row(i).setZero();
     if (columns_.force_offset >= 0) out.jacobian(i, columns_.force_offset) = 1;
-    if (slack_strain_ && strain < *slack_strain_) {
+    if (slack_strain_ && unloaded < *slack_strain_) {
       out.strain(i) = *slack_strain_;
+      last_force_ = 0;
       if (law_.flows()) go_on(*slack_strain_, kept_gradient(time), time);
       return;
     }
-    const PathStress here = path_.at(strain, time);
-    if (law_.flows()) go_on(strain, strain_gradient(length), time);
-    const double factor = force_factor(geometry_, strain);
-    const double slope = factor * here.slope + force_factor_slope(geometry_, strain) * here.stress;
-    out.strain(i) = strain;
-    out.force(i) += factor * here.stress;
-    out.length_gain(i) = std::abs(slope * strain_slope(geometry_, length));
-    if (parameters_ == 0) return;
-    out.jacobian.row(i) += factor * here.gradient.transpose();
-    if (columns_.rest_length_change >= 0) {
-      out.jacobian(i, columns_.rest_length_change) += slope * strain_by_rest_length(length);
-    }
+    const Pull pull = pulled(length, [&](double strain) { return path_.at(strain, time); });
+    if (law_.flows()) go_on(pull.strain, pull.strain_gradient, time);
+    remember(pull);
+    out.strain(i) = pull.strain;
+    out.force(i) += pull.force;
+    out.length_gain(i) = std::abs(pull.by_length);
+    if (parameters_ > 0) out.jacobian.row(i) += pull.force_gradient.transpose();
   }
 
   void end(const HalfCycle& half) {
-    const double turn = strain_at(geometry_, half.turn);
-    const bool ends_slack = slack_strain_ && turn < *slack_strain_;
+    const bool ends_slack = slack_strain_ && strain_at(own_geometry(), half.turn) < *slack_strain_;
     if (!ends_slack) {
-      path_.turn_at(turn, strain_gradient(half.turn));
+      const Pull turn = pulled(half.turn, [&](double strain) { return path_.at(strain); });
+      remember(turn);
+      path_.turn_at(turn.strain, turn.strain_gradient);
     } else if (!slack_ || law_.flows()) {
       path_.turn_at(*slack_strain_, kept_gradient(last_time_));
     }
@@ -90,6 +93,114 @@ class StripWalk {
   }
 
  private:
+  // What a strip does at a distance of the clamps.
+  struct Pull {
+    double strain = 0;
+    double force = 0;      // N
+    double by_length = 0;  // d force / d distance (N/m)
+    Eigen::VectorXd strain_gradient, force_gradient;
+  };
+
+  // How strain follows from the length of the strip (l) and its rest length (r).
+  struct Stretch {
+    double strain = 0, by_length = 0, by_rest_length = 0;
+  };
+
+  // The geometry with what has slipped out of the clamps so far.
+  UniaxialGeometry own_geometry() const {
+    UniaxialGeometry own = geometry_;
+    own.gauge_length += setup_.slip * largest_force_;
+    return own;
+  }
+
+  Stretch stretched(double length, double force) const {
+    UniaxialGeometry own = geometry_;
+    own.gauge_length += setup_.slip * std::max(force, largest_force_);
+    const double strip = length - setup_.compliance * force;
+    const double slope = strain_slope(own, strip);
+    return {strain_at(own, strip), slope, -strip / own.gauge_length * slope};
+  }
+
+  // How fast strain falls where force grows, both by slip and by compliance.
+  double yield_at(const Stretch& stretch, bool slips) const {
+    return setup_.compliance * stretch.by_length -
+           (slips ? setup_.slip * stretch.by_rest_length : 0.0);
+  }
+
+  // Solves force = f(strain(force)) by Newton's method; f is nearly linear over what the apparatus
+  // gives way.
+  template <class StressAt>
+  Pull pulled(double length, const StressAt& stress_at) const {
+    constexpr int kMostSteps = 30;
+    constexpr double kExactShare = 1e-12;
+    const bool gives_way = setup_.slip != 0 || setup_.compliance != 0;
+    Pull pull;
+    pull.force = gives_way ? last_force_ : 0;
+    for (int step = 0;; ++step) {
+      const Stretch stretch = stretched(length, pull.force);
+      const PathStress here = stress_at(stretch.strain);
+      const double factor = force_factor(geometry_, stretch.strain);
+      const double force = factor * here.stress;
+      const double slope =
+          factor * here.slope + force_factor_slope(geometry_, stretch.strain) * here.stress;
+      const bool slips = pull.force > largest_force_;
+      const double share = 1 + slope * yield_at(stretch, slips);
+      const double change = (force - pull.force) / share;
+      const bool done = !gives_way || step == kMostSteps ||
+                        std::abs(change) <= kExactShare * (std::abs(force) + last_force_);
+      if (!done) {
+        pull.force += change;
+        continue;
+      }
+      pull.strain = stretch.strain;
+      pull.force = force;
+      pull.by_length = slope * stretch.by_length / share;
+      if (parameters_ > 0) differentiate(pull, stretch, factor * here.gradient, slope, slips);
+      return pull;
+    }
+  }
+
+  // Derivatives of force and strain by the parameters.
+  // @param at_strain  d force / d parameters while the strain stays
+  void differentiate(Pull& pull, const Stretch& stretch, const Eigen::VectorXd& at_strain,
+                     double slope, bool slips) const {
+    // d strain / d parameters while the force stays
+    Eigen::VectorXd at_force = Eigen::VectorXd::Zero(parameters_);
+    const auto add = [&](int column, double by) {
+      if (column >= 0) at_force(column) += by;
+    };
+    const double largest = std::max(pull.force, largest_force_);
+    add(columns_.rest_length_change, stretch.by_rest_length);
+    add(columns_.slip, stretch.by_rest_length * largest);
+    add(columns_.compliance, -stretch.by_length * pull.force);
+    if (!slips && largest_gradient_.size() > 0) {
+      at_force += setup_.slip * stretch.by_rest_length * largest_gradient_;
+    }
+    const double yield = yield_at(stretch, slips);
+    pull.force_gradient = (at_strain + slope * at_force) / (1 + slope * yield);
+    pull.strain_gradient = at_force - yield * pull.force_gradient;
+  }
+
+  void remember(const Pull& pull) {
+    last_force_ = pull.force;
+    if (pull.force <= largest_force_) return;
+    largest_force_ = pull.force;
+    largest_gradient_ = pull.force_gradient;
+  }
+
+  // Stress at the first row, of elasticity and the initial state of friction.
+  PathStress start_stress(double strain) const {
+    PathStress stress;
+    stress.stress =
+        law_.elastic_stress(strain) + setup_.initial_friction * law_.max_friction(strain);
+    stress.slope = law_.elastic_tangent(strain) + friction_slope();
+    if (parameters_ > 0) {
+      stress.gradient = friction_gradient(strain);
+      law_.add_elastic_gradient(strain, stress.gradient);
+    }
+    return stress;
+  }
+
   // What flows lets go while the strip is slack: it is where the stress is zero by now.
   void find_slack(double strain, double time) {
     const auto stress = [&](double at) { return path_.stress_at(at, time); };
@@ -113,18 +224,6 @@ class StripWalk {
     path_.pass(strain, gradient, time);
     last_strain_ = strain;
     last_time_ = time;
-  }
-
-  double strain_by_rest_length(double length) const {
-    return -length / geometry_.gauge_length * strain_slope(geometry_, length);
-  }
-
-  Eigen::VectorXd strain_gradient(double length) const {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(parameters_);
-    if (columns_.rest_length_change >= 0) {
-      gradient(columns_.rest_length_change) = strain_by_rest_length(length);
-    }
-    return gradient;
   }
 
   // Derivatives of ratio * max_friction(strain) at fixed strain.
@@ -158,12 +257,9 @@ class StripWalk {
     };
     const auto strain = first_root(total, 0, kRootStep, kHighestPersistentStrain);
     if (!strain) return std::nullopt;
-    Eigen::VectorXd gradient = friction_gradient(*strain);
-    if (parameters_ > 0) {
-      gradient.head(law_.parameter_count()) += law_.elastic_gradient(*strain);
-      gradient /= -(law_.elastic_tangent(*strain) + friction_slope());
-    }
-    return taut_start(*strain, gradient);
+    if (parameters_ == 0) return taut_start(*strain, zero);
+    const PathStress stress = start_stress(*strain);
+    return taut_start(*strain, -stress.gradient / stress.slope);
   }
 
   ComponentLaw law_;
@@ -172,7 +268,9 @@ class StripWalk {
   StripColumns columns_;
   int parameters_;
   LawPath path_;
-  double last_strain_ = 0, last_time_ = 0;  // of the row before
+  double last_strain_ = 0, last_time_ = 0, last_force_ = 0;  // of the row before
+  double largest_force_ = 0;
+  Eigen::VectorXd largest_gradient_;
   bool slack_ = false;
   std::optional<double>
       slack_strain_;  // kept by the material while the present half cycle is slack

@@ -17,6 +17,8 @@ struct StripSetup {
   double rest_length_change = 0;  ///< m; rest length = gauge length + change
   double initial_friction = 0;    ///< share of the maximum friction stress at the first row, -1..1
   double apparatus_friction = 0;  ///< N, against the motion of the clamps
+  double slip = 0;                ///< m/N; cloth drawn out of the clamps by the largest pull so far
+  double compliance = 0;  ///< m/N, of the apparatus: it gives way to the pull, and comes back
 };
 
 /// Columns of the Jacobian that hold the derivatives w.r.t. the setup; -1: not wanted.
@@ -24,6 +26,8 @@ struct StripColumns {
   int force_offset = -1;
   int rest_length_change = -1;
   int initial_friction = -1;
+  int slip = -1;
+  int compliance = -1;
 };
 
 /// Row by row: force (N), strain of the material, |d force / d length| (N/m), d force / d
@@ -42,6 +46,10 @@ struct StripForces {
 /// have come back to that length. A strip that is slack at the start may hold a persistent strain,
 /// told by a negative initial friction.
 /// Where the law flows with time, what a slack strip keeps does so too.
+///
+/// What slips out of the clamps lengthens the strip, what the apparatus gives way takes off the
+/// distance of the clamps: with force F and its maximum so far M the strip of rest length
+/// L0 + slip M is stretched to the length L - compliance F, which is solved for F row by row.
 /// @param lengths     clamp distances (m)
 /// @param half_cycles   of `lengths`
 /// @param parameters  number of columns of the Jacobian; 0: no derivatives

@@ -18,11 +18,15 @@ constexpr int kSlackRows = 5;          // rows needed to read the force offset o
 constexpr double kForceOffsetShare = 0.1;  // bounds of nuisance parameters: of the peak force
 constexpr double kSettlingShare = 0.01;    // of the way, that clamps may go the other way round
 constexpr double kRestLengthShare = 0.1;   // and of the gauge length
+constexpr double kGivenWayShare = 0.1;
+constexpr double kExpectedSlip = 0.5e-3;        // m, at the peak force
+constexpr double kExpectedCompliance = 0.2e-3;  // m, at the peak force
 
 }  // namespace
 
-TensileCycles::TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path)
-    : geometry_(geometry), length_(path.value) {
+TensileCycles::TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path,
+                             const Clamps& clamps)
+    : geometry_(geometry), clamps_(clamps), length_(path.value) {
   const auto rows = static_cast<int>(length_.size());
   info_.time = path.time;
   measured_ = Eigen::VectorXd::Zero(rows);
@@ -119,7 +123,8 @@ std::vector<std::string> questions_of(const TensileCycles& cycles, const Experim
 TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
                              const ClothFacts& cloth)
     : geometry_{spec.test->length, spec.test->width, cloth.membrane},
-      apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction) {
+      apparatus_friction_(spec_of<TensileCyclesSpec>(spec).apparatus_friction),
+      clamps_(spec_of<TensileCyclesSpec>(spec).clamps) {
   const PulledRows rows = pulled_rows(data, geometry_.gauge_length, geometry_.width);
   const std::vector<double>& force = rows.force;
   length_ = rows.length;
@@ -137,6 +142,7 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
   path_.time = info_.time;
   describe(spec);
   info_.questions = questions_of(*this, spec, data, rows, cloth.density);
+  if (info_.questions.empty()) ask_of_rest_length(spec_of<TensileCyclesSpec>(spec));
 }
 
 void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {
@@ -189,6 +195,17 @@ void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const Tensil
     specimen.nuisance.rest_length_change =
         add("rest_length_change", "m", 0, -change, change, 0.1 * change);
   }
+  // How far clamps and apparatus may give way at the peak force, and what is expected of them.
+  const auto add_given_way = [&](const char* name, double expected) {
+    const double most = kGivenWayShare * geometry_.gauge_length;
+    const int index = add(name, "m/N", 0, 0, most / peak, expected / peak);
+    nuisance_.back().prior = GaussianPrior{0, expected / peak};
+    return index;
+  };
+  if (!clamps_.slip_is_known) specimen.nuisance.slip = add_given_way("slip", kExpectedSlip);
+  if (!clamps_.compliance_is_known) {
+    specimen.nuisance.compliance = add_given_way("compliance", kExpectedCompliance);
+  }
   if (spec.initial_friction == InitialFriction::unknown) {
     // A slack strip can only hold a persistent strain, i.e. friction that pushes.
     const bool slack = length_[static_cast<size_t>(specimen.rows.first)] < geometry_.gauge_length;
@@ -205,6 +222,29 @@ void TensileCycles::read_path(const Specimen& specimen, int number) {
                        force_factor(geometry_, strain)};
   };
   append_half_cycles(specimen.rows, number, specimen.half_cycles, load, path_);
+}
+
+// A strip that pulls before the clamps are at its length is shorter than stated.
+void TensileCycles::ask_of_rest_length(const TensileCyclesSpec& spec) {
+  constexpr double kRiseShare = 0.03;  // of the peak
+  if (spec.rest_length == RestLength::unknown) return;
+  for (const Specimen& specimen : specimens_) {
+    const auto first = specimen.rows.first;
+    int slack = 0;  // rows at the start
+    while (slack < specimen.rows.count &&
+           length_[static_cast<size_t>(first + slack)] < kSlackShare * geometry_.gauge_length) {
+      ++slack;
+    }
+    if (slack < kSlackRows) continue;
+    const double rise = measured_(first + slack - 1) - measured_(first);
+    if (rise < kRiseShare * measured_.segment(first, specimen.rows.count).maxCoeff()) continue;
+    info_.questions.push_back(fmt::format(
+        "the force rises by {} before the clamps are at the stated length of {}: is the strip "
+        "shorter than that (`rest_length: unknown` finds its length)?",
+        format_quantity(rise, Dimension::force),
+        format_quantity(geometry_.gauge_length, Dimension::length)));
+    return;
+  }
 }
 
 void TensileCycles::describe(const ExperimentSpec& spec) {
@@ -261,6 +301,16 @@ void TensileCycles::describe_nuisance(const TensileCyclesSpec& spec) {
       spec.initial_friction == InitialFriction::rest
           ? "friction starts at rest"
           : "the friction state at the first row is unknown and estimated along");
+  if (!clamps_.slip_is_known) {
+    info_.handled.emplace_back(
+        "cloth that the pull draws out of the clamps is estimated along: slip times the largest "
+        "force so far, expected to be some 0.5 mm at the peak");
+  }
+  if (!clamps_.compliance_is_known) {
+    info_.handled.emplace_back(
+        "how far the apparatus gives way to the pull is estimated along, expected to be some "
+        "0.2 mm at the peak force");
+  }
 }
 
 std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
@@ -276,10 +326,15 @@ std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
                         Eigen::VectorXd(rows()), Eigen::VectorXd(rows())};
   for (const Specimen& specimen : specimens_) {
     const StripColumns& own = specimen.nuisance;
-    const StripSetup setup{value(own.force_offset), value(own.rest_length_change),
-                           value(own.initial_friction), apparatus_friction_};
+    const StripSetup setup{value(own.force_offset),
+                           value(own.rest_length_change),
+                           value(own.initial_friction),
+                           apparatus_friction_,
+                           own.slip < 0 ? clamps_.slip : value(own.slip),
+                           own.compliance < 0 ? clamps_.compliance : value(own.compliance)};
     const StripColumns columns{column(own.force_offset), column(own.rest_length_change),
-                               column(own.initial_friction)};
+                               column(own.initial_friction), column(own.slip),
+                               column(own.compliance)};
     const std::span<const double> lengths(length_.data() + specimen.rows.first,
                                           static_cast<size_t>(specimen.rows.count));
     const auto forces = pull_strip(law, geometry_, setup, columns, lengths, specimen.half_cycles,

@@ -18,8 +18,9 @@ namespace pliant {
 class TensileCycles : public ComponentExperiment {
  public:
   TensileCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
-  /// A path of the clamps (m) without measured forces, of a fresh strip in an ideal apparatus.
-  TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path);
+  /// A path of the clamps (m) without measured forces, of a fresh strip.
+  TensileCycles(const UniaxialGeometry& geometry, const SampledPath& path,
+                const Clamps& clamps = {});
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
@@ -45,11 +46,13 @@ class TensileCycles : public ComponentExperiment {
   void exclude_conditioning(const Specimen& specimen, int cycles);
   void add_nuisance(Specimen& specimen, size_t number, const TensileCyclesSpec& spec);
   void read_path(const Specimen& specimen, int number);
+  void ask_of_rest_length(const TensileCyclesSpec& spec);
   void describe(const ExperimentSpec& spec);
   void describe_nuisance(const TensileCyclesSpec& spec);
 
   UniaxialGeometry geometry_;
   double apparatus_friction_ = 0;
+  Clamps clamps_;
   std::vector<double> length_;  // clamp distance, m
   std::vector<Specimen> specimens_;
 };

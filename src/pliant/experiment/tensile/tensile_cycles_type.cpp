@@ -1,6 +1,8 @@
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "pliant/experiment/tensile/tensile_cycles.h"
@@ -41,6 +43,7 @@ std::shared_ptr<const TestSpec> read(Fields& fields, const SpecimenDefaults& def
   }
   spec->initial_friction = read_initial_friction(fields);
   spec->rest_length = read_rest_length(fields, spec->pretension);
+  spec->clamps = read_clamps(fields, defaults.clamps);
   return spec;
 }
 
@@ -51,6 +54,8 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   read_samples(fields, *test);
   read_duration(fields, *test);
   test->slack = read_from_zero(fields, "slack", Dimension::length);
+  test->clamps.slip = read_from_zero(fields, "slip", Dimension::compliance);
+  test->clamps.compliance = read_from_zero(fields, "compliance", Dimension::compliance);
   read_cycles(fields, Dimension::fraction, *test);
   return test;
 }
@@ -86,13 +91,15 @@ WrittenFields TensileCyclesSpec::fields() const {
   fields.emplace_back("precondition_cycles", std::to_string(precondition_cycles));
   fields.push_back(written(rest_length));
   fields.push_back(written(initial_friction));
+  std::ranges::move(written(clamps), std::back_inserter(fields));
   return fields;
 }
 
 std::string VirtualTensileCycles::rows(const ComponentLaw& law, const ClothFacts& cloth,
                                        RandomStream& random) const {
   const SampledPath path = timed(clamp_path(1));
-  const Prediction pulled = predicted(TensileCycles({length, width, cloth.membrane}, path), law);
+  const Prediction pulled =
+      predicted(TensileCycles({length, width, cloth.membrane}, path, clamps), law);
   return table_text(with_times({{"force_N", {pulled.value.begin(), pulled.value.end()}, 1, force()},
                                 {"length_mm", path.value, 1e3, lengths()},
                                 {"cycle", {path.cycle.begin(), path.cycle.end()}}},
@@ -107,7 +114,12 @@ WrittenFields VirtualTensileCycles::study_fields() const {
 }
 
 WrittenFields VirtualTensileCycles::own_description() const {
-  return {{"strip", size_text()}, {"peaks", sequence_text(peaks, Dimension::fraction)}};
+  WrittenFields description{{"strip", size_text()},
+                            {"peaks", sequence_text(peaks, Dimension::fraction)}};
+  if (clamps.slip > 0 || clamps.compliance > 0) {
+    std::ranges::move(written(clamps), std::back_inserter(description));
+  }
+  return description;
 }
 
 }  // namespace pliant

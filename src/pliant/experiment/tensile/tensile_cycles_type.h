@@ -18,6 +18,7 @@ struct TensileCyclesSpec : TestSpec {
   int precondition_cycles = 0;
   InitialFriction initial_friction = InitialFriction::rest;
   RestLength rest_length = RestLength::known;
+  Clamps clamps;
 
   const TestType& type() const override { return tensile_cycles_type(); }
   WrittenFields fields() const override;
@@ -27,6 +28,8 @@ struct TensileCyclesSpec : TestSpec {
 
 /// Cycles to engineering strains.
 struct VirtualTensileCycles : VirtualCycles {
+  Clamps clamps;
+
   const TestType& type() const override { return tensile_cycles_type(); }
   std::string rows(const ComponentLaw& law, const ClothFacts& cloth,
                    RandomStream& random) const override;

@@ -9,9 +9,11 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/component_fit.h"
+#include "pliant/experiment/loop_figures.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/sheet_test.h"
 #include "pliant/experiment/standard_figures.h"
+#include "pliant/experiment/textile_figure.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/study/sheet_study.h"
 #include "pliant/study/study.h"
@@ -167,6 +169,26 @@ std::string component_of(const ExperimentSpec& spec, const ModelOptions& model) 
   return is_sheet(spec, model) && alone == "stretch.bias" ? "shear" : alone;
 }
 
+/// What standards read off the loop, what the instrument shows of nothing taken off.
+void add_loop_figures(const ComponentExperiment& experiment, FileInfo& info, Json& json) {
+  if (!experiment.loop(experiment.measured())) return;
+  const Eigen::VectorXd zero = experiment.instrument_zero(experiment.unfitted_nuisance({}));
+  std::vector<std::string> texts;
+  for (const LoopFigure& figure : loop_figures(experiment, experiment.measured() - zero)) {
+    const TextileFigure* kind = find_textile_figure(figure.name);
+    const double value = kind->per_si * figure.value;
+    json["figures"].push_back({{"name", figure.name},
+                               {"standard", kind->standard},
+                               {"value", value},
+                               {"unit", kind->lab_unit}});
+    const std::string unit = kind->lab_unit == "1" ? "" : fmt::format(" {}", kind->lab_unit);
+    texts.push_back(fmt::format("{} {}{}", kind->symbol, format_number(value, kDigits), unit));
+  }
+  if (texts.empty()) return;
+  info.lines.push_back(
+      labelled("figures", fmt::format("{} (KES, FAST, ISO 20932-1)", fmt::join(texts, ", ")), 1));
+}
+
 void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
                       const ComponentExperiment& experiment, FileInfo& info, Json& json) {
   const ExperimentInfo& about = experiment.info();
@@ -255,6 +277,7 @@ Experiments add_experiments(const Study& study, FileInfo& info) {
     } else {
       auto experiment = read_experiment(spec, study);
       add_measurements(spec, study.model, *experiment, info, json);
+      add_loop_figures(*experiment, info, json);
       if (!is_sheet(spec, study.model)) experiments.push_back(std::move(experiment));
       if (type.standard_figures) {
         const StandardFigures figures = type.standard_figures(DataRows(spec.data), spec.test.get(),
@@ -287,7 +310,8 @@ void add_plan(const Study& study, const std::string& component,
       [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
   const std::string reason =
       friction_reason(friction_of(study.model, component).choice, data_unloads);
-  const std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
+  std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";
+  if (plan.branches > 1) friction += fmt::format(" of up to {} branches", plan.branches);
   std::vector<std::string> names;
   for (const ComponentExperiment* experiment : fitted) names.push_back(experiment->info().name);
 

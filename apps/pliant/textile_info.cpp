@@ -8,6 +8,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/lab_figures.h"
 #include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/textile_figure.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/kes_bending.h"
 
@@ -93,10 +94,34 @@ std::string place_in_words(const std::string& component, double at) {
   return format_number(at * 180 / std::numbers::pi, 2) + " degrees";
 }
 
+/// A figure of a standard: "3.2 % (KES-FB1: extension at 500 gf/cm; usual 1 to 40)".
+std::string in_lab_unit(const TextileFigure& kind, double si) {
+  const std::string unit = kind.lab_unit == "1" ? "" : fmt::format(" {}", kind.lab_unit);
+  const std::string usual =
+      kind.usual_most > 0 ? fmt::format("; usual {} to {}", kind.usual_least, kind.usual_most) : "";
+  return fmt::format("{}{} ({}: {}{})", format_number(kind.per_si * si, kDigits), unit,
+                     kind.standard, kind.meaning, usual);
+}
+
+void add_standard(const LabFigure& figure, const TextileFigure& kind, FileInfo& info, Json& json) {
+  json["standards"].push_back({{"name", figure.name},
+                               {"standard", kind.standard},
+                               {"value", kind.per_si * figure.value},
+                               {"unit", kind.lab_unit},
+                               {"beyond_range", figure.beyond_range}});
+  info.lines.push_back(labelled(
+      std::string(kind.symbol),
+      in_lab_unit(kind, figure.value) + (figure.beyond_range ? ", beyond what was measured" : ""),
+      1));
+}
+
 /// What a chart of a tester shows of stretch and shear.
 Json chart_info(const Material& material, const std::string& name, FileInfo& info) {
-  Json json{{"figures", Json::array()}};
+  Json json{{"figures", Json::array()}, {"standards", Json::array()}};
   for (const LabFigure& figure : lab_figures(material, name, {})) {
+    if (const TextileFigure* kind = find_textile_figure(figure.name)) {
+      add_standard(figure, *kind, info, json);
+    }
     if (!figure.at) continue;  // the stiffness at rest stands above
     json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", *figure.at}});
     info.lines.push_back(labelled(

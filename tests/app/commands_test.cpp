@@ -70,7 +70,7 @@ TEST(Lab, MakesAStudyThatFitReads) {
   EXPECT_EQ(fit.status, 0) << fit.err;
   EXPECT_THAT(names_in(folder.path() / "fit"),
               IsSupersetOf({"material.json", "fit.json", "study.resolved.yaml", "report.html",
-                            "parameters.csv", "curves.csv", "predictions"}));
+                            "parameters.csv", "curves.csv", "figures.csv", "predictions"}));
   EXPECT_THAT(fit.err, AllOf(HasSubstr("stretch.warp.friction.tau"), HasSubstr("report.html")));
   EXPECT_EQ(fit.out, "");
 }

@@ -147,6 +147,8 @@ ExperimentResult compare(const ComponentExperiment& experiment, const ComponentL
   const Eigen::VectorXd zero = experiment.instrument_zero(nuisance);
   result.measured_loop = metrics_of(experiment, result.measured - zero);
   result.predicted_loop = metrics_of(experiment, result.predicted - zero);
+  result.measured_figures = loop_figures(experiment, result.measured - zero);
+  result.predicted_figures = loop_figures(experiment, result.predicted - zero);
   return result;
 }
 

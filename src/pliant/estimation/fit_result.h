@@ -14,6 +14,7 @@
 #include "pliant/estimation/statistics/outliers.h"
 #include "pliant/estimation/whole_sheet_result.h"
 #include "pliant/experiment/component_experiment.h"
+#include "pliant/experiment/loop_figures.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/session/equilibrium_work.h"
 #include "pliant/io/vtu.h"
@@ -79,6 +80,7 @@ struct ExperimentResult {
                                        ///< absent for too few rows in a run, and for profiles
   std::pair<double, double> strain_range;
   std::optional<LoopMetrics> measured_loop, predicted_loop;
+  std::vector<LoopFigure> measured_figures, predicted_figures;  ///< of standards
   std::optional<StripShapes> shapes;     ///< of strips whose profiles are measured
   std::optional<SheetComparison> sheet;  ///< of full-field sessions
   std::optional<FoldError> folds;        ///< of the same

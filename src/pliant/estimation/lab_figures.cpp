@@ -2,24 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <utility>
 
 #include "pliant/base/assert.h"
+#include "pliant/estimation/figure_reader.h"
 #include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/pulled_figures.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/kes_bending.h"
+#include "pliant/material/kes_shear.h"
 #include "pliant/material/law_path.h"
 
 namespace pliant {
 namespace {
-
-constexpr double kStep = 1e-4;  // of a parameter, for differences: far above rounding, far below it
-
-/// A number that is read off a component.
-using Reading = std::function<std::optional<double>(const MaterialComponent&)>;
 
 double stress_while_loading(const ComponentLaw& law, double strain) {
   return LawPath(law, {}).stress_at(strain);
@@ -64,14 +60,14 @@ struct Chart {
   }
 };
 
-Reading secant_modulus(const Chart& chart, double at) {
+FigureReading secant_modulus(const Chart& chart, double at) {
   return [=](const MaterialComponent& component) {
     const double strain = chart.strain(at);
     return chart.force(stress_while_loading(law_of(component), strain), strain) / chart.base(at);
   };
 }
 
-Reading loop_width(const Chart& chart, double at, double turn) {
+FigureReading loop_width(const Chart& chart, double at, double turn) {
   return [=](const MaterialComponent& component) {
     const double strain = chart.strain(at);
     const ComponentLaw law = law_of(component);
@@ -85,101 +81,113 @@ double tangent_at_rest(const MaterialComponent& component) {
   return law_of(component).stiffness_at_rest();
 }
 
-/// Collects the figures of a component with their errors.
-class Figures {
- public:
-  Figures(const Material& material, std::string name, const ErrorOfLaw& error_of)
-      : name_(std::move(name)), component_(material.components.at(name_)), error_of_(error_of) {}
-
-  const MaterialComponent& component() const { return component_; }
-  double end() const { return component_.range ? component_.range->second : 0; }
-
-  /// @param from, to  strains between which the law is read
-  void add(const char* name, const char* unit, const Reading& read, double from, double to,
-           std::optional<double> at = std::nullopt) {
-    const std::optional<double> value = read(component_);
-    if (!value || !std::isfinite(*value)) return;
-    all_.push_back({name_, name, unit, *value, at, error(read), is_beyond(from, to)});
+/// What instruments print of a pull, where the law comes to their loads within one and a half times
+/// the range of the data.
+void add_pull(const Material& material, const std::string& component, FigureReader& figures) {
+  constexpr double kFurthest = 1.5;
+  const UniaxialGeometry strip{1, 1, material.membrane};
+  const auto cycle_to = [membrane = material.membrane](const MaterialComponent& pulled,
+                                                       double load) {
+    return pulled_to(law_of(pulled), membrane, load);
+  };
+  const auto end_of = [&](double load) {
+    const auto cycle = cycle_to(figures.component(), load);
+    return cycle ? strain_at(strip, 1 + cycle->out.extension.back()) : INFINITY;
+  };
+  const auto reaches = [&](double strain) {
+    const bool ranged = figures.component().range.has_value();
+    return std::isfinite(strain) && (!ranged || strain <= kFurthest * figures.end());
+  };
+  if (const double end = end_of(kKesTensileLoad); reaches(end)) {
+    const auto kes = [&](auto number) {
+      return [=](const MaterialComponent& pulled) -> std::optional<double> {
+        const auto cycle = cycle_to(pulled, kKesTensileLoad);
+        const auto figure = cycle ? kes_tensile(*cycle) : std::nullopt;
+        return figure ? number(*figure) : std::nullopt;
+      };
+    };
+    using Number = std::optional<double>;
+    figures.add("kes_EMT", "1", kes([](const KesTensile& k) { return Number(k.extension); }), 0,
+                end);
+    figures.add("kes_LT", "1", kes([](const KesTensile& k) { return Number(k.linearity); }), 0,
+                end);
+    figures.add("kes_WT", "N/m", kes([](const KesTensile& k) { return Number(k.work); }), 0, end);
+    figures.add("kes_RT", "1", kes([](const KesTensile& k) { return k.resilience; }), 0, end);
   }
-
-  std::vector<LabFigure> take() { return std::move(all_); }
-
- private:
-  /// Of what the data cover; their ends count as met by a hundredth.
-  bool is_beyond(double from, double to) const {
-    if (!component_.range) return true;
-    const auto [low, high] = *component_.range;
-    const double slack = 0.01 * high;
-    return from < low - slack || to > high + slack;
+  const auto extension_at = [&](double load) {
+    return [=](const MaterialComponent& pulled) -> std::optional<double> {
+      const auto cycle = cycle_to(pulled, load);
+      return cycle ? std::optional(cycle->out.extension.back()) : std::nullopt;
+    };
+  };
+  constexpr const char* kNames[] = {"fast_E5", "fast_E20", "fast_E100"};
+  for (int i = 0; i < 3; ++i) {
+    const double end = end_of(kFastLoads[i]);
+    if (reaches(end)) figures.add(kNames[i], "1", extension_at(kFastLoads[i]), 0, end);
   }
-
-  std::optional<CurveError> error(const Reading& read) const {
-    // Of friction that differs between the sides the parameters are twice as many.
-    if (!error_of_ || (component_.friction && component_.friction->negative)) return std::nullopt;
-    const ComponentLaw law = law_of(component_);
-    const Eigen::VectorXd steps = steps_of(law);
-    Eigen::VectorXd gradient(law.parameter_count());
-    for (Eigen::Index i = 0; i < gradient.size(); ++i) {
-      const auto up = read_with(law, i, steps(i), read), down = read_with(law, i, -steps(i), read);
-      if (!up || !down) return std::nullopt;
-      gradient(i) = (*up - *down) / (2 * steps(i));
-    }
-    return gradient.allFinite() ? error_of_(gradient) : std::nullopt;
+  if (component == "stretch.bias" && reaches(end_of(kFastLoads[0]))) {
+    figures.add(
+        "fast_G", "N/m",
+        [e5 = extension_at(kFastLoads[0])](const MaterialComponent& pulled) {
+          const auto extension = e5(pulled);
+          return extension ? std::optional(fast_shear_rigidity(*extension)) : std::nullopt;
+        },
+        0, end_of(kFastLoads[0]));
   }
+}
 
-  std::optional<double> read_with(const ComponentLaw& law, Eigen::Index parameter, double step,
-                                  const Reading& read) const {
-    Eigen::VectorXd parameters = law.parameters();
-    parameters(parameter) += step;
-    MaterialComponent moved = component_;
-    set_law(moved, law.with_parameters(parameters));
-    return read(moved);
-  }
+void add_kes_shear(FigureReader& figures) {
+  const auto kes = [](double KesShear::*number) {
+    return [number](const MaterialComponent& sheared) {
+      return std::optional(kes_shear(sheared).*number);
+    };
+  };
+  const double turn = std::sin(kKesLargestAngle);
+  figures.add("kes_G", "N/m", kes(&KesShear::rigidity), 0, turn);
+  if (!law_of(figures.component()).remembers()) return;
+  figures.add("kes_2HG", "N/m", kes(&KesShear::hysteresis), 0, turn);
+  figures.add("kes_2HG5", "N/m", kes(&KesShear::hysteresis_at_five), 0, turn);
+}
 
-  /// A parameter that is zero moves by a share of the largest one of its unit.
-  Eigen::VectorXd steps_of(const ComponentLaw& law) const {
-    const std::vector<std::string> units = parameter_units(law, units_of(name_));
-    const Eigen::VectorXd parameters = law.parameters();
-    Eigen::VectorXd steps = kStep * parameters.cwiseAbs();
-    for (Eigen::Index i = 0; i < steps.size(); ++i) {
-      for (Eigen::Index j = 0; j < steps.size() && parameters(i) == 0; ++j) {
-        const bool alike = units[static_cast<std::size_t>(i)] == units[static_cast<std::size_t>(j)];
-        if (alike) steps(i) = std::max(steps(i), kStep * std::abs(parameters(j)));
-      }
-      if (steps(i) == 0) steps(i) = kStep;
-    }
-    return steps;
-  }
-
-  std::string name_;
-  MaterialComponent component_;
-  const ErrorOfLaw& error_of_;
-  std::vector<LabFigure> all_;
-};
-
-/// @param component  that instruments read: of a metric of triangles there is no chart
-void add_membrane(const Material& material, const std::string& component, Figures& figures) {
+/// Moduli and the width of the loop within the range of the data.
+void add_chart(const Chart& chart, FigureReader& figures) {
   constexpr double kLeast = 1e-4;  // of strain: below, there is no chart to read
-  Chart chart;
-  chart.strip.measure = material.membrane;
-  chart.shear = component == "shear";
-  figures.add("stiffness_at_rest", "N/m", tangent_at_rest, 0, 0);
-  if (solid_metric_of(component)) return;
   if (!(figures.end() > kLeast) || (chart.shear && figures.end() >= 1)) return;
   const double end = chart.at(figures.end());
   for (const double at : {chart.rounded(end / 2), end}) {
     const double strain = chart.strain(at);
     figures.add("secant_modulus", "N/m", secant_modulus(chart, at), strain, strain, at);
   }
-  if (law_of(figures.component()).remembers()) {
-    const double half = end / 2;
-    figures.add("loop_width", "N/m", loop_width(chart, half, end), chart.strain(half),
-                figures.end(), half);
+  if (!law_of(figures.component()).remembers()) return;
+  const double half = end / 2;
+  figures.add("loop_width", "N/m", loop_width(chart, half, end), chart.strain(half), figures.end(),
+              half);
+}
+
+/// @param component  that instruments read: of a metric of triangles there is no chart
+void add_membrane(const Material& material, const std::string& component, FigureReader& figures) {
+  figures.add("stiffness_at_rest", "N/m", tangent_at_rest, 0, 0);
+  if (solid_metric_of(component)) return;
+  Chart chart;
+  chart.strip.measure = material.membrane;
+  chart.shear = component == "shear";
+  add_chart(chart, figures);
+  if (chart.shear) {
+    add_kes_shear(figures);
+  } else {
+    add_pull(material, component, figures);
   }
 }
 
+std::optional<double> flexural_rigidity(const MaterialComponent& component, double density) {
+  const ComponentLaw law = law_of(component);
+  if (law.addends_remember()) return std::nullopt;
+  const auto length = bending_length(law, density);
+  return length ? std::optional(length->flexural_rigidity) : std::nullopt;
+}
+
 /// Numbers of the sheet, whose moment per width is the stress at three times its curvature.
-void add_bending(const Material& material, Figures& figures) {
+void add_bending(const Material& material, FigureReader& figures) {
   const double end = figures.end();
   figures.add(
       "rigidity_at_rest", "N m",
@@ -213,6 +221,58 @@ void add_bending(const Material& material, Figures& figures) {
         return length ? std::optional(length->length) : std::nullopt;
       },
       0, 0);
+  figures.add(
+      "flexural_rigidity", "N m",
+      [density = material.density](const MaterialComponent& component) {
+        return flexural_rigidity(component, density);
+      },
+      0, 0);
+}
+
+}  // namespace
+
+namespace {
+
+bool is_of_sheet(const Material& material) {
+  return material.bending == "discrete-shells" && material.bending_of == "sheet";
+}
+
+std::optional<double> flexural_rigidity(const Material& material, const std::string& component) {
+  const auto found = material.components.find(component);
+  if (found == material.components.end() || !found->second.stiffness) return std::nullopt;
+  if (!(material.density > 0) || !is_of_sheet(material)) return std::nullopt;
+  return flexural_rigidity(found->second, material.density);
+}
+
+const LabFigure* find_figure(const std::vector<LabFigure>& figures, std::string_view name) {
+  const auto found = std::ranges::find(figures, name, &LabFigure::name);
+  return found == figures.end() ? nullptr : &*found;
+}
+
+/// Figures that two components make together; what their errors make is not known.
+void add_of_two(const Material& material, const std::string& component,
+                std::vector<LabFigure>& figures) {
+  if (component == "stretch.weft" || component == "stretch.warp") {
+    const auto rigidity = flexural_rigidity(material, "bend" + component.substr(7));
+    const LabFigure* e5 = find_figure(figures, "fast_E5");
+    const LabFigure* e20 = find_figure(figures, "fast_E20");
+    if (!rigidity || !e5 || !e20) return;
+    const bool beyond = e5->beyond_range || e20->beyond_range;
+    figures.push_back({component,
+                       "fast_formability",
+                       "m^2",
+                       fast_formability(e5->value, e20->value, *rigidity),
+                       {},
+                       {},
+                       beyond});
+  }
+  if (component == "bend.weft") {
+    const auto weft = flexural_rigidity(material, component),
+               warp = flexural_rigidity(material, "bend.warp");
+    if (!weft || !warp) return;
+    figures.push_back(
+        {component, "overall_flexural_rigidity", "N m", std::sqrt(*weft * *warp), {}, {}, false});
+  }
 }
 
 }  // namespace
@@ -222,13 +282,15 @@ std::vector<LabFigure> lab_figures(const Material& material, const std::string& 
   PLIANT_ASSERT(material.components.at(component).stiffness.has_value(),
                 "a component with numbers");
   if (is_sheet_pair(component)) return {};
-  Figures figures(material, component, error_of);
+  FigureReader figures(material, component, error_of);
   if (!is_bending(component)) {
     add_membrane(material, component, figures);
-  } else if (material.bending == "discrete-shells" && material.bending_of == "sheet") {
+  } else if (is_of_sheet(material)) {
     add_bending(material, figures);
   }
-  return figures.take();
+  std::vector<LabFigure> all = figures.take();
+  add_of_two(material, component, all);
+  return all;
 }
 
 }  // namespace pliant

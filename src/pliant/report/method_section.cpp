@@ -114,7 +114,8 @@ std::string provenance(const Results& results) {
   facts.insert(facts.end(), results.info.begin(), results.info.end());
   return "<h3>Origin of these results</h3>\n" + fact_table(facts) +
          "<p>Beside this file: <code>material.json</code> (the material), "
-         "<code>parameters.csv</code>, <code>curves.csv</code>, <code>predictions/</code> (each "
+         "<code>parameters.csv</code>, <code>figures.csv</code>, <code>curves.csv</code>, "
+         "<code>predictions/</code> (each "
          "experiment row by row) and <code>study.resolved.yaml</code> (the study with every "
          "default "
          "filled in).</p>\n";

@@ -14,6 +14,7 @@ std::string make_report(const std::filesystem::path& results_directory) {
   body += report::whole_sheet_section(data);
   body += report::parameter_section(data);
   body += report::sample_section(data, figures);
+  body += report::standard_section(data);
   body += report::curve_section(data, figures);
   body += report::method_section(data.results);
   body += report::profile_section(data.results, figures);

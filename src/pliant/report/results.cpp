@@ -118,6 +118,18 @@ std::vector<std::size_t> read_outliers(const JsonReader& json) {
   return rows;
 }
 
+template <typename Item>
+std::vector<Item> read_all(const JsonReader& json, std::string_view key,
+                           Item (*read)(const JsonReader&)) {
+  std::vector<Item> items;
+  for (const JsonReader& object : json.objects(key)) items.push_back(read(object));
+  return items;
+}
+
+ResultLoopFigure read_loop_figure(const JsonReader& json) {
+  return {json.text("name"), json.number("measured"), json.number("predicted")};
+}
+
 ResultExperiment read_experiment(const JsonReader& json) {
   ResultExperiment e;
   e.name = json.text("name");
@@ -146,6 +158,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
     e.measured_loop = read_loop(loop->object("measured"));
     e.predicted_loop = read_loop(loop->object("predicted"));
   }
+  e.figures = read_all(json, "figures", read_loop_figure);
   e.unloads = json.flag_or("unloads", false);
   if (json.has("shape_file")) e.shape_file = json.relative_file_or("shape_file", "");
   if (json.has("sheets")) e.sheet_folder = json.relative_file_or("sheets", "");
@@ -240,14 +253,6 @@ ResultJudgement read_judgement(const std::optional<JsonReader>& json) {
     judgement.criteria.push_back(c.text("text"));
   }
   return judgement;
-}
-
-template <typename Item>
-std::vector<Item> read_all(const JsonReader& json, std::string_view key,
-                           Item (*read)(const JsonReader&)) {
-  std::vector<Item> items;
-  for (const JsonReader& object : json.objects(key)) items.push_back(read(object));
-  return items;
 }
 
 /// A nuisance parameter goes with the component that its experiment measures.

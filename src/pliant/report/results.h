@@ -39,6 +39,12 @@ struct LoopMeasures {
   std::optional<double> loop_loss;         ///< work lost in the loop over work of loading, 0..1
 };
 
+/// A figure of a standard (textile_figure.h) that a loop shows, in the laboratory's unit.
+struct ResultLoopFigure {
+  std::string name;
+  std::optional<double> measured, predicted;
+};
+
 struct ResultExperiment {
   std::string name, type, direction, component;
   std::string quantity;  ///< what is measured and predicted, with its unit: `force_N`
@@ -66,7 +72,8 @@ struct ResultExperiment {
   std::optional<std::array<double, 2>> strain_range;
   bool unloads = false;  ///< by enough to show friction, without a loop too
   std::optional<LoopMeasures> measured_loop, predicted_loop;
-  std::vector<std::size_t> outliers;  ///< rows, from 0, that the fit leaves by far
+  std::vector<ResultLoopFigure> figures;  ///< of standards, that its loop shows
+  std::vector<std::size_t> outliers;      ///< rows, from 0, that the fit leaves by far
   std::vector<std::string> handled;
 };
 

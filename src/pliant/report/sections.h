@@ -23,6 +23,9 @@ std::string parameter_section(const ReportData& data);
 /// What the numbers of a heterogeneous material are at each of its samples.
 std::string sample_section(const ReportData& data, FigureSheet& figures);
 
+/// The figures of standards, of the material and of the measured loops, in the laboratory's units.
+std::string standard_section(const ReportData& data);
+
 /// Each component's stress-strain curve, the data under it, and its friction envelope.
 std::string curve_section(const ReportData& data, FigureSheet& figures);
 

@@ -9,6 +9,7 @@
 #include "pliant/io/csv_writer.h"
 #include "pliant/material/material_file.h"
 #include "pliant/study/body_map.h"
+#include "pliant/study/figure_files.h"
 #include "pliant/study/frame_measure_table.h"
 #include "pliant/study/shape_table.h"
 #include "pliant/study/whole_sheet_files.h"
@@ -117,6 +118,7 @@ Json experiment_json(const ExperimentResult& e) {
     json["loop"] = {{"measured", loop_json(*e.measured_loop, e.quantity)},
                     {"predicted", loop_json(*e.predicted_loop, e.quantity)}};
   }
+  json["figures"] = loop_figures_json(e);
   json["handled"] = e.handled;
   json["prediction_file"] = prediction_file(e);
   json["shape_file"] = e.shapes ? Json(shape_file(e)) : Json(nullptr);
@@ -125,24 +127,6 @@ Json experiment_json(const ExperimentResult& e) {
   json["fold_slope_error"] = e.folds ? number(e.folds->slope) : Json(nullptr);
   json["sheets"] = e.sheet ? Json(sheet_folder(e)) : Json(nullptr);
   json["missing_frames"] = e.sheet ? Json(e.sheet->missing_frames()) : Json(nullptr);
-  return json;
-}
-
-/// Grades and intervals are null where no error is known.
-Json figure_json(const LabFigure& figure) {
-  Json json{{"component", figure.component},
-            {"name", figure.name},
-            {"value", number(figure.value)},
-            {"unit", figure.unit},
-            {"at", number(figure.at)},
-            {"std_error", nullptr},
-            {"lower", nullptr},
-            {"upper", nullptr},
-            {"beyond_range", figure.beyond_range}};
-  if (!figure.error) return json;
-  json["std_error"] = number(figure.error->std_error);
-  json["lower"] = number(figure.value - figure.error->half_width);
-  json["upper"] = number(figure.value + figure.error->half_width);
   return json;
 }
 
@@ -340,6 +324,9 @@ void add_session(const Session& session, const std::string& folder,
 void add_tables(const StudyResult& result,
                 std::vector<std::pair<std::string, std::string>>& files) {
   files.emplace_back("curves.csv", curves_csv(result));
+  if (result.material.kind == MaterialKind::cloth) {
+    files.emplace_back("figures.csv", figures_csv(result));
+  }
   for (const ExperimentResult& experiment : result.experiments) {
     files.emplace_back(prediction_file(experiment), prediction_csv(experiment));
     if (experiment.shapes) files.emplace_back(shape_file(experiment), shape_table(experiment));

@@ -15,6 +15,7 @@
 #include "pliant/experiment/row_times.h"
 #include "pliant/experiment/solid_material.h"
 #include "pliant/material/material_samples.h"
+#include "pliant/study/body_map.h"
 #include "pliant/study/body_samples.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/solid_results.h"

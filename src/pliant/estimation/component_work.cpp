@@ -11,6 +11,7 @@
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/estimation/law_comparison.h"
+#include "pliant/estimation/residual_warnings.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/fill.h"
@@ -57,6 +58,8 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     if (fit.elastic) {
       add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
     }
+    std::ranges::move(residual_warnings(row, experiment.path()),
+                      std::back_inserter(result.warnings));
     result.experiments.push_back(std::move(row));
   }
   for (const ComponentExperiment* experiment : work.validated) {

@@ -238,6 +238,28 @@ TEST(StripSheets, NeedNoDensity) {
   EXPECT_EQ(read_session(folder.path() / "session").frame_count(), session.frame_count());
 }
 
+TEST(StripSheets, LoseWhatTheirClampsAddToThePull) {
+  const StudyFolder folder;
+  const auto longest = [&](const std::string& clamps) {
+    const SheetTest strip = strip_of(study_of(folder, "warp", clamps));
+    double length = 0;
+    for (int frame = 0; frame < strip.frame_count(); ++frame) {
+      length = std::max(length, length_in(strip.session(), frame));
+    }
+    return length;
+  };
+  // Its largest force is 1.6 N, at 100 mm.
+  EXPECT_NEAR(longest(""), 0.1, 1e-9);
+  EXPECT_NEAR(longest(", compliance: 0.5 mm/N"), 0.1 - 0.8e-3, 1e-5);
+  EXPECT_NEAR(longest(", slip: 0.25 mm/N"), 0.1 - 0.4e-3, 1e-5);
+  try {
+    longest(", slip: unknown");
+    FAIL() << "sheets do not look for it";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fits of sheets do not look for"));
+  }
+}
+
 TEST(StripSheets, OfSpringsAreRefused) {
   const StudyFolder folder;
   const Study study = study_of(folder, "bias", "", "strips: sheet, membrane: spring");

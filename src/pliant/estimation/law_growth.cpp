@@ -32,8 +32,11 @@ class LawGrowth {
         limits_(limits),
         options_(options),
         even_(is_even(component_of(problem))),
-        strains_(data_strains(problem, even_)),
-        measure_(measure_of_growth(problem, strains_, form, options, even_)) {}
+        strains_(data_strains(problem, even_)) {
+    if (limits.control_points > 1 || limits.branches > 1) {
+      measure_ = measure_of_growth(problem, strains_, form, options, even_);
+    }
+  }
 
   GrownFit run() {
     GrownLaw accepted = first();

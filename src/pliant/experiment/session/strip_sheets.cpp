@@ -29,15 +29,20 @@ struct Row {
   bool used = true;
 };
 
-std::vector<Row> rows_of(const TensileCycles& cycles, int specimen, double force_offset) {
+/// The rows of a specimen, what its clamps add to their distance taken off.
+std::vector<Row> rows_of(const TensileCycles& cycles, int specimen, double force_offset,
+                         const Clamps& clamps) {
   const MeasuredPath& path = cycles.path();
   const Eigen::VectorXd lengths = cycles.loop(cycles.measured())->abscissa;
   std::vector<Row> rows;
+  double largest = 0;
   for (std::size_t i = 0; i < path.force.size(); ++i) {
     if (path.specimen[i] != specimen) continue;
-    const double length = lengths(static_cast<Eigen::Index>(i));
-    rows.push_back({length, length, path.force[i] - force_offset, path.direction[i],
-                    cycles.info().used[i] != 0});
+    const double force = path.force[i] - force_offset;
+    largest = std::max(largest, force);
+    const double length =
+        lengths(static_cast<Eigen::Index>(i)) - clamps.compliance * force - clamps.slip * largest;
+    rows.push_back({length, length, force, path.direction[i], cycles.info().used[i] != 0});
   }
   return rows;
 }
@@ -140,6 +145,12 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
     throw InputError(spec.where, "strips are no sheets of springs: springs lie along weft and warp",
                      "membrane: stvk or soft-constraint, and bending: discrete-shells");
   }
+  const Clamps& clamps = spec_of<TensileCyclesSpec>(spec).clamps;
+  if (!clamps.slip_is_known || !clamps.compliance_is_known) {
+    throw InputError(spec.where,
+                     "asks for what clamps add to a pull, which fits of sheets do not look for",
+                     "numbers for `slip` and `compliance`, or strips in one dimension");
+  }
   const TensileCycles cycles(spec, data, {area_density, model.membrane});
   StripSheets sheets;
   sheets.warnings = cycles.info().warnings;
@@ -147,7 +158,7 @@ StripSheets sheets_of_strips(const ExperimentSpec& spec, const DataRows& data,
   sheets.handled = spec.told;
   const Eigen::VectorXd offsets = cycles.force_offsets();
   for (int s = 0; s < static_cast<int>(offsets.size()); ++s) {
-    std::vector<Row> rows = rows_of(cycles, s, offsets(s));
+    std::vector<Row> rows = rows_of(cycles, s, offsets(s), clamps);
     const std::size_t measured = rows.size();
     take_up_slack(rows, spec.test->length);
     Session session = strip_at_rest(spec, model, area_density);

@@ -305,9 +305,7 @@ void add_plan(const Study& study, const std::string& component,
               const std::vector<const ComponentExperiment*>& fitted, FileInfo& info) {
   std::vector<std::string> notes;
   const ComponentPlan plan = plan_component(study, fitted, notes);
-  const bool data_unloads = std::any_of(
-      fitted.begin(), fitted.end(),
-      [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
+  const bool data_unloads = any_unloads(fitted);
   const std::string reason =
       friction_reason(friction_of(study.model, component).choice, data_unloads);
   std::string friction = plan.friction == FrictionLaw::none ? "none" : "dahl";

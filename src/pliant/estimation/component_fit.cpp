@@ -285,9 +285,7 @@ ComponentPlan plan_component(const FitSettings& settings,
   }
   const FrictionModel asked = friction_of(settings.model, component);
   const FrictionChoice choice = asked.choice;
-  const bool data_unloads = std::any_of(
-      experiments.begin(), experiments.end(),
-      [](const ComponentExperiment* experiment) { return unloads(experiment->path()); });
+  const bool data_unloads = any_unloads(experiments);
   if (choice == FrictionChoice::none) plan.friction = FrictionLaw::none;
   if (!data_unloads && choice != FrictionChoice::none) {
     notes.push_back("friction of " + component +

@@ -12,11 +12,6 @@
 namespace pliant {
 namespace {
 
-bool has_loops(const ComponentProblem& problem) {
-  return std::ranges::any_of(problem.experiments(),
-                             [](const auto* experiment) { return unloads(experiment->path()); });
-}
-
 // A law with many points, found without iteration.
 ComponentLaw rich_law(const ComponentProblem& problem, const DataStrains& strains,
                       const ComponentLaw& form, const FitOptions& options, bool even) {
@@ -85,7 +80,7 @@ std::optional<Leftover> leftover(const ComponentProblem& problem, const Componen
 
 GrowthMeasure measure_of_growth(const ComponentProblem& problem, const DataStrains& strains,
                                 const ComponentLaw& form, const FitOptions& options, bool even) {
-  const bool loops = has_loops(problem);
+  const bool loops = any_unloads(problem.experiments());
   ComponentLaw richest = form;
   richest.friction_law = loops ? FrictionLaw::dahl : FrictionLaw::none;
   const auto rich = leftover(problem, rich_law(problem, strains, richest, options, even), options);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/estimation/plan_ranking.h"
+#include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/row_times.h"
 #include "pliant/material/addend/addend_registry.h"
 
@@ -41,12 +42,6 @@ bool may_remember(const ComponentProblem& problem) {
   });
 }
 
-bool any_unloads(const ComponentProblem& problem) {
-  return std::ranges::any_of(problem.experiments(), [](const ComponentExperiment* experiment) {
-    return unloads(experiment->path());
-  });
-}
-
 }  // namespace
 
 std::vector<ModelRank> compare_laws(const ComponentProblem& problem, const ComponentFit& fit,
@@ -57,7 +52,7 @@ std::vector<ModelRank> compare_laws(const ComponentProblem& problem, const Compo
   forgets.friction = FrictionLaw::none;
   std::erase_if(forgets.addends, [](const AddendKind* kind) { return remembers(*kind); });
   if (plan.form().remembers()) rivals.push_back({kForgets, forgets});
-  const bool turns = any_unloads(problem), timed = have_times(problem);
+  const bool turns = any_unloads(problem.experiments()), timed = have_times(problem);
   for (const Candidate& candidate : kCandidates) {
     const AddendKind* kind = find_addend_kind(candidate.kind);
     if (kind->flows ? !timed : !turns) continue;

@@ -38,6 +38,12 @@ bool unloads(const MeasuredPath& path) {
   return false;
 }
 
+bool any_unloads(const std::vector<const ComponentExperiment*>& experiments) {
+  return std::ranges::any_of(experiments, [](const ComponentExperiment* experiment) {
+    return unloads(experiment->path());
+  });
+}
+
 std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const MeasuredPath& path) {
   const std::vector<LoopBranch> branches = branches_of(series, path);
   const double range = series.abscissa.maxCoeff() - series.abscissa.minCoeff();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "pliant/experiment/component_experiment.h"
 
@@ -23,5 +24,8 @@ std::optional<LoopMetrics> loop_metrics(const LoopSeries& series, const Measured
 /// Whether the experiment unloads by enough to show friction: some unloading branch of at least a
 /// tenth of the path's range.
 bool unloads(const MeasuredPath& path);
+
+/// Whether any of them does.
+bool any_unloads(const std::vector<const ComponentExperiment*>& experiments);
 
 }  // namespace pliant

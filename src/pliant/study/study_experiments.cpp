@@ -96,8 +96,12 @@ std::vector<std::string> assumptions_of(const Study& study, const Experiments& e
     assumptions.emplace_back(
         "every specimen is stretched uniformly; effects of the clamps on the strain are left out");
   }
+  const bool flows = std::ranges::any_of(study.model.components, [](const auto& component) {
+    return std::ranges::any_of(component.second.addends, &AddendKind::flows);
+  });
   assumptions.emplace_back(
-      "friction depends on the path of strain, not on its speed; no viscosity, no creep");
+      flows ? "friction depends on the path of strain, not on its speed"
+            : "friction depends on the path of strain, not on its speed; no viscosity, no creep");
   for (const auto& experiment : experiments) {
     const ExperimentInfo& info = experiment->info();
     if (!info.test.assumption.empty()) {

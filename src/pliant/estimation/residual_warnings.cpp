@@ -140,10 +140,11 @@ std::optional<double> step_of(const Eigen::VectorXd& measured) {
 
 std::optional<std::string> coarse_readings(const ExperimentResult& e) {
   constexpr double kCoarse = 0.5;  // of the RMS error, that rounding alone makes
-  constexpr int kFewestSteps = 5;
+  constexpr double kFewestSteps = 5, kMostSteps = 100;  // finer readings are no worse than others
   const std::optional<double> step = step_of(e.measured);
   if (!step || *step / std::sqrt(12) < kCoarse * e.rms) return std::nullopt;
-  if ((e.measured.maxCoeff() - e.measured.minCoeff()) / *step < kFewestSteps) return std::nullopt;
+  const double steps = (e.measured.maxCoeff() - e.measured.minCoeff()) / *step;
+  if (steps < kFewestSteps || steps > kMostSteps) return std::nullopt;
   return fmt::format(
       "{}: readings stand on a grid of {} {}, and their rounding is most of the misfit: a finer "
       "resolution tells more",

@@ -97,17 +97,13 @@ void add_recovery(const std::vector<PulledCycle>& cycles, SpecimenMeans& means) 
   means.add("iso_recovery", recovery->recovery());
 }
 
-bool passes(const LoopBranch& branch, double from, double to) {
-  return branch.at(from) && branch.at(to);
-}
-
 /// The last way of a specimen in a direction that passes both places; null where none does.
 const LoopBranch* last_way(const std::vector<LoopBranch>& branches, int specimen, int direction,
                            double from, double to) {
   const LoopBranch* last = nullptr;
   for (const LoopBranch& branch : branches) {
     if (branch.specimen != specimen || branch.direction != direction) continue;
-    if (passes(branch, from, to)) last = &branch;
+    if (branch.at(from) && branch.at(to)) last = &branch;
   }
   return last;
 }
@@ -115,20 +111,24 @@ const LoopBranch* last_way(const std::vector<LoopBranch>& branches, int specimen
 /// What is imposed on a chart's abscissa, of what the standard counts by.
 using PlaceOf = double (*)(double);
 
-/// The last ways that pass both places, on both sides where they go there.
+/// The last ways that pass both places on each side: of one cycle from rest the way out to the
+/// positive side begins at rest, as the instrument draws it.
 std::optional<LoopWays> last_ways(const std::vector<LoopBranch>& branches, int specimen,
                                   double from, double to, PlaceOf place_of) {
-  const auto way = [&](int direction, double first, double last) {
-    return last_way(branches, specimen, direction, place_of(first), place_of(last));
+  const auto way = [&](int direction, int side) {
+    return last_way(branches, specimen, direction, place_of(side * from), place_of(side * to));
   };
-  const bool both = way(1, -to, to) && way(-1, -to, to);
-  const LoopBranch* up = way(1, both ? -to : from, to);
-  const LoopBranch* down = way(-1, both ? -to : from, to);
+  const auto value = [place_of](const LoopBranch* positive, const LoopBranch* negative) {
+    return [=](double at) {
+      const LoopBranch* branch = at < 0 ? negative : positive;
+      return branch ? branch->at(place_of(at)).value_or(NAN) : NAN;
+    };
+  };
+  const LoopBranch *up = way(1, 1), *down = way(-1, 1);
+  const LoopBranch *negative_up = way(1, -1), *negative_down = way(-1, -1);
   if (!up || !down) return std::nullopt;
-  const auto value = [place_of](const LoopBranch* branch) {
-    return [branch, place_of](double at) { return branch->at(place_of(at)).value_or(NAN); };
-  };
-  return LoopWays{value(up), value(down), both};
+  const bool both = negative_up && negative_down;
+  return LoopWays{value(up, negative_up), value(down, negative_down), both};
 }
 
 void add_shear(const std::vector<LoopBranch>& branches, int specimen, SpecimenMeans& means) {

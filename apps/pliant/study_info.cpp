@@ -176,13 +176,11 @@ void add_loop_figures(const ComponentExperiment& experiment, FileInfo& info, Jso
   std::vector<std::string> texts;
   for (const LoopFigure& figure : loop_figures(experiment, experiment.measured() - zero)) {
     const TextileFigure* kind = find_textile_figure(figure.name);
-    const double value = kind->per_si * figure.value;
     json["figures"].push_back({{"name", figure.name},
                                {"standard", kind->standard},
-                               {"value", value},
+                               {"value", kind->per_si * figure.value},
                                {"unit", kind->lab_unit}});
-    const std::string unit = kind->lab_unit == "1" ? "" : fmt::format(" {}", kind->lab_unit);
-    texts.push_back(fmt::format("{} {}{}", kind->symbol, format_number(value, kDigits), unit));
+    texts.push_back(fmt::format("{} {}", kind->symbol, in_lab_unit(*kind, figure.value)));
   }
   if (texts.empty()) return;
   info.lines.push_back(

@@ -95,12 +95,10 @@ std::string place_in_words(const std::string& component, double at) {
 }
 
 /// A figure of a standard: "3.2 % (KES-FB1: extension at 500 gf/cm; usual 1 to 40)".
-std::string in_lab_unit(const TextileFigure& kind, double si) {
-  const std::string unit = kind.lab_unit == "1" ? "" : fmt::format(" {}", kind.lab_unit);
+std::string with_meaning(const TextileFigure& kind, double si) {
   const std::string usual =
       kind.usual_most > 0 ? fmt::format("; usual {} to {}", kind.usual_least, kind.usual_most) : "";
-  return fmt::format("{}{} ({}: {}{})", format_number(kind.per_si * si, kDigits), unit,
-                     kind.standard, kind.meaning, usual);
+  return fmt::format("{} ({}: {}{})", in_lab_unit(kind, si), kind.standard, kind.meaning, usual);
 }
 
 void add_standard(const LabFigure& figure, const TextileFigure& kind, FileInfo& info, Json& json) {
@@ -111,7 +109,7 @@ void add_standard(const LabFigure& figure, const TextileFigure& kind, FileInfo& 
                                {"beyond_range", figure.beyond_range}});
   info.lines.push_back(labelled(
       std::string(kind.symbol),
-      in_lab_unit(kind, figure.value) + (figure.beyond_range ? ", beyond what was measured" : ""),
+      with_meaning(kind, figure.value) + (figure.beyond_range ? ", beyond what was measured" : ""),
       1));
 }
 

@@ -19,12 +19,7 @@ using test::strip_cycles;
 using test::truth_of;
 using test::VirtualStudy;
 
-/// A knit: a branch of friction that follows at once, another that comes slowly.
-Material two_branches() {
-  ComponentLaw law{ScalarCurve::affine(50, 30), FrictionLaw::dahl, {1.2, 2, 0.01}};
-  law.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(2, 5, 0.2)}};
-  return made_up_material("stretch.warp", law);
-}
+Material two_branches() { return test::knit_of_two_branches(ScalarCurve::affine(50, 30)); }
 
 TEST(AddendRecovery, TwoBranchesOfFrictionAreToldApart) {
   const Material knit = two_branches();

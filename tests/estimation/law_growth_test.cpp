@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pliant/material/addend/addend_registry.h"
-
 #include "estimation/virtual_study.h"
 #include "io/input_error_of.h"
 
@@ -14,6 +12,7 @@ namespace pliant {
 namespace {
 
 using test::estimate_named;
+using test::knit_of_two_branches;
 using test::lab_of;
 using test::made_up_material;
 using test::relative_error;
@@ -22,13 +21,6 @@ using test::VirtualStudy;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// A knit: a branch of friction that follows at once, another that comes slowly.
-Material knit_of(const ScalarCurve& stiffness) {
-  ComponentLaw law{stiffness, FrictionLaw::dahl, {1.2, 2, 0.01}};
-  law.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(2, 5, 0.2)}};
-  return made_up_material("stretch.warp", law);
-}
 
 VirtualTensileCycles read_with_noise(double force_noise) {
   VirtualTensileCycles test = strip_cycles({0.05, 0.1, 0.2, 0.35});
@@ -48,7 +40,7 @@ std::size_t branches(const StudyResult& result) {
 }
 
 TEST(LawGrowth, FindsTheBranchesThatMadeTheData) {
-  const Material truth = knit_of(ScalarCurve::affine(50, 30));
+  const Material truth = knit_of_two_branches(ScalarCurve::affine(50, 30));
   for (const char* friction : {"dahl-2", "dahl-n"}) {
     const StudyResult result =
         fitted(truth, read_with_noise(0), std::string("stiffness: affine, friction: ") + friction);
@@ -60,7 +52,7 @@ TEST(LawGrowth, FindsTheBranchesThatMadeTheData) {
 }
 
 TEST(LawGrowth, ChoosesBetweenPointsAndBranches) {
-  const Material truth = knit_of(ScalarCurve::hermite({0, 0.2, 0.4}, {90, 40, 60}));
+  const Material truth = knit_of_two_branches(ScalarCurve::hermite({0, 0.2, 0.4}, {90, 40, 60}));
   const StudyResult two = fitted(truth, read_with_noise(3e-3), "friction: dahl-n");
   EXPECT_EQ(branches(two), 2u);
   const StudyResult one = fitted(truth, read_with_noise(3e-3), "friction: dahl");
@@ -87,7 +79,7 @@ TEST(LawGrowth, TakesFewerBranchesThanAskedForWhereOneIsEnough) {
 }
 
 TEST(LawGrowth, IsRefusedByThePublishedEstimator) {
-  VirtualStudy study(lab_of(knit_of(ScalarCurve::affine(50, 30)), read_with_noise(0)));
+  VirtualStudy study(lab_of(knit_of_two_branches(ScalarCurve::affine(50, 30)), read_with_noise(0)));
   study.set_model("stiffness: affine, friction: dahl-2");
   study.add("fit: {estimator: anchor}");
   const std::string error = test::input_error_of([&] { study.fit(); }).what();

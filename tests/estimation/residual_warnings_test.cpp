@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
-#include "pliant/experiment/hanging/hanging_weights_type.h"
 
 #include "estimation/virtual_study.h"
 
 namespace pliant {
 namespace {
 
+using test::hung_weights;
 using test::lab_of;
 using test::published_fabric;
 using test::VirtualStudy;
@@ -24,13 +24,9 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Three strips, six cycles of weights each: a spring balance and a ruler read to 0.1 mm.
-VirtualHangingWeights weights() {
-  VirtualHangingWeights test;
-  test.name = "weights";
-  test.direction = "warp";
-  test.peaks = {4, 6, 8, 5, 7, 9};
-  test.repeats = 3;
+/// Weights hung three times, lengths read with a noise of 0.1 mm.
+VirtualHangingWeights read_weights() {
+  VirtualHangingWeights test = hung_weights();
   test.instrument.length_noise = 0.1e-3;
   return test;
 }
@@ -39,7 +35,7 @@ using Rows = VirtualStudy::Rows;
 
 /// Warnings of the fit to edited rows; the last column is the length (mm).
 std::vector<std::string> warnings_of(const std::function<void(Rows&)>& edit) {
-  VirtualStudy study(lab_of(published_fabric("cotton"), weights()));
+  VirtualStudy study(lab_of(published_fabric("cotton"), read_weights()));
   study.edit_rows("weights.csv", edit);
   return study.fit().warnings;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/material_file.h"
 
 namespace pliant::test {
@@ -25,6 +26,12 @@ std::string text_of(const VirtualStudy::Rows& rows) {
 
 Material published_fabric(const std::string& name) {
   return read_material(std::filesystem::path(PLIANT_SOURCE_DIR) / "materials" / (name + ".json"));
+}
+
+Material knit_of_two_branches(const ScalarCurve& stiffness) {
+  ComponentLaw law{stiffness, FrictionLaw::dahl, {1.2, 2, 0.01}};
+  law.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(2, 5, 0.2)}};
+  return made_up_material("stretch.warp", law);
 }
 
 VirtualStudy::VirtualStudy(const VirtualLab& lab, std::uint64_t seed)

@@ -14,6 +14,9 @@ namespace pliant::test {
 /// A material of Table 5.1 of [T]: "cotton", "spandex" or "polyester".
 Material published_fabric(const std::string& name);
 
+/// A knit: along warp a branch of friction that follows at once, another that comes slowly.
+Material knit_of_two_branches(const ScalarCurve& stiffness);
+
 /// The virtual measurements of a lab as files, which a test may edit, and their fit.
 class VirtualStudy {
  public:

@@ -125,15 +125,16 @@ void add_pull(const Material& material, const std::string& component, FigureRead
     const double end = end_of(kFastLoads[i]);
     if (reaches(end)) figures.add(kNames[i], "1", extension_at(kFastLoads[i]), 0, end);
   }
-  if (component == "stretch.bias" && reaches(end_of(kFastLoads[0]))) {
-    figures.add(
-        "fast_G", "N/m",
-        [e5 = extension_at(kFastLoads[0])](const MaterialComponent& pulled) {
-          const auto extension = e5(pulled);
-          return extension ? std::optional(fast_shear_rigidity(*extension)) : std::nullopt;
-        },
-        0, end_of(kFastLoads[0]));
-  }
+  if (component != "stretch.bias") return;
+  const double end = end_of(kFastLoads[0]);
+  if (!reaches(end)) return;
+  figures.add(
+      "fast_G", "N/m",
+      [e5 = extension_at(kFastLoads[0])](const MaterialComponent& pulled) {
+        const auto extension = e5(pulled);
+        return extension ? std::optional(fast_shear_rigidity(*extension)) : std::nullopt;
+      },
+      0, end);
 }
 
 void add_kes_shear(FigureReader& figures) {
@@ -228,10 +229,6 @@ void add_bending(const Material& material, FigureReader& figures) {
       },
       0, 0);
 }
-
-}  // namespace
-
-namespace {
 
 bool is_of_sheet(const Material& material) {
   return material.bending == "discrete-shells" && material.bending_of == "sheet";

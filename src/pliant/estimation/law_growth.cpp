@@ -96,9 +96,7 @@ class LawGrowth {
   std::optional<LawFit> with_point(const LawFit& fit) const {
     const ComponentLaw& law = fit.law;
     if (law.stiffness.size() >= limits_.control_points) return std::nullopt;
-    const std::vector<double> knots = law.stiffness.size() == 1
-                                          ? std::vector<double>{strains_.low, strains_.high}
-                                          : split_knots(problem_, law, strains_);
+    const std::vector<double> knots = split_knots(problem_, law, strains_);
     if (std::ssize(knots) == law.stiffness.size()) return std::nullopt;
     const LawStart finer{refined(law, knots), fit.nuisance};
     if (!has_grown_branches(law)) return fit_law(problem_, finer.law, options_, {finer});

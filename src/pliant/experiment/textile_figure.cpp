@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 
 namespace pliant {
@@ -53,6 +56,13 @@ constexpr TextileFigure kFigures[] = {
 };
 
 }  // namespace
+
+std::string in_lab_unit(const TextileFigure& figure, double si) {
+  constexpr int kDigits = 4;
+  std::string text = format_number(figure.per_si * si, kDigits);
+  if (figure.lab_unit != "1") text += fmt::format(" {}", figure.lab_unit);
+  return text;
+}
 
 const TextileFigure* find_textile_figure(std::string_view name) {
   const auto found = std::ranges::find(kFigures, name, &TextileFigure::name);

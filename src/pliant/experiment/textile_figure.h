@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace pliant {
@@ -17,6 +18,10 @@ struct TextileFigure {
   /// both 0: nothing usual is known.
   double usual_least = 0, usual_most = 0;
 };
+
+/// A value as laboratories write it: "3.2 %", "0.19 gf cm^2/cm".
+/// @param si  in the SI unit of the figure
+std::string in_lab_unit(const TextileFigure& figure, double si);
 
 /// @return null where no standard has a figure of that name
 const TextileFigure* find_textile_figure(std::string_view name);

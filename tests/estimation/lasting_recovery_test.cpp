@@ -65,6 +65,13 @@ TEST(LastingRecovery, OfTwoSpeedsFindsWhatRelaxes) {
   expect_all_found(study.fit(), truth);
 }
 
+TEST(LastingRecovery, OfTwoSpeedsFindsFrictionThatGrowsWithTheRate) {
+  const Material truth = with_addend("rate-friction", Eigen::Vector4d(0.8, 1, 0.03, 0.06));
+  VirtualStudy study(lab_of(truth, {pulled_within(20, "fast"), pulled_within(4000, "slow")}));
+  study.set_model(model_with("rate-friction"));
+  expect_all_found(study.fit(), truth);
+}
+
 TEST(LastingRecovery, OfAngledSpeedsFindsWhatRelaxesInShear) {
   const Material truth = with_addend("maxwell", Eigen::Vector2d(60, 8), "shear");
   VirtualShearCycles test;

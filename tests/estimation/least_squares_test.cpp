@@ -52,6 +52,27 @@ TEST(LeastSquares, StopsOnTheBoundWhereTheBottomLiesOutside) {
   EXPECT_NEAR(summary.cost, 0.125, 1e-9);
 }
 
+// Steps that are clipped at the bound leave the valley x + y = 0, along which the bottom lies.
+TEST(LeastSquares, DoesNotCrawlWhereItIsPressedToABound) {
+  LeastSquaresProblem problem = valley();
+  problem.lower(0) = 0;
+  problem.evaluate = [](const Eigen::VectorXd& p, Eigen::VectorXd& residual,
+                        Eigen::MatrixXd* jacobian) {
+    residual = Eigen::Vector2d(1000 * (p(0) + p(1)), p(0) + 1);
+    if (jacobian != nullptr) {
+      jacobian->resize(2, 2);
+      *jacobian << 1000, 1000, 1, 0;
+    }
+    return true;
+  };
+  const LeastSquaresSummary summary =
+      solve_least_squares(problem, Eigen::Vector2d(0, 0.5), {.function_tolerance = 1e-10}, {});
+  EXPECT_TRUE(summary.converged);
+  EXPECT_EQ(summary.parameters(0), 0);
+  EXPECT_NEAR(summary.parameters(1), 0, 1e-6);
+  EXPECT_LT(summary.iterations, 16);
+}
+
 /// The nearest to a point of the points with x >= 2 y and 3 x >= -y.
 LeastSquaresSummary nearest_in_wedge(const Eigen::Vector2d& point) {
   LeastSquaresProblem problem = valley();

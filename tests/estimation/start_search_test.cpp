@@ -48,6 +48,13 @@ TEST(StartSearch, LeavesOutTheRestOfAnOrderThatOnlyGetsWorse) {
   EXPECT_EQ(searched(costs).best, 9u);
 }
 
+TEST(StartSearch, LeavesOutTheRestWhereEnoughHaveLedToTheBest) {
+  const std::vector<double> costs{5, 2, 7, 2.001, 1};
+  const StartSearch search = searched(costs, {.enough = 2});
+  EXPECT_EQ(search.costs.size(), 4u);
+  EXPECT_EQ(search.best, 1u);
+}
+
 TEST(StartSearch, FindsNothingWhereNoStartHasAPrediction) {
   EXPECT_FALSE(searched({INFINITY, INFINITY}).found());
   EXPECT_FALSE(searched({}).found());

@@ -58,6 +58,45 @@ TEST_P(SlowRolledFabric, TogetherWithCantileversGivesAllFiveParametersBack) {
 INSTANTIATE_TEST_SUITE_P(Of, SlowRolledFabric, ::testing::Values("felt", "doublecloth"),
                          [](const auto& name) { return std::string(name.param); });
 
+// Strips that may rest in two shapes are left in either, by chance.
+class SlowStripsInAnyRest : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SlowStripsInAnyRest, GiveTheLawBack) {
+  const Material fabric = published_bending_material(GetParam());
+  auto experiment = rolled_strips(test::published_radii());
+  experiment.any_rest = true;
+  experiment.repeats = 3;
+  const StudyResult result = VirtualStudy(lab_of(fabric, experiment), /*seed=*/1).fit();
+  const StripShapes& shapes = *result.experiments.front().shapes;
+  EXPECT_FALSE(shapes.elsewhere.empty());
+  EXPECT_LT(shapes.elsewhere.size(), shapes.measured.size());
+  for (const std::string& name : test::names_of(fabric, "bend.warp")) {
+    EXPECT_LT(relative_error(result, fabric, name), kRecovered) << name;
+  }
+  EXPECT_THAT(result.experiments.front().handled, Contains(HasSubstr("such another shape")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SlowStripsInAnyRest, ::testing::Values("felt", "doublecloth"),
+                         [](const auto& name) { return std::string(name.param); });
+
+// Points 1.7 mm apart, each off by 0.25 mm: the curvature of the line through them says nothing.
+TEST(SlowRolledStrip, OfDenseNoisyPointsFindsTheBestFit) {
+  constexpr double kNoise = 2.5e-4;
+  const Material felt = published_bending_material("felt");
+  for (const std::uint64_t seed : {1, 3}) {
+    auto experiment = rolled_strips(test::published_radii());
+    experiment.points = 60;
+    experiment.instrument.length_noise = kNoise;
+    const StudyResult result = VirtualStudy(lab_of(felt, experiment), seed).fit();
+    EXPECT_LT(result.experiments.front().rms, 1.1 * kNoise);
+    for (const std::string& name : test::names_of(felt, "bend.warp")) {
+      const ParameterEstimate& found = estimate_named(result, name);
+      EXPECT_LT(std::abs(found.value - test::truth_of(felt, name)), 3 * found.std_error.value())
+          << name;
+    }
+  }
+}
+
 // [P] 4.1 keeps the sides apart; a material that is alike on both shows one law on each.
 class SlowStripsRolledToOneSide : public ::testing::Test {
  protected:

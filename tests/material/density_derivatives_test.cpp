@@ -18,6 +18,7 @@
 #include "pliant/material/density/linearized_dahl_friction.h"
 #include "pliant/material/density/maxwell_density.h"
 #include "pliant/material/density/plastic_density.h"
+#include "pliant/material/density/rate_friction.h"
 #include "pliant/material/density/rubber_energies.h"
 #include "pliant/material/density/set_density.h"
 #include "pliant/material/density/softening_density.h"
@@ -159,6 +160,13 @@ const std::vector<RegisteredLaw>& registered_laws() {
          return std::make_unique<MaxwellDensity>(1, random.uniform(5, 80),
                                                  random.uniform(0.005, 0.05));
        }},
+      {"rate_friction", "RateFriction",
+       [](RandomStream& random) {
+         const DahlParameters dahl = slow_dahl(random);
+         return std::make_unique<RateFriction>(
+             1, Eigen::Vector4d(dahl.a, dahl.b, dahl.tau, random.uniform(0.02, 0.2)));
+       },
+       test::is_clear_of_history, 1},
       {"damping", "Damping",
        [](RandomStream& random) { return std::make_unique<Damping>(2, random.uniform(0, 5)); }},
       {"in_plane", "InPlaneOnSumOfStrains",

@@ -1,10 +1,12 @@
 // What strain takes away for good, what it shifts, and what relaxes with time.
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "pliant/material/density/maxwell_density.h"
+#include "pliant/material/density/rate_friction.h"
 #include "pliant/material/density/set_density.h"
 #include "pliant/material/density/softening_density.h"
 
@@ -41,6 +43,40 @@ class Point {
   const Density& law_;
   test::LaneState state_;
 };
+
+/// Friction after a way of one strain that takes some time, in many steps.
+double saturated(const Density& law, double seconds, int steps = 2000) {
+  Point point(law);
+  for (int i = 1; i <= steps; ++i) {
+    point.step(static_cast<double>(i) / steps, seconds / steps);
+  }
+  return point.stress(1 + 1e-9, seconds / steps);
+}
+
+TEST(RateFriction, GrowsByAShareWithEachDecadeOfTheRate) {
+  constexpr double kGrowth = 0.05;
+  const RateFriction law(0, {2, 0, 0.01, kGrowth});
+  const double decade = 2 * kGrowth * std::log(10);
+  const double slow = saturated(law, 1000), fast = saturated(law, 100), faster = saturated(law, 10);
+  EXPECT_NEAR(fast - slow, decade, 0.01 * decade);
+  EXPECT_NEAR(faster - fast, decade, 0.01 * decade);
+}
+
+TEST(RateFriction, IsDahlsWhereAllIsSlow) {
+  const RateFriction law(0, {2, 1, 0.01, 0.05});
+  const DahlFriction dahl(0, DahlParameters{2, 1, 0.01});
+  const double endless = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(saturated(law, endless), saturated(dahl, endless));
+}
+
+// A step takes the rate of the one before: what that misses falls with the length of the steps.
+TEST(RateFriction, ComesToOneStressWhereStepsAreCut) {
+  const RateFriction law(0, {2, 0, 0.2, 0.2});
+  const double limit = saturated(law, 50, 64000);
+  const double coarse = std::abs(saturated(law, 50, 500) - limit);
+  const double fine = std::abs(saturated(law, 50, 1000) - limit);
+  EXPECT_LT(fine, 0.6 * coarse);
+}
 
 TEST(MaxwellDensity, LetsAHeldStressFallToOneEth) {
   const MaxwellDensity law(0, 50, 3);

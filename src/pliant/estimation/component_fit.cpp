@@ -331,10 +331,15 @@ ComponentFit fit_component(ComponentProblem& problem, const ComponentPlan& plan)
   } else {
     if (problem.loss() != RobustLoss::none) weigh_by_first_law(plan, problem);
     FormFit form = fit_form(problem, plan);
-    result.fit = std::move(form.fit);
+    result.fit = better_by_rests(problem, form.fit);
     result.stages = std::move(form.stages);
     settle_noise(problem, result.fit);
     result.uncertainty = estimate_uncertainty(problem, result.fit);
+    result.rests = influence_of_rests(problem, result.fit, result.uncertainty.std_error);
+    if (result.rests.shift.size() > 0) {
+      add_systematic(result.rests.shift, result.fit.unknowns, result.fit.solution.parameters,
+                     result.uncertainty);
+    }
     add_specimens(problem, result);
     result.limits = limits_at_bounds(problem, result);
   }

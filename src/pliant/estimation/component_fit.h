@@ -10,6 +10,7 @@
 #include "pliant/estimation/fit_settings.h"
 #include "pliant/estimation/law_fit.h"
 #include "pliant/estimation/law_uncertainty.h"
+#include "pliant/estimation/rest_influence.h"
 
 namespace pliant {
 
@@ -36,6 +37,7 @@ struct ComponentFit {
   std::vector<std::optional<SpecimenSpread>> specimens;  ///< of the law's parameters
   /// One-sided 95 % limits of unknowns at their bounds, away from them.
   std::vector<std::optional<double>> limits;
+  RestInfluence rests;  ///< of strips that may rest in several shapes; its shift is in the errors
 };
 
 /// Raises the errors of a law's parameters to what its specimens make them at least.

@@ -19,8 +19,12 @@ double first_noise(const ComponentExperiment& experiment) {
 }  // namespace
 
 ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> experiments,
-                                   StopToken stop, RobustLoss loss, Journal& journal)
-    : experiments_(std::move(experiments)), stop_(stop), loss_(loss), journal_(&journal) {
+                                   StopToken stop, RobustLoss loss, Journal& journal, int threads)
+    : experiments_(std::move(experiments)),
+      stop_(stop),
+      loss_(loss),
+      journal_(&journal),
+      threads_(threads) {
   PLIANT_ASSERT(!experiments_.empty(), "a component is estimated from at least one experiment");
   double seconds = 0;
   for (const ComponentExperiment* experiment : experiments_) {
@@ -39,6 +43,21 @@ ComponentProblem::ComponentProblem(std::vector<const ComponentExperiment*> exper
     weight_.push_back(Eigen::VectorXd::Constant(experiment->rows(), 1 / first_noise(*experiment)));
   }
   if (seconds > 0) seconds_ = seconds;
+}
+
+std::optional<ComponentProblem> ComponentProblem::easy_part() const {
+  std::vector<std::shared_ptr<const ComponentExperiment>> parts;
+  std::vector<const ComponentExperiment*> experiments = experiments_;
+  for (const ComponentExperiment*& experiment : experiments) {
+    std::shared_ptr<const ComponentExperiment> part = experiment->easy_part();
+    if (!part) continue;
+    experiment = part.get();
+    parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return std::nullopt;
+  ComponentProblem easy(experiments, stop_, loss_, *journal_, threads_);
+  easy.parts_ = std::move(parts);
+  return easy;
 }
 
 ComponentProblem ComponentProblem::restricted_to(const RowChoice& takes) const {
@@ -99,7 +118,7 @@ Problem ComponentProblem::problem(const ComponentLaw& shape, std::vector<Unknown
     }
     parts.push_back({experiments_[e], experiments_[e]->predictor(shape), std::move(weight)});
   }
-  Problem problem(std::move(parts), std::move(unknowns), {1, stop_});
+  Problem problem(std::move(parts), std::move(unknowns), {threads_, stop_});
   problem.set_loss(loss_);
   return problem;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,9 +26,13 @@ class ComponentProblem {
   /// @param experiments  all of one component, role fit; they outlive the problem
   /// @param stop         ends everything that works with the problem
   /// @param journal      of the searches that are made with it; outlives the problem
+  /// @param threads      that predictions use; their results do not depend on it
   explicit ComponentProblem(std::vector<const ComponentExperiment*> experiments,
                             StopToken stop = {}, RobustLoss loss = RobustLoss::none,
-                            Journal& journal = forgetful_journal());
+                            Journal& journal = forgetful_journal(), int threads = 1);
+
+  /// The same with the easy parts of its experiments alone; nothing where none has one.
+  std::optional<ComponentProblem> easy_part() const;
 
   /// The same problem with fewer rows.
   using RowChoice = std::function<bool(size_t experiment, size_t row)>;
@@ -61,9 +67,11 @@ class ComponentProblem {
 
  private:
   std::vector<const ComponentExperiment*> experiments_;
+  std::vector<std::shared_ptr<const ComponentExperiment>> parts_;  // of an easy part
   StopToken stop_;
   RobustLoss loss_;
   Journal* journal_;
+  int threads_ = 1;
   std::vector<int> first_nuisance_;
   std::vector<std::vector<char>> used_;
   std::vector<Eigen::VectorXd> weight_;  // of each experiment

@@ -11,6 +11,7 @@
 #include "pliant/estimation/estimate.h"
 #include "pliant/estimation/experiment_result.h"
 #include "pliant/estimation/law_comparison.h"
+#include "pliant/estimation/nuisance_warnings.h"
 #include "pliant/estimation/residual_warnings.h"
 #include "pliant/experiment/strain_words.h"
 #include "pliant/material/bending_strain.h"
@@ -39,6 +40,10 @@ void add_parameters(const ComponentWork& work, StudyResult& result) {
         estimate.note +=
             fmt::format("{}{} {:.3g} {} (95 %, one-sided)", estimate.note.empty() ? "" : "; ",
                         upper ? "below" : "above", *estimate.limit, estimate.unit);
+      }
+      if (fit.rests.shift.size() > 0 && !estimate.fixed) {
+        estimate.note += fmt::format("{}{:.2g} of the error by strips of several rests",
+                                     estimate.note.empty() ? "" : "; ", fit.rests.shift(i));
       }
       result.parameters.push_back(estimate);
     } else {
@@ -177,6 +182,11 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   add_warnings(work, result);
   result.assumptions.insert(result.assumptions.end(), work.apparatus.begin(), work.apparatus.end());
   warn_of_snapping(work, result);
+  if (work.plan.fit.estimator != EstimatorKind::anchor) {
+    std::ranges::move(nuisance_warnings(*work.problem, work.fit),
+                      std::back_inserter(result.warnings));
+  }
+  std::ranges::copy(work.fit.rests.warnings, std::back_inserter(result.warnings));
   result.curves.push_back(component_curve(work.component, work.fit.fit.law,
                                           strains_of_data(work).second,
                                           errors_of_law(work.fit.uncertainty, 0)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -84,16 +85,35 @@ std::vector<double> shown_strain(const ComponentExperiment& experiment,
   return {prediction.strain.begin(), prediction.strain.end()};
 }
 
+std::string listed(std::vector<double> settings) {
+  settings.erase(std::unique(settings.begin(), settings.end()), settings.end());
+  std::vector<std::string> texts;
+  for (const double setting : settings) texts.push_back(millimetres(setting));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::size_t strips_of(const StripShapes& shapes) {
+  std::set<double> settings;
+  for (const ProfileLine& line : shapes.predicted) settings.insert(line.setting);
+  return settings.size();
+}
+
 // A strip that may rest in several shapes was measured in the one in which it was left.
 void tell_other_equilibria(ExperimentResult& result) {
   if (!result.shapes || result.shapes->ambiguous.empty()) return;
-  std::vector<std::string> settings;
-  for (const double setting : result.shapes->ambiguous) settings.push_back(millimetres(setting));
+  const StripShapes& shapes = *result.shapes;
+  result.handled.push_back(
+      fmt::format("{} of {} predicted strips may rest in another shape when they are let go faster "
+                  "or bent on by up to {} rad ({} {}): "
+                  "what they say hangs on how quietly they were left",
+                  shapes.ambiguous.size(), strips_of(shapes), kPushedBy, shapes.setting_name,
+                  listed(shapes.ambiguous)));
+  if (shapes.elsewhere.empty()) return;
   result.handled.push_back(fmt::format(
-      "{} of {} predicted strips would stay in another shape when bent on by up to {} rad ({} {}): "
-      "what they say hangs on how quietly they were left",
-      settings.size(), result.shapes->predicted.size(), kPushedBy, result.shapes->setting_name,
-      fmt::join(settings, ", ")));
+      "{} of {} profiles lie nearer to such another shape than to that of a quiet release, and are "
+      "compared with it ({} {})",
+      shapes.elsewhere.size(), shapes.measured.size(), shapes.setting_name,
+      listed(shapes.elsewhere)));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ constexpr Candidate kCandidates[] = {
     {"softening", "cycles that grow, each pulled again to the strain of the one before"},
     {"set", "the strain that is left after cycles that grow"},
     {"maxwell", "the same cycle at another speed, or held strains"},
+    {"rate-friction", "the same cycle at two speeds more, a decade apart"},
 };
 
 bool have_times(const ComponentProblem& problem) {

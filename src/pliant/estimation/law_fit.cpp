@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +17,8 @@ namespace pliant {
 namespace {
 
 constexpr int kMostLinearStarts = 3;
+constexpr std::size_t kMostPredicting = 4;
+constexpr int kAgreeing = 2;        // of them
 constexpr double kExactRms = 1e-4;  // of the noise first assumed: as good as exact
 
 /// How far a search goes.
@@ -41,8 +46,9 @@ LeastSquaresOptions finish() {
   return options;
 }
 
-std::vector<LawStart> first_starts(const ComponentProblem& problem, const ComponentLaw& shape,
-                                   const std::vector<LawStart>& extra) {
+// Those of a linear fit, and spread around it.
+std::vector<LawStart> linear_law_starts(const ComponentProblem& problem,
+                                        const ComponentLaw& shape) {
   std::vector<LawStart> starts;
   for (const LinearStart& start : linear_starts(problem, shape, kMostLinearStarts)) {
     starts.push_back({start.law});
@@ -53,7 +59,6 @@ std::vector<LawStart> first_starts(const ComponentProblem& problem, const Compon
       starts.push_back({linear_start(problem, first, factor * first.friction[2]).law});
     }
   }
-  starts.insert(starts.end(), extra.begin(), extra.end());
   return starts;
 }
 
@@ -82,8 +87,10 @@ void take_solution(LawFit& fit, const ComponentLaw& shape, const LeastSquaresSum
   fit.rms = rms_of(solution.cost, fit, residuals);
 }
 
+/// @param enough  starts that lead to the best before the rest are left out
 LawFit best_trial(const ComponentProblem& problem, const std::vector<LawStart>& starts,
-                  const FitOptions& options, const Effort& effort) {
+                  const FitOptions& options, const Effort& effort,
+                  int enough = std::numeric_limits<int>::max()) {
   const ComponentLaw& shape = starts.front().law;
   LawFit fit;
   fit.law = shape;
@@ -101,13 +108,55 @@ LawFit best_trial(const ComponentProblem& problem, const std::vector<LawStart>& 
     }));
     return ends.back().cost;
   };
-  const StartSearch search = search_from(starts.size(), follow, {.exact = exact});
+  const StartSearch search = search_from(starts.size(), follow, {.exact = exact, .enough = enough});
   take_solution(fit, shape, ends[search.best], residual_count(rows));
   fit.starts = {component_of(problem), "law", unit_of_residuals(problem), {}, search.reached_best};
   for (const double cost : search.costs) {
     fit.starts.ends.push_back(rms_of(cost, fit, residual_count(rows)));
   }
   return fit;
+}
+
+/// Linear fits over tau, those that predict best by the true problem first.
+std::vector<LawStart> predicting_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                        const FitOptions& options) {
+  LawFit fit;
+  fit.law = shape;
+  fit.unknowns = problem.unknowns(shape, options);
+  const Problem rows = problem_of(problem, fit);
+  const LeastSquaresProblem least_squares = rows.least_squares();
+  std::vector<std::pair<double, LawStart>> all;
+  for (const LinearStart& linear : linear_starts_over_tau(problem, shape)) {
+    const LawStart start{linear.law};
+    all.emplace_back(cost_at(least_squares, start_vector(start, fit)), start);
+  }
+  const auto cost = [](const auto& start) { return start.first; };
+  std::ranges::stable_sort(all, {}, cost);
+  if (all.size() > kMostPredicting) all.resize(kMostPredicting);
+  std::vector<LawStart> starts;
+  for (auto& [own, start] : all) starts.push_back(std::move(start));
+  return starts;
+}
+
+/// The law that the easy parts of some experiments alone lead to; nothing where none has one, or
+/// without friction, where no start goes wrong.
+std::optional<LawStart> easy_start(const ComponentProblem& problem, const ComponentLaw& shape,
+                                   const FitOptions& options) {
+  if (shape.friction_law == FrictionLaw::none) return std::nullopt;
+  const std::optional<ComponentProblem> easy = problem.easy_part();
+  if (!easy) return std::nullopt;
+  const LawFit fit =
+      best_trial(*easy, predicting_starts(*easy, shape, options), options, kTrial, kAgreeing);
+  return LawStart{fit.law, fit.nuisance};
+}
+
+std::vector<LawStart> first_starts(const ComponentProblem& problem, const ComponentLaw& shape,
+                                   const FitOptions& options, const std::vector<LawStart>& extra) {
+  std::vector<LawStart> starts;
+  if (auto start = easy_start(problem, shape, options)) starts.push_back(std::move(*start));
+  std::ranges::move(linear_law_starts(problem, shape), std::back_inserter(starts));
+  starts.insert(starts.end(), extra.begin(), extra.end());
+  return starts;
 }
 
 }  // namespace
@@ -136,7 +185,7 @@ std::string unit_of_residuals(const ComponentProblem& problem) {
 
 LawFit fit_law(const ComponentProblem& problem, const ComponentLaw& shape,
                const FitOptions& options, const std::vector<LawStart>& extra) {
-  return fit_law_from(problem, first_starts(problem, shape, extra), options);
+  return fit_law_from(problem, first_starts(problem, shape, options, extra), options);
 }
 
 LawFit fit_law_from(const ComponentProblem& problem, const std::vector<LawStart>& starts,
@@ -146,7 +195,7 @@ LawFit fit_law_from(const ComponentProblem& problem, const std::vector<LawStart>
 
 LawFit fit_law_roughly(const ComponentProblem& problem, const ComponentLaw& shape,
                        const FitOptions& options, const std::vector<LawStart>& extra) {
-  return best_trial(problem, first_starts(problem, shape, extra), options, kRough);
+  return best_trial(problem, first_starts(problem, shape, options, extra), options, kRough);
 }
 
 LawFit refit(const ComponentProblem& problem, const LawFit& fit) {

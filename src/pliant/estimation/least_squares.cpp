@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kTouchShare = 1e-9;  // of the scale: nearer than this is at the bound
 constexpr int kBoundRounds = 10;
+// Beside a bound so many steps, one after the other, that gain less than that share of what they
+// promise stall.
+constexpr int kStalledSteps = 2;
+constexpr double kKept = 0.5;
 constexpr double kMargin = 1e-7;  // of inequalities, in units of what the parameters change by
 constexpr int kMultiplierRounds = 30;
 
@@ -77,20 +81,39 @@ class LastEvaluation {
   bool found_ = false;
 };
 
+// 1 for each free parameter at a bound against which the cost pushes it.
+std::vector<char> pressed_to_bounds(const LeastSquaresProblem& problem, const Eigen::VectorXd& p,
+                                    LastEvaluation& last) {
+  std::vector<char> pressed(static_cast<size_t>(p.size()), 0);
+  if (!last.at(p)) return pressed;
+  const Eigen::VectorXd gradient = last.jacobian().transpose() * last.residual();
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    if (problem.lower(i) == problem.upper(i)) continue;
+    const double touch = kTouchShare * problem.scale(i);
+    const bool below = p(i) - problem.lower(i) <= touch && gradient(i) > 0;
+    const bool above = problem.upper(i) - p(i) <= touch && gradient(i) < 0;
+    pressed[static_cast<size_t>(i)] = below || above;
+  }
+  return pressed;
+}
+
 class Residuals : public ceres::CostFunction {
  public:
+  /// @param at_bound  is told whether the last step that was taken ends pressed to a bound
   Residuals(const LeastSquaresProblem& problem, const ScaledParameters& parameters,
-            LastEvaluation& last)
-      : problem_(problem), parameters_(parameters), last_(last) {
+            LastEvaluation& last, bool& at_bound)
+      : problem_(problem), parameters_(parameters), last_(last), at_bound_(at_bound) {
     set_num_residuals(problem.residuals);
     mutable_parameter_block_sizes()->push_back(parameters.size());
   }
 
   bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    if (!last_.at(parameters_.unscaled(values[0]))) return false;
+    const Eigen::VectorXd all = parameters_.unscaled(values[0]);
+    if (!last_.at(all)) return false;
     Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = last_.residual();
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     if (!last_.jacobian().allFinite()) return false;
+    at_bound_ = std::ranges::count(pressed_to_bounds(problem_, all, last_), 1) > 0;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> scaled(jacobians[0], problem_.residuals, parameters_.size());
     for (int i = 0; i < parameters_.size(); ++i) {
@@ -103,18 +126,25 @@ class Residuals : public ceres::CostFunction {
   const LeastSquaresProblem& problem_;
   const ScaledParameters& parameters_;
   LastEvaluation& last_;
+  bool& at_bound_;
 };
 
 class StopCallback : public ceres::IterationCallback {
  public:
-  StopCallback(const StopToken& stop, const LeastSquaresOptions& options)
-      : stop_(stop), options_(options) {}
+  /// @param at_bound  whether the last step that was taken ends pressed to a bound
+  StopCallback(const StopToken& stop, const LeastSquaresOptions& options, const bool& at_bound)
+      : stop_(stop), options_(options), at_bound_(at_bound) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (stop_.stop_requested()) return ceres::SOLVER_ABORT;
     const bool hopeless =
         iteration.iteration >= options_.patience && iteration.cost > options_.hopeless_cost;
     settled_ = promises_nothing(iteration);
-    return hopeless || settled_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    const bool keeps_promise = iteration.iteration == 0 || (iteration.step_is_successful &&
+                                                            iteration.relative_decrease > kKept);
+    poor_steps_ = keeps_promise ? 0 : poor_steps_ + 1;
+    const bool stalled = at_bound_ && poor_steps_ >= kStalledSteps;
+    return hopeless || settled_ || stalled ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                           : ceres::SOLVER_CONTINUE;
   }
 
   bool settled() const { return settled_; }
@@ -132,7 +162,9 @@ class StopCallback : public ceres::IterationCallback {
 
   const StopToken& stop_;
   const LeastSquaresOptions& options_;
+  const bool& at_bound_;
   bool settled_ = false;
+  int poor_steps_ = 0;  // in a row
 };
 
 ceres::Solver::Options solver_options(const LeastSquaresOptions& options) {
@@ -169,7 +201,9 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
   }
 
   ceres::Problem ceres_problem;
-  ceres_problem.AddResidualBlock(new Residuals(problem, parameters, last), nullptr, values.data());
+  bool at_bound = false;
+  ceres_problem.AddResidualBlock(new Residuals(problem, parameters, last, at_bound), nullptr,
+                                 values.data());
   for (int i = 0; i < parameters.size(); ++i) {
     ceres_problem.SetParameterLowerBound(values.data(), i,
                                          problem.lower(parameters.index(i)) / parameters.scale(i));
@@ -177,7 +211,7 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
                                          problem.upper(parameters.index(i)) / parameters.scale(i));
   }
   ceres::Solver::Options solver = solver_options(options);
-  StopCallback callback(stop, options);
+  StopCallback callback(stop, options, at_bound);
   solver.callbacks.push_back(&callback);
   ceres::Solver::Summary report;
   ceres::Solve(solver, &ceres_problem, &report);
@@ -188,22 +222,6 @@ LeastSquaresSummary solve_in_bounds(const LeastSquaresProblem& problem,
   summary.converged = report.termination_type == ceres::CONVERGENCE || callback.settled();
   summary.iterations = static_cast<int>(report.iterations.size());
   return summary;
-}
-
-// 1 for each free parameter at a bound against which the cost pushes it.
-std::vector<char> pressed_to_bounds(const LeastSquaresProblem& problem, const Eigen::VectorXd& p,
-                                    LastEvaluation& last) {
-  std::vector<char> pressed(static_cast<size_t>(p.size()), 0);
-  if (!last.at(p)) return pressed;
-  const Eigen::VectorXd gradient = last.jacobian().transpose() * last.residual();
-  for (Eigen::Index i = 0; i < p.size(); ++i) {
-    if (problem.lower(i) == problem.upper(i)) continue;
-    const double touch = kTouchShare * problem.scale(i);
-    const bool below = p(i) - problem.lower(i) <= touch && gradient(i) > 0;
-    const bool above = problem.upper(i) - p(i) <= touch && gradient(i) < 0;
-    pressed[static_cast<size_t>(i)] = below || above;
-  }
-  return pressed;
 }
 
 LeastSquaresProblem with_held(LeastSquaresProblem problem, const Eigen::VectorXd& p,
@@ -223,8 +241,8 @@ LeastSquaresSummary solve_without_inequalities(const LeastSquaresProblem& proble
   LastEvaluation last(problem);
   LeastSquaresSummary summary = solve_in_bounds(problem, start, options, stop, last);
   if (!std::isfinite(summary.cost)) return summary;
-  // Ceres clips its steps to the bounds and can stall beside one: what is pressed to a bound is
-  // held there and the rest solved again, until a solution presses what was held for it.
+  // Ceres clips its steps to the bounds and stalls beside one: what is pressed to a bound is held
+  // there and the rest solved again, until a solution presses what was held for it.
   std::vector<char> held(static_cast<size_t>(start.size()), 0);
   for (int round = 0; round < kBoundRounds && summary.cost <= options.hopeless_cost; ++round) {
     const std::vector<char> pressed = pressed_to_bounds(problem, summary.parameters, last);

@@ -225,15 +225,18 @@ LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& sh
 
 namespace {
 
-// Those of a shape whose addends are where they begin.
-std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
-                                         const ComponentLaw& shape) {
+// Those of a shape whose addends are where they begin, in the order of tau.
+std::vector<LinearStart> over_tau(const ComponentProblem& problem, const ComponentLaw& shape) {
   if (shape.friction_law == FrictionLaw::none) return {linear_start(problem, shape, 1)};
   std::vector<LinearStart> all;
   for (int i = 0; i < kTauSteps; ++i) {
     const double share = kSmallestTau * std::pow(kLargestTau / kSmallestTau, i / (kTauSteps - 1.0));
     all.push_back(linear_start(problem, shape, share * problem.largest_strain()));
   }
+  return all;
+}
+
+std::vector<LinearStart> local_minima(const std::vector<LinearStart>& all) {
   std::vector<LinearStart> best;
   for (size_t i = 0; i < all.size(); ++i) {
     const bool below_left = i == 0 || all[i].cost <= all[i - 1].cost;
@@ -245,12 +248,20 @@ std::vector<LinearStart> starts_over_tau(const ComponentProblem& problem,
 
 }  // namespace
 
+std::vector<LinearStart> linear_starts_over_tau(const ComponentProblem& problem,
+                                                const ComponentLaw& shape) {
+  std::vector<LinearStart> all;
+  for (const ComponentLaw& law : addend_starts(shape, problem.scale())) {
+    std::ranges::move(over_tau(problem, law), std::back_inserter(all));
+  }
+  return all;
+}
+
 std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,
                                        int most) {
   std::vector<LinearStart> best;
-  const DataScale data = problem.scale();
-  for (const ComponentLaw& law : addend_starts(shape, data)) {
-    std::ranges::move(starts_over_tau(problem, law), std::back_inserter(best));
+  for (const ComponentLaw& law : addend_starts(shape, problem.scale())) {
+    std::ranges::move(local_minima(over_tau(problem, law)), std::back_inserter(best));
   }
   std::sort(best.begin(), best.end(),
             [](const LinearStart& x, const LinearStart& y) { return x.cost < y.cost; });

@@ -23,6 +23,11 @@ struct LinearStart {
 /// @throws Interrupted
 LinearStart linear_start(const ComponentProblem& problem, const ComponentLaw& shape, double tau);
 
+/// Linear starts all over a range of tau, for all of the addends' beginnings; without friction one
+/// for each of these.
+std::vector<LinearStart> linear_starts_over_tau(const ComponentProblem& problem,
+                                                const ComponentLaw& shape);
+
 /// Linear starts at the local minima of their cost over a range of tau, for all of the addends'
 /// beginnings, the best first, at most `most` of them.
 std::vector<LinearStart> linear_starts(const ComponentProblem& problem, const ComponentLaw& shape,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/estimation/reading_grid.h"
 
 namespace pliant {
 namespace {
@@ -92,8 +93,7 @@ struct Cause {
   const char* words;
 };
 
-std::optional<Cause> leading_cause(const ExperimentResult& e, const MeasuredPath& path,
-                                   const ResidualRows& rows) {
+std::optional<Cause> leading_cause(const MeasuredPath& path, const ResidualRows& rows) {
   const std::vector<int> cycles = cycles_of(path);
   const bool both_sides = std::ranges::any_of(
       path.strain, [&](double strain) { return strain < -0.1 * std::ranges::max(path.strain); });
@@ -112,43 +112,31 @@ std::optional<Cause> leading_cause(const ExperimentResult& e, const MeasuredPath
        "with its cycles: repeats differ, as where the cloth is worked in or rows are out of "
        "order"}};
   constexpr double kAsGood = 0.8;  // of the finest
-  const bool scatter = e.noise_floor && e.rms < kAboveScatter * *e.noise_floor;
+  constexpr double kChance = 20;   // rows that a share of chance explains at most
   const double most = std::ranges::max(causes, {}, &Cause::share).share;
-  if (scatter || most < kShare) return std::nullopt;
+  if (most < kShare || most * static_cast<double>(rows.row.size()) < kChance) return std::nullopt;
   return *std::ranges::find_if(causes,
                                [&](const Cause& cause) { return cause.share >= kAsGood * most; });
 }
 
-/// The step of readings that stand on a grid; nothing where they do not.
-std::optional<double> step_of(const Eigen::VectorXd& measured) {
-  constexpr double kRounding = 1e-3;  // of the step
-  std::vector<double> values(measured.begin(), measured.end());
-  std::ranges::sort(values);
-  const double range = values.back() - values.front();
-  double step = range;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double gap = values[i] - values[i - 1];
-    if (gap > 1e-9 * range) step = std::min(step, gap);
-  }
-  if (!(step > 0)) return std::nullopt;
-  for (const double value : values) {
-    const double steps = (value - values.front()) / step;
-    if (std::abs(steps - std::round(steps)) > kRounding * std::max(steps, 1.0)) return std::nullopt;
-  }
-  return step;
-}
-
 std::optional<std::string> coarse_readings(const ExperimentResult& e) {
-  constexpr double kCoarse = 0.5;  // of the RMS error, that rounding alone makes
-  constexpr double kFewestSteps = 5, kMostSteps = 100;  // finer readings are no worse than others
-  const std::optional<double> step = step_of(e.measured);
-  if (!step || *step / std::sqrt(12) < kCoarse * e.rms) return std::nullopt;
-  const double steps = (e.measured.maxCoeff() - e.measured.minCoeff()) / *step;
-  if (steps < kFewestSteps || steps > kMostSteps) return std::nullopt;
+  const std::optional<double> step = coarse_step(e.measured, e.rms);
+  if (!step) return std::nullopt;
   return fmt::format(
       "{}: readings stand on a grid of {} {}, and their rounding is most of the misfit: a finer "
       "resolution tells more",
       e.name, format_number(*step * e.quantity.per_si, 3), e.quantity.unit);
+}
+
+/// The law misses more than chance does.
+std::optional<std::string> more_than_scatter(const ExperimentResult& e) {
+  constexpr double kMatters = 1;  // per cent
+  const bool scatter = !e.noise_floor || e.rms < kAboveScatter * *e.noise_floor;
+  if (scatter || e.rms_percent < kMatters) return std::nullopt;
+  return fmt::format(
+      "{}: the law misses {:.1f} times what neighbouring rows scatter by: it lacks something of "
+      "what the cloth does (`--compare laws`, more branches), or the test does",
+      e.name, e.rms / *e.noise_floor);
 }
 
 }  // namespace
@@ -158,9 +146,11 @@ std::vector<std::string> residual_warnings(const ExperimentResult& experiment,
   const ResidualRows rows = rows_of(experiment);
   if (rows.row.size() < kFewestRows || !(rows.mean_square() > 0)) return {};
   std::vector<std::string> warnings;
-  if (const auto cause = leading_cause(experiment, path, rows)) {
+  if (const auto cause = leading_cause(path, rows)) {
     warnings.push_back(fmt::format("{}: {:.0f} % of what the law misses goes {}", experiment.name,
                                    100 * cause->share, cause->words));
+  } else if (auto more = more_than_scatter(experiment)) {
+    warnings.push_back(std::move(*more));
   }
   if (auto coarse = coarse_readings(experiment)) warnings.push_back(std::move(*coarse));
   return warnings;

@@ -27,18 +27,21 @@ StartSearch search_from(std::size_t starts, const FollowStart& follow,
   StartSearch search;
   double least = std::numeric_limits<double>::infinity();
   int worse = 0;  // in a row
-  for (std::size_t start = 0; start < starts && worse < options.patience; ++start) {
+  for (std::size_t start = 0;
+       start < starts && worse < options.patience && search.reached_best < options.enough;
+       ++start) {
     const double cost = follow(start, least);
     search.costs.push_back(cost);
     worse = std::isinf(least) || cost < kPlateau * least ? 0 : worse + 1;
-    if (!(cost < least)) continue;
-    least = cost;
-    search.best = start;
+    if (cost < least) {
+      least = cost;
+      search.best = start;
+    }
+    if (!search.found()) continue;
+    search.reached_best = static_cast<int>(std::ranges::count_if(search.costs, [&](double own) {
+      return own <= least * (1 + kReachedShare) + options.exact;
+    }));
   }
-  if (!search.found()) return search;
-  search.reached_best = static_cast<int>(std::ranges::count_if(search.costs, [&](double cost) {
-    return cost <= least * (1 + kReachedShare) + options.exact;
-  }));
   return search;
 }
 

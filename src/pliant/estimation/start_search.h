@@ -31,6 +31,8 @@ struct StartOptions {
   /// Of starts in an order: so many in a row that lead to clearly more than the least cost leave
   /// out the rest.
   int patience = std::numeric_limits<int>::max();
+  /// So many that lead to the least cost leave out the rest.
+  int enough = std::numeric_limits<int>::max();
 };
 
 /// Follows a start, counted from 0.

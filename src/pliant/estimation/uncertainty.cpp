@@ -74,7 +74,8 @@ std::vector<Outlier> outliers_of(const Problem& problem, const MeasuredNoise& no
   for (Eigen::Index i = 0; i < residual.size(); ++i) {
     residual(i) = noise.weight[p](i) > 0 ? residual(i) / sd(i) : 0;
   }
-  const bool measured = own.source == NoiseSource::residuals;
+  // A robust scale does not know the rows that are far off.
+  const bool measured = own.source == NoiseSource::residuals && problem.loss() == RobustLoss::none;
   return outliers(
       residual, noise.leverage[p],
       measured ? own.spare_rows * own.correlation_length : std::numeric_limits<double>::infinity());

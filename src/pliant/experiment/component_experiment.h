@@ -89,6 +89,11 @@ class ComponentExperiment : public Experiment {
   /// prediction has to beat. Nothing where such a specimen carries no load, or stays in no place.
   virtual std::optional<Eigen::VectorXd> limp() const { return std::nullopt; }
 
+  /// The same test with the rows alone that a search is best begun with; the others, of which one
+  /// that starts at a wrong law leads nowhere, take no part and are predicted as zero. Nothing
+  /// where all rows are alike.
+  virtual std::unique_ptr<ComponentExperiment> easy_part() const { return nullptr; }
+
   /// What the instrument shows of each row where the material carries nothing: no part of a loop.
   virtual Eigen::VectorXd instrument_zero(const Eigen::VectorXd& nuisance) const {
     static_cast<void>(nuisance);

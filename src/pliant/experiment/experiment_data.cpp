@@ -50,7 +50,12 @@ ExperimentInfo describe_experiment(const ExperimentSpec& spec, const DataRows& d
       info.warnings.push_back("the column of the time cannot be read, and is not used");
     }
   }
-  data.optional_integers("cycle");
+  if (const auto cycles = data.optional_integers("cycle")) {
+    const auto never = [](std::size_t) { return false; };
+    if (auto warning = backward_count("cycle", *cycles, data.specimens(), never)) {
+      info.warnings.push_back(std::move(*warning));
+    }
+  }
   info.handled = spec.told;
   std::ranges::copy(data.columns_by_synonym(), std::back_inserter(info.handled));
   std::ranges::copy(data.lines_left_out(), std::back_inserter(info.handled));
@@ -105,6 +110,23 @@ void require_change(const std::vector<double>& values, const DataRows& data,
   if (*high > *low) return;
   throw InputError(data.location(0, column), "is the same in every row",
                    "values that change: a constant one determines nothing");
+}
+
+std::optional<std::string> backward_count(std::string_view column, const std::vector<long>& numbers,
+                                          const std::vector<SpecimenRows>& specimens,
+                                          const std::function<bool(std::size_t row)>& restarts) {
+  for (const SpecimenRows& specimen : specimens) {
+    for (int i = specimen.first + 1; i < specimen.first + specimen.count; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      if (numbers[row] >= numbers[row - 1] || restarts(row)) continue;
+      return fmt::format(
+          "{} {} comes after {} {}: are the rows in the order in which they were measured? "
+          "Friction "
+          "goes on from each to the next",
+          column, numbers[row], column, numbers[row - 1]);
+    }
+  }
+  return std::nullopt;
 }
 
 std::string nuisance_name(const ExperimentInfo& info, size_t specimen, std::string_view name) {

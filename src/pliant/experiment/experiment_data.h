@@ -1,7 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "pliant/experiment/component_experiment.h"
@@ -49,6 +52,13 @@ void append_half_cycles(const SpecimenRows& rows, int specimen,
                         std::span<const HalfCycle> half_cycles,
                         const std::function<CarriedLoad(int row, int direction)>& load,
                         MeasuredPath& path);
+
+/// Says where numbers that count repeats or cycles go back within a specimen: rows in another order
+/// than they were measured in carry the wrong state.
+/// @param restarts  where counting may begin anew
+std::optional<std::string> backward_count(std::string_view column, const std::vector<long>& numbers,
+                                          const std::vector<SpecimenRows>& specimens,
+                                          const std::function<bool(std::size_t row)>& restarts);
 
 /// A length as it reads in a sentence, e.g. 0.0123 -> "12.3 mm".
 std::string millimetres(double metres);

@@ -31,10 +31,11 @@ std::vector<ComponentWork> group_by_component(const Experiments& experiments) {
   return works;
 }
 
-void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunContext& context) {
+void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunContext& context,
+             int threads) {
   if (work.fitted.empty()) return;
   work.problem.emplace(work.fitted, context.stop, work.plan.fit.loss,
-                       context.journal.part(work.component));
+                       context.journal.part(work.component), threads);
   work.fit = fit_component(*work.problem, work.plan);
   if (options.compare_friction && work.plan.friction != FrictionLaw::none) {
     work.models = compare_friction(*work.problem, work.fit, work.plan);
@@ -54,9 +55,8 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunConte
 }
 
 // Components are fitted side by side; what threads they leave over, their experiments use.
-void share_threads(const Experiments& experiments, size_t components, int threads) {
-  const int each = std::max(threads / static_cast<int>(std::max<size_t>(components, 1)), 1);
-  for (const auto& experiment : experiments) experiment->set_threads(each);
+int threads_of_each(size_t components, int threads) {
+  return std::max(threads / static_cast<int>(std::max<size_t>(components, 1)), 1);
 }
 
 }  // namespace
@@ -66,7 +66,8 @@ std::vector<ComponentWork> fit_components(const FitSettings& settings,
                                           const StudyFitOptions& options, const RunContext& context,
                                           StudyResult& result) {
   std::vector<ComponentWork> works = group_by_component(experiments);
-  share_threads(experiments, works.size(), context.threads);
+  const int threads = threads_of_each(works.size(), context.threads);
+  for (const auto& experiment : experiments) experiment->set_threads(threads);
   std::string data;
   for (const auto& experiment : experiments) data += digest_of(*experiment);
   begin_fit(context.journal, settings, data);
@@ -81,7 +82,7 @@ std::vector<ComponentWork> fit_components(const FitSettings& settings,
   ProgressTask task(context.progress, "fit", static_cast<double>(works.size()));
   std::mutex reporting;
   parallel_for(static_cast<int>(works.size()), context.threads, [&](int i) {
-    fit_one(works[static_cast<size_t>(i)], options, context);
+    fit_one(works[static_cast<size_t>(i)], options, context, threads);
     const std::lock_guard lock(reporting);
     task.advance(++done);
   });

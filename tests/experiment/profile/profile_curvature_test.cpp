@@ -56,5 +56,10 @@ TEST(ProfileCurvature, IsLittleDisturbedByNoise) {
   EXPECT_LT(largest_error(clothoid(40, 80, 26, 1e-4), 40, 80), 8);
 }
 
+// Points that are 1.7 mm apart and each a third of a millimetre off.
+TEST(ProfileCurvature, IsLittleDisturbedByNoiseOfDensePoints) {
+  EXPECT_LT(largest_error(clothoid(40, 80, 65, 3.5e-4), 40, 80), 16);
+}
+
 }  // namespace
 }  // namespace pliant

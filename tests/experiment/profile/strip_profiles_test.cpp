@@ -80,6 +80,21 @@ TEST(StripProfiles, AreMeasuredAgainstTheLengthOfTheStrip) {
   EXPECT_DOUBLE_EQ(felt[1].reference(), 0.1);
 }
 
+// The tighter half of the cylinders, which a search begins with.
+TEST(StripProfiles, HaveAnEasyPart) {
+  const Felt felt({rolled_strips({0.003, 0.004, 0.01, 0.05}), rolled_right({0.003, 0.01}),
+                   overhanging_strips({0.05, 0.1})});
+  const auto part = felt[0].easy_part();
+  ASSERT_TRUE(part);
+  const auto all = felt.prediction(0), some = *part->predict(felt.law(), {}, false);
+  for (std::size_t row = 0; row < 100; ++row) {
+    EXPECT_EQ(part->info().used[row], row < 50 && felt[0].info().used[row]) << row;
+  }
+  EXPECT_EQ(some.value.head(50), all.value.head(50));
+  EXPECT_FALSE(felt[1].easy_part());
+  EXPECT_FALSE(felt[2].easy_part());
+}
+
 TEST(StripProfiles, LeaveOutTheClamp) {
   const Felt felt({rolled_strips({0.004, 0.01})});
   const std::vector<char>& used = felt[0].info().used;

@@ -104,6 +104,10 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   measured_ = Eigen::Map<const Eigen::VectorXd>(lengths.data(), static_cast<int>(lengths.size()));
   info_ = describe_experiment(spec, data, {"length_mm", "length", "mm", 1e3});
   read_path();
+  warn_of_order(data, own.rested);
+  if (own.rest_length == RestLength::unknown && spec.role == ExperimentRole::fit) {
+    look_for_rest_length();
+  }
   info_.handled.push_back(fmt::format(
       "weights drive the path and count as exact; clip ({:.4g} g) and half of the cloth ({:.4g} g) "
       "add {:.4g} N to each",
@@ -123,6 +127,27 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
         fmt::format("the shortest length, {}, is far below the gauge length, {}",
                     millimetres(*shortest), millimetres(own.length)));
   }
+}
+
+// Tables may be sorted by peaks, each hung several times.
+void HangingWeights::warn_of_order(const DataRows& data, bool rested) {
+  const auto repeats = data.optional_integers("repeat");
+  if (!repeats || rested) return;
+  const auto peaks = data.optional_quantity("peak", Dimension::force);
+  const auto higher = [&](std::size_t row) { return peaks && (*peaks)[row] > (*peaks)[row - 1]; };
+  if (auto warning = backward_count("repeat", *repeats, specimens_, higher)) {
+    info_.warnings.push_back(std::move(*warning));
+  }
+}
+
+// One of each specimen, within 10 % of the stated length.
+void HangingWeights::look_for_rest_length() {
+  const double change = 0.1 * geometry_.gauge_length;
+  for (size_t s = 0; s < specimens_.size(); ++s) {
+    nuisance_.push_back(
+        {nuisance_name(info_, s, "rest_length_change"), "m", 0, -change, change, 0.1 * change});
+  }
+  info_.handled.emplace_back("the rest length is estimated along (nuisance parameter)");
 }
 
 void HangingWeights::read_path() {
@@ -150,12 +175,29 @@ void HangingWeights::read_path() {
   }
 }
 
-std::optional<Prediction> HangingWeights::predict(const ComponentLaw& law, const Eigen::VectorXd&,
+std::optional<Prediction> HangingWeights::predict(const ComponentLaw& law,
+                                                  const Eigen::VectorXd& nuisance,
                                                   bool with_jacobian) const {
   auto hung = hang_weights(law, geometry_, force_, starts_rested_, with_jacobian);
   if (!hung) return std::nullopt;
-  return Prediction{
+  Prediction prediction{
       std::move(hung->length), std::move(hung->jacobian), std::move(hung->strain), {}};
+  if (nuisance.size() == 0) return prediction;
+  const Eigen::Index of_law = law.parameter_count();
+  if (with_jacobian) prediction.jacobian.conservativeResize(rows(), of_law + nuisance.size());
+  for (Eigen::Index s = 0; s < nuisance.size(); ++s) {
+    const SpecimenRows& own = specimens_[static_cast<size_t>(s)];
+    const double factor = 1 + nuisance(s) / geometry_.gauge_length;
+    auto length = prediction.value.segment(own.first, own.count);
+    if (with_jacobian) {
+      auto by = prediction.jacobian.middleRows(own.first, own.count);
+      by.leftCols(of_law) *= factor;
+      by.rightCols(nuisance.size()).setZero();
+      by.col(of_law + s) = length / geometry_.gauge_length;
+    }
+    length *= factor;
+  }
+  return prediction;
 }
 
 std::optional<LoopSeries> HangingWeights::loop(const Eigen::VectorXd& length) const {

@@ -22,11 +22,15 @@ class HangingWeights : public ComponentExperiment {
 
   std::optional<Prediction> predict(const ComponentLaw& law, const Eigen::VectorXd& nuisance,
                                     bool with_jacobian) const override;
-  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override { return {}; }
+  Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override {
+    return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nuisance_.size()));
+  }
   std::optional<LoopSeries> loop(const Eigen::VectorXd& length) const override;
 
  private:
   void read_path();
+  void warn_of_order(const DataRows& data, bool rested);
+  void look_for_rest_length();
 
   UniaxialGeometry geometry_;
   std::vector<SpecimenRows> specimens_;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "pliant/experiment/hanging/hanging_weights.h"
-#include "pliant/experiment/specimen_fields.h"
 
 namespace pliant {
 namespace {
@@ -17,6 +16,7 @@ std::shared_ptr<const TestSpec> read(Fields& fields, const SpecimenDefaults& def
   read_strip(fields, defaults, *spec);
   spec->clip_mass = read_from_zero(fields, "clip_mass", Dimension::mass);
   if (auto v = fields.optional("rested")) spec->rested = v->flag();
+  spec->rest_length = read_rest_length(fields, /*pretension=*/0);
   return spec;
 }
 
@@ -57,6 +57,7 @@ WrittenFields HangingWeightsSpec::fields() const {
   WrittenFields fields = written_size(*this);
   fields.emplace_back("clip_mass", exact_quantity(clip_mass, Dimension::mass));
   fields.emplace_back("rested", rested ? "true" : "false");
+  fields.push_back(written(rest_length));
   return fields;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pliant/experiment/specimen_fields.h"
 #include "pliant/experiment/virtual_table.h"
 
 namespace pliant {
@@ -10,6 +11,7 @@ const TestType& hanging_weights_type();
 struct HangingWeightsSpec : TestSpec {
   double clip_mass = 0;  ///< kg, of what hangs below the cloth beside the weights
   bool rested = false;   ///< before every repeat
+  RestLength rest_length = RestLength::known;
 
   const TestType& type() const override { return hanging_weights_type(); }
   WrittenFields fields() const override;

@@ -15,9 +15,12 @@ struct HangingStrip {
   StripShape shape;
 };
 
+/// Whether the points of a strip jump one by one when it is let go from a curvature (1/m).
+bool snaps(const ComponentLaw& law, double curvature);
+
 /// A strip that hangs from a clamp by one end: flat at first, bent to a cylinder and let go.
 /// @param lines     of the strip, each finer than the one before; the next is taken where curvature
-///                  jumps on one
+///                  jumps on one, and the last at once where the law snaps
 /// @param rolled    curvature of the cylinder (1/m); 0: none
 /// @param weight    per area (N/m^2)
 /// @param accuracy  of the release (rad)

@@ -11,11 +11,13 @@ namespace pliant {
 namespace {
 
 constexpr int kPointsPerPiece = 20, kMostPieces = 3;
+constexpr int kProjections = 3;
 constexpr int kElements = 16;  // of the line that the curvature bends
 constexpr int kMostRounds = 20;
 constexpr double kSettled = 1e-9;  // rad
 // Wiggles that move the points less than this, beside what moves them most, are noise.
 constexpr double kUnseen = 3e-3;
+constexpr double kExact = 1e-9;  // m: nearer needs no explanation
 
 // Angles between the lines from point to point, at the points (rad).
 std::vector<double> turns_of(const ProfileRows& profile) {
@@ -87,42 +89,95 @@ double largest_turn(const GaussLine& line, const Eigen::VectorXd& curvature) {
   return line.integrals(curvature).cwiseAbs().maxCoeff();
 }
 
+/// A line of some pieces fitted to the points of a profile.
+class FittedLine {
+ public:
+  FittedLine(const ProfileRows& profile, double length, int pieces)
+      : profile_(&profile),
+        pieces_(length, pieces),
+        line_(length, kElements),
+        shapes_(line_.size(), pieces_.size()) {
+    for (int i = 0; i < line_.size(); ++i) {
+      shapes_.row(i) = pieces_.value_weights(line_.places()(i));
+    }
+    const std::vector<double> turns = turns_of(profile);
+    places_ = places_of(profile, turns);
+    for (double& place : places_) place *= length / places_.back();
+    curvature_ = by_angles(pieces_, profile, turns, places_);
+    approach();
+    // Noise lengthens the way from point to point: where a point is along the line, the line tells.
+    for (int round = 0; round < kProjections; ++round) {
+      project();
+      approach();
+    }
+  }
+
+  std::vector<double> curvature() const {
+    std::vector<double> result;
+    for (const double place : places_) {
+      result.push_back(pieces_.value_weights(place) * curvature_);
+    }
+    return result;
+  }
+
+  /// Bayesian information criterion: what further pieces explain is worth them where it falls.
+  double criterion() const {
+    const auto rows = static_cast<double>(2 * (places_.size() - 1));
+    return rows * std::log(std::max(beyond_.squaredNorm() / rows, kExact * kExact)) +
+           static_cast<double>(pieces_.size()) * std::log(rows);
+  }
+
+ private:
+  StripProfile bent(const Eigen::VectorXd& by) const {
+    return StripProfile(line_, 0, shapes_ * by, shapes_);
+  }
+
+  // Gauss and Newton's method, its steps halved until the points come nearer.
+  void approach() {
+    beyond_ = distances(*profile_, bent(curvature_), places_);
+    for (int round = 0; round < kMostRounds; ++round) {
+      Eigen::VectorXd step = step_towards(beyond_, bent(curvature_), places_, pieces_.size());
+      Eigen::VectorXd there = distances(*profile_, bent(curvature_ + step), places_);
+      while (there.norm() >= beyond_.norm() && largest_turn(pieces_, step) > kSettled) {
+        step /= 2;
+        there = distances(*profile_, bent(curvature_ + step), places_);
+      }
+      if (largest_turn(pieces_, step) <= kSettled) break;
+      curvature_ += step;
+      beyond_ = there;
+    }
+  }
+
+  // The clamp and the free end stay where they are.
+  void project() {
+    const StripProfile line = bent(curvature_);
+    for (size_t i = 1; i + 1 < places_.size(); ++i) {
+      places_[i] = line.nearest(profile_->points[i], places_[i]);
+    }
+  }
+
+  const ProfileRows* profile_;
+  GaussLine pieces_, line_;
+  Eigen::MatrixXd shapes_;  // of the line, by the values of the pieces
+  std::vector<double> places_;
+  Eigen::VectorXd curvature_, beyond_;
+};
+
 }  // namespace
 
 double arc_length(const ProfileRows& profile) {
   return places_of(profile, turns_of(profile)).back();
 }
 
-// Gauss and Newton's method, its steps halved until the points come nearer.
 std::vector<double> profile_curvature(const ProfileRows& profile, double length) {
   const auto count = static_cast<int>(profile.points.size());
-  const GaussLine pieces(length, std::clamp(count / kPointsPerPiece, 1, kMostPieces));
-  const GaussLine line(length, kElements);
-  Eigen::MatrixXd shapes(line.size(), pieces.size());
-  for (int i = 0; i < line.size(); ++i) shapes.row(i) = pieces.value_weights(line.places()(i));
-
-  const std::vector<double> turns = turns_of(profile);
-  std::vector<double> places = places_of(profile, turns);
-  for (double& place : places) place *= length / places.back();
-  Eigen::VectorXd curvature = by_angles(pieces, profile, turns, places);
-  const auto bent = [&](const Eigen::VectorXd& by) {
-    return StripProfile(line, 0, shapes * by, shapes);
-  };
-  Eigen::VectorXd beyond = distances(profile, bent(curvature), places);
-  for (int round = 0; round < kMostRounds; ++round) {
-    Eigen::VectorXd step = step_towards(beyond, bent(curvature), places, pieces.size());
-    Eigen::VectorXd there = distances(profile, bent(curvature + step), places);
-    while (there.norm() >= beyond.norm() && largest_turn(pieces, step) > kSettled) {
-      step /= 2;
-      there = distances(profile, bent(curvature + step), places);
-    }
-    if (largest_turn(pieces, step) <= kSettled) break;
-    curvature += step;
-    beyond = there;
+  const int most = std::clamp(count / kPointsPerPiece, 1, kMostPieces);
+  FittedLine best(profile, length, 1);
+  for (int pieces = 2; pieces <= most; ++pieces) {
+    const FittedLine finer(profile, length, pieces);
+    if (finer.criterion() < best.criterion()) best = finer;
   }
-  std::vector<double> result;
-  for (const double place : places) result.push_back(pieces.value_weights(place) * curvature);
-  return result;
+  return best.curvature();
 }
 
 }  // namespace pliant

@@ -4,14 +4,16 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "pliant/base/parallel.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/profile/profile_curvature.h"
+#include "pliant/experiment/profile/strip_rests.h"
 #include "pliant/material/bending_strain.h"
-#include "pliant/solver/elastica/equilibria.h"
 
 namespace pliant {
 namespace {
@@ -173,13 +175,6 @@ std::optional<HangingStrip> StripProfiles::hang(const Strip& strip, const Compon
                        with_derivatives);
 }
 
-// Whether the strip, pushed from its shape, stays in another.
-bool StripProfiles::is_ambiguous(const HangingStrip& hanging, const ComponentLaw& law,
-                                 double weight) {
-  return equilibria_near(hanging.line, law, weight, {}, hanging.history, hanging.shape, kPushedBy)
-             .size() > 1;
-}
-
 void StripProfiles::compare(const ProfileRows& measured, const StripProfile& predicted,
                             double length, Prediction& prediction) {
   const std::vector<double> shares = measured.shares();
@@ -203,9 +198,9 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
   const auto parameters = with_jacobian ? law.parameter_count() + nuisance.size() : 0;
   const double weight = weight_by(nuisance);
   Prediction prediction;
-  prediction.value.resize(rows());
-  prediction.strain.resize(rows());
-  prediction.jacobian.resize(rows(), parameters);
+  prediction.value.setZero(rows());
+  prediction.strain.setZero(rows());
+  prediction.jacobian.setZero(rows(), parameters);
   std::atomic<bool> found = true;
   const std::vector<const Strip*> strips = slowest_first();
   parallel_for(static_cast<int>(strips.size()), threads_, [&](int i) {
@@ -216,9 +211,10 @@ std::optional<Prediction> StripProfiles::predict(const ComponentLaw& law,
       found = false;
       return;
     }
-    const StripProfile predicted = hanging->line.profile({}, hanging->shape);
+    StripRests rests(*hanging, law, strip.rolled, weight);
     for (const ProfileRows& measured : strip.profiles) {
-      compare(measured, predicted, strip.elastica.line().length(), prediction);
+      compare(measured, rests.profile(rests.nearest(measured), with_jacobian),
+              strip.elastica.line().length(), prediction);
     }
   });
   if (!found) return std::nullopt;
@@ -238,6 +234,26 @@ std::vector<const StripProfiles::Strip*> StripProfiles::slowest_first() const {
   return strips;
 }
 
+std::unique_ptr<ComponentExperiment> StripProfiles::easy_part() const {
+  constexpr std::size_t kFewest = 4;  // of which two are still told apart by their curvature
+  std::set<double> curvatures;
+  for (const Strip& strip : strips_) {
+    if (strip.rolled != 0) curvatures.insert(std::abs(strip.rolled));
+  }
+  if (curvatures.size() < kFewest) return nullptr;
+  const double middle =
+      *std::next(curvatures.begin(), static_cast<std::ptrdiff_t>(curvatures.size() / 2));
+  auto part = std::make_unique<StripProfiles>(*this);
+  std::erase_if(part->strips_, [&](const Strip& strip) { return std::abs(strip.rolled) < middle; });
+  for (const Strip& strip : strips_) {
+    if (std::abs(strip.rolled) >= middle) continue;
+    for (const ProfileRows& profile : strip.profiles) {
+      std::fill_n(part->info_.used.begin() + profile.first, profile.points.size(), 0);
+    }
+  }
+  return part;
+}
+
 double StripProfiles::reference() const {
   double longest = 0;
   for (const Strip& strip : strips_) longest = std::max(longest, strip.elastica.line().length());
@@ -254,12 +270,19 @@ std::optional<StripShapes> StripProfiles::shapes(const ComponentLaw& law,
     if (!hanging) return std::nullopt;
     const double length = strip.elastica.line().length();
     const double setting = strip.profiles.front().setting;
+    StripRests rests(*hanging, law, strip.rolled, weight);
+    std::set<std::size_t> taken;
     for (const ProfileRows& rows : strip.profiles) {
       shapes.measured.push_back(measured_line(rows, length, weight));
+      const std::size_t rest = rests.nearest(rows);
+      taken.insert(rest);
+      if (rest > 0) shapes.elsewhere.push_back(setting);
     }
-    shapes.predicted.push_back(
-        predicted_line(hanging->line.profile({}, hanging->shape), setting, length, weight));
-    if (is_ambiguous(*hanging, law, weight)) shapes.ambiguous.push_back(setting);
+    for (const std::size_t rest : taken) {
+      shapes.predicted.push_back(
+          predicted_line(rests.profile(rest, false), setting, length, weight));
+    }
+    if (!rests.others().empty()) shapes.ambiguous.push_back(setting);
     if (strip.rolled != 0) shapes.bent.push_back(bent_and_released(law, setting, strip.rolled));
   }
   return shapes;

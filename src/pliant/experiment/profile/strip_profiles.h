@@ -9,7 +9,8 @@
 namespace pliant {
 
 /// Strips that hang from a clamp, their profiles measured; what is compared is the distance of each
-/// measured point from the profile that the law predicts.
+/// measured point from the profile that the law predicts. A strip that may rest in several shapes
+/// is compared in the nearest.
 ///
 /// The measured value of every row is zero, the predicted one the distance (m), positive where the
 /// predicted profile passes on the left of the measured point.
@@ -19,6 +20,8 @@ class StripProfiles : public ComponentExperiment {
                                     bool with_jacobian) const override;
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw& law) const override;
   double reference() const override;
+  /// Of strips that were rolled the tighter half: their weight matters least.
+  std::unique_ptr<ComponentExperiment> easy_part() const override;
   std::optional<StripShapes> shapes(const ComponentLaw& law,
                                     const Eigen::VectorXd& nuisance) const override;
 
@@ -47,7 +50,6 @@ class StripProfiles : public ComponentExperiment {
  private:
   static std::optional<HangingStrip> hang(const Strip& strip, const ComponentLaw& law,
                                           double weight, bool with_derivatives);
-  static bool is_ambiguous(const HangingStrip& hanging, const ComponentLaw& law, double weight);
   std::vector<const Strip*> slowest_first() const;
   /// Stated, or what the nuisance parameter says (N/m^2).
   double weight_by(const Eigen::VectorXd& nuisance) const;

@@ -32,9 +32,10 @@ inline constexpr double kPushedBy = 1.5;
 struct StripShapes {
   std::string setting_name;            ///< overhang, radius
   std::vector<ProfileLine> measured;   ///< in the order of the data
-  std::vector<ProfileLine> predicted;  ///< one for each setting
+  std::vector<ProfileLine> predicted;  ///< one for each setting and shape that profiles rest in
   std::vector<BendingPath> bent;       ///< one for each radius; empty where nothing was rolled
   std::vector<double> ambiguous;       ///< settings (m) whose strip, pushed, stays in another shape
+  std::vector<double> elsewhere;       ///< those (m) of the profiles that rest in such a shape
 };
 
 /// The path of a material point from flat to a curvature and back to flat.

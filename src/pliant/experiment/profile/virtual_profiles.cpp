@@ -1,8 +1,10 @@
 #include "pliant/experiment/profile/virtual_profiles.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include "pliant/experiment/profile/hanging_strip.h"
+#include "pliant/experiment/profile/strip_rests.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -21,6 +23,13 @@ Eigen::Vector2d seen(const Eigen::Vector2d& point, const Instrument& instrument,
   return {x, y};
 }
 
+// Each as likely as the others.
+std::size_t chosen(StripRests& rests, RandomStream& random) {
+  const std::size_t count = 1 + rests.others().size();
+  const auto share = static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
+  return std::min(share, count - 1);
+}
+
 }  // namespace
 
 std::string VirtualProfiles::rows(const ComponentLaw& law, const ClothFacts& cloth,
@@ -35,8 +44,9 @@ std::string VirtualProfiles::rows(const ComponentLaw& law, const ClothFacts& clo
     if (!hanging) {
       fail(fmt::format("the strip at {:.4g} mm finds no equilibrium; its profile", setting * 1e3));
     }
-    const StripProfile profile = line.profile({}, hanging->shape);
+    StripRests rests(*hanging, law, own.rolled, cloth.density * kStandardGravity);
     for (int repeat = 1; repeat <= repeats; ++repeat) {
+      const StripProfile profile = rests.profile(any_rest ? chosen(rests, random) : 0, false);
       for (int i = 0; i < points; ++i) {
         Eigen::Vector2d point = Eigen::Vector2d::Zero();  // the clamp
         if (i > 0) {

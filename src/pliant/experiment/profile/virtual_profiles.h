@@ -9,7 +9,8 @@ namespace pliant {
 /// Their lines are finer than those that a fit compares with. Their points stand evenly along the
 /// strip; the first one, the clamp, is free of noise.
 struct VirtualProfiles : VirtualTable {
-  int points = 25;  ///< of a profile
+  int points = 25;        ///< of a profile
+  bool any_rest = false;  ///< a strip that may rest in several shapes is left in any, by chance
 
   std::string rows(const ComponentLaw& law, const ClothFacts& cloth,
                    RandomStream& random) const override;

@@ -49,6 +49,7 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   test->repeats = 3;
   read_virtual_size(fields, *test);
   read_radii(fields, *test);
+  if (auto rest = fields.optional("rest")) test->any_rest = rest->choice({"quiet", "any"}) == "any";
   read_photographs(fields, *test);
   return test;
 }
@@ -80,7 +81,8 @@ WrittenFields VirtualRolledStrip::study_fields() const {
 WrittenFields VirtualRolledStrip::own_description() const {
   constexpr int kDigits = 4;
   return {{"strip", format_quantity(length, Dimension::length, kDigits) + " long"},
-          {"radii", profiles_text()}};
+          {"radii", profiles_text()},
+          {"rest", any_rest ? "any shape that a strip stays in" : "where a quiet release ends"}};
 }
 
 }  // namespace pliant

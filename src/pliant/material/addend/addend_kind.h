@@ -43,8 +43,8 @@ struct AddendKind {
   /// remembers and is no friction has an elastic range, as plasticity does.
   bool friction = false;
 
-  /// What flows does so with time, while the strain rests too: it has no stress where all is at
-  /// rest, and a fit needs to know when each row was measured.
+  /// What flows depends on time: a stress that relaxes, which there is none of where all is at
+  /// rest, or friction by the rate. A fit needs to know when each row was measured.
   bool flows = false;
 
   /// How much the stress may fall per strain while the strain goes on, as Dahl friction does by b

@@ -15,7 +15,7 @@ std::span<const AddendKind* const> addend_kinds() {
   static const std::array kinds{
       &dahl_branch(),       &plasticity(),   &saturating_plasticity(), &linear_addend(),
       &polynomial_addend(), &ogden_addend(), &arruda_boyce_addend(),   &exponential_addend(),
-      &softening_addend(),  &set_addend(),   &maxwell_addend(),
+      &softening_addend(),  &set_addend(),   &maxwell_addend(),        &rate_friction_addend(),
   };
   return kinds;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pliant/material/density/maxwell_density.h"
+#include "pliant/material/density/rate_friction.h"
 #include "pliant/material/density/set_density.h"
 #include "pliant/material/density/softening_density.h"
 
@@ -65,6 +66,46 @@ const AddendKind& maxwell_addend() {
       .starts = {{0.3, 0.01}, {0.3, 0.1}, {0.3, 1}},
       .density = of_two<MaxwellDensity>,
       .flows = true};
+  return kind;
+}
+
+const AddendKind& rate_friction_addend() {
+  static const AddendKind kind{
+      .name = "rate-friction",
+      .description = "friction whose maximum grows with the logarithm of the rate of strain",
+      .parameters = {{.name = "a",
+                      .meaning = "its maximum at zero strain, at the slowest rate (1e-6 a second)",
+                      .stress = 1,
+                      .scales = true,
+                      .step = 0.2},
+                     {.name = "b",
+                      .meaning = "growth of its maximum with strain",
+                      .stress = 1,
+                      .strain = -1,
+                      .scales = true,
+                      .step = 0.2},
+                     {.name = "tau",
+                      .meaning = "strain over which it builds up",
+                      .strain = 1,
+                      .smallest = 1e-3,
+                      .largest = 3,
+                      .step = 0.1},
+                     {.name = "growth",
+                      .meaning = "share by which it grows where the rate grows e times",
+                      .largest = 10,
+                      .step = 0.05}},
+      .starts = {{0.05, 0.05, 0.02, 0.05}, {0.05, 0.05, 0.1, 0.05}, {0.05, 0.05, 0.5, 0.05}},
+      .density = [](int strain,
+                    const Eigen::VectorXd& values) -> std::unique_ptr<ParametricDensity> {
+        return std::make_unique<RateFriction>(strain, values);
+      },
+      .friction = true,
+      .flows = true,
+      // At a thousand strains a second.
+      .fall =
+          [](const Eigen::VectorXd& values) {
+            return values(1) * (1 + values(3) * std::log(1e9));
+          }};
   return kind;
 }
 

@@ -13,4 +13,7 @@ const AddendKind& set_addend();
 /// What relaxes with time (`MaxwellDensity`).
 const AddendKind& maxwell_addend();
 
+/// Friction that grows with the logarithm of the rate (`RateFriction`).
+const AddendKind& rate_friction_addend();
+
 }  // namespace pliant

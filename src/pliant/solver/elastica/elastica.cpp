@@ -255,7 +255,9 @@ std::optional<StripShape> Elastica::equilibrium(const ComponentLaw& law, double 
     const double gap = b.gap.size() > 0 ? b.gap.cwiseAbs().maxCoeff() : 0;
     return std::max((b.gradient.array() / line_.weights().array()).abs().maxCoeff() / scale, gap);
   };
-  StripShape shape = guess;
+  StripShape shape;  // what else the guess knows is not true of it
+  shape.curvature = guess.curvature;
+  shape.far_load = guess.far_load;
   Balance here = balance(law, weight, ends, history, held, shape);
   for (int iteration = 0; iteration < kMost && here.gradient.allFinite(); ++iteration) {
     const double wrong = error(here);

@@ -9,7 +9,7 @@ std::vector<StripShape> equilibria_near(const Elastica& strip, const ComponentLa
                                         double weight, const StripEnds& ends,
                                         const StripHistory& history, const StripShape& near,
                                         double reach) {
-  constexpr double kStep = 0.5, kSame = 1e-6;  // rad
+  constexpr double kStep = 0.75, kSame = 1e-6;  // rad
   const auto tip_angle = [&](const StripShape& shape) {
     return strip.line().weights().dot(shape.curvature);
   };

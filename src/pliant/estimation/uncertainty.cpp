@@ -151,6 +151,9 @@ Uncertainty part_of(const Uncertainty& all, const Indices& unknowns,
     part.noise.weight.push_back(all.noise.weight[p]);
     part.noise.row_sd.push_back(all.noise.row_sd[p]);
     part.noise.leverage.push_back(all.noise.leverage[p]);
+    PredictedRows rows = all.noise.rows[p];
+    rows.by = rows.by(Eigen::all, unknowns).eval();
+    part.noise.rows.push_back(std::move(rows));
   }
   return part;
 }

@@ -11,7 +11,6 @@ namespace pliant {
 namespace {
 
 constexpr int kPointsPerPiece = 20, kMostPieces = 3;
-constexpr int kProjections = 3;
 constexpr int kElements = 16;  // of the line that the curvature bends
 constexpr int kMostRounds = 20;
 constexpr double kSettled = 1e-9;  // rad
@@ -105,11 +104,6 @@ class FittedLine {
     for (double& place : places_) place *= length / places_.back();
     curvature_ = by_angles(pieces_, profile, turns, places_);
     approach();
-    // Noise lengthens the way from point to point: where a point is along the line, the line tells.
-    for (int round = 0; round < kProjections; ++round) {
-      project();
-      approach();
-    }
   }
 
   std::vector<double> curvature() const {
@@ -145,14 +139,6 @@ class FittedLine {
       if (largest_turn(pieces_, step) <= kSettled) break;
       curvature_ += step;
       beyond_ = there;
-    }
-  }
-
-  // The clamp and the free end stay where they are.
-  void project() {
-    const StripProfile line = bent(curvature_);
-    for (size_t i = 1; i + 1 < places_.size(); ++i) {
-      places_[i] = line.nearest(profile_->points[i], places_[i]);
     }
   }
 

@@ -124,20 +124,25 @@ class LawGrowth {
     return fit_law_from(problem_, starts, options_);
   }
 
-  /// The same law, its grown branches and the component's own sorted by tau.
+  /// The same law, its branches sorted by tau: which is called the component's own, and which an
+  /// addend, the data do not say. What a study says of one by its name keeps it in its place.
   LawFit in_order(const LawFit& fit) const {
-    if (!has_grown_branches(fit.law)) return fit;
     ComponentLaw sorted = fit.law;
-    const auto first = sorted.addends.begin() + std::ssize(form_.addends);
+    std::vector<Addend*> addends;
+    for (Addend& addend : sorted.addends) {
+      if (&addend.kind() == &dahl_branch()) addends.push_back(&addend);
+    }
+    const bool named = !options_.fix.empty() || !options_.bounds.empty() || !options_.priors.empty();
+    if (fit.law.friction_law != FrictionLaw::dahl || addends.empty() || named) return fit;
     std::vector<Eigen::Vector3d> branches{
         {fit.law.friction[0], fit.law.friction[1], fit.law.friction[2]}};
-    for (auto addend = first; addend != sorted.addends.end(); ++addend) {
-      branches.emplace_back(addend->values());
-    }
-    std::ranges::sort(branches, {}, [](const Eigen::Vector3d& branch) { return branch(2); });
+    for (const Addend* addend : addends) branches.emplace_back(addend->values());
+    const auto tau = [](const Eigen::Vector3d& branch) { return branch(2); };
+    if (std::ranges::is_sorted(branches, {}, tau)) return fit;
+    std::ranges::sort(branches, {}, tau);
     std::ranges::copy(branches.front(), sorted.friction.begin());
     for (std::size_t b = 1; b < branches.size(); ++b) {
-      *(first + static_cast<std::ptrdiff_t>(b) - 1) = Addend(dahl_branch(), branches[b]);
+      *addends[b - 1] = Addend(dahl_branch(), branches[b]);
     }
     LawFit again = fit_law_from(problem_, {{sorted, fit.nuisance}}, options_);
     again.starts = fit.starts;

@@ -236,7 +236,7 @@ std::vector<NamedDocument> broken_inputs_of_fits() {
       changed("rows that are no range", study, "/experiments/0/exclude/0/rows", "from 12"),
       changed("row 0", study, "/experiments/0/exclude/0/rows", "0-3"),
       changed("an exclusion without reason", study, "/experiments/0/exclude/0", {{"rows", "3-4"}}),
-      changed("rest length of hanging weights", study, "/experiments/0/rest_length", "known"),
+      changed("pretension of hanging weights", study, "/experiments/0/pretension", "1 N"),
       changed("shear's tension of a strip", study, "/experiments/1/transverse_tension", "1 N/m"),
       changed("a direction of shear", study, "/experiments/2/direction", "warp"),
       changed("the length of a bent specimen's noise", study, "/experiments/4/noise/length",

@@ -132,7 +132,8 @@ class LawGrowth {
     for (Addend& addend : sorted.addends) {
       if (&addend.kind() == &dahl_branch()) addends.push_back(&addend);
     }
-    const bool named = !options_.fix.empty() || !options_.bounds.empty() || !options_.priors.empty();
+    const bool named =
+        !options_.fix.empty() || !options_.bounds.empty() || !options_.priors.empty();
     if (fit.law.friction_law != FrictionLaw::dahl || addends.empty() || named) return fit;
     std::vector<Eigen::Vector3d> branches{
         {fit.law.friction[0], fit.law.friction[1], fit.law.friction[2]}};

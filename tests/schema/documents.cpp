@@ -404,6 +404,8 @@ std::vector<NamedDocument> broken_sessions() {
       changed("frames with two numbers", session, "/frames", "frames/%d-%d.ply"),
       changed("frames in folders of their own", session, "/frames", "%04d/frame.ply"),
       changed("frames padded with blanks", session, "/frames", "%4d.ply"),
+      changed("a noise without unit", session, "/noise/force", 3),
+      changed("a noise of nothing", session, "/noise/position", "0 mm"),
       changed("frames in another format", session, "/frames", "%04d.obj"),
       changed("a clip's name with blanks", session, "/clips/0/name", "left bar"),
       changed("a clip of negative mass", session, "/clips/0/mass", "-1 g"),

@@ -11,6 +11,7 @@
 #include "pliant/estimation/fit_result.h"
 #include "pliant/estimation/verdict.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/experiment/session/lost_frames.h"
 
 namespace pliant {
 namespace {
@@ -84,7 +85,9 @@ ExperimentJudgement judged(const ExperimentResult& e, const Acceptance& accept) 
   if (e.points == 0) figures.push_back({INFINITY, "nothing of it can be predicted"});
   const std::size_t missing = e.sheet ? e.sheet->missing_frames().size() : 0;
   if (missing > 0 && e.points > 0) {
-    figures.push_back({kReservation, fmt::format("{} of its frames have no equilibrium", missing)});
+    const auto frames = static_cast<double>(e.sheet->measured.frame_count());
+    figures.push_back({static_cast<double>(missing) > kLostShare * frames ? INFINITY : kReservation,
+                       fmt::format("{} of its frames have no equilibrium", missing)});
   }
   const ComparedRows rows = compared_rows(e);
   if (rows.measured.size() > 2 && span_of(rows.measured) > 0) {

@@ -54,6 +54,7 @@ Session begin_session(const SessionDocument& document) {
   session.sample = document.sample;
   session.gravity = document.gravity;
   session.balance_bound = document.balance_bound;
+  session.noise = document.noise;
   if (document.table) session.table = document.table->axis;
   return session;
 }

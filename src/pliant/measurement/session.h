@@ -30,6 +30,12 @@ struct SessionSample {
   std::optional<double> density;  ///< kg/m^2; absent: mass over the area of the rest mesh
 };
 
+/// Standard deviation of what was measured, as far as it is stated.
+struct SheetNoise {
+  std::optional<double> position;  ///< of a coordinate of a vertex (m)
+  std::optional<double> force;     ///< of a component of a clip's force (N)
+};
+
 /// A rigid body that vertices are clamped to.
 struct SessionClip {
   std::string name;
@@ -70,7 +76,8 @@ struct Session {
   SessionSample sample;
   Eigen::Vector3d gravity{0, 0, -kStandardGravity};  ///< m/s^2
   double balance_bound = kCordFriction;  ///< imbalance for each cord that needs no warning (N)
-  TriangleMesh rest;                     ///< flat: z = 0, u = x, v = y
+  SheetNoise noise;
+  TriangleMesh rest;  ///< flat: z = 0, u = x, v = y
   std::vector<SessionClip> clips;
   std::optional<RestAxis> table;  ///< across the edge of the table that holds the sheet
   std::vector<SessionFrame> frames;

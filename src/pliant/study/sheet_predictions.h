@@ -14,7 +14,7 @@ namespace pliant {
 /// @param cords  of fitted experiments; unknown ones of others are taken to drag as these do on the
 ///               average
 /// @param work   gets what it has cost
-/// @throws SolverError where over a quarter of the frames of an experiment has no equilibrium
+/// @throws SolverError where no frame of an experiment has one
 std::vector<ExperimentResult> sheet_predictions(const std::vector<SheetExperiment>& experiments,
                                                 const Material& material,
                                                 const CordFrictions& cords,
@@ -22,5 +22,10 @@ std::vector<ExperimentResult> sheet_predictions(const std::vector<SheetExperimen
 
 /// Warns of the frames that are missing.
 void warn_of_missing_frames(const std::vector<ExperimentResult>& experiments, StudyResult& result);
+
+/// Warns of fitted sessions that state their noise and are missed by several times as much.
+/// @param predictions  of the experiments, in their order
+void warn_of_misfit(const std::vector<SheetExperiment>& experiments,
+                    const std::vector<ExperimentResult>& predictions, StudyResult& result);
 
 }  // namespace pliant

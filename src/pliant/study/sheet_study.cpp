@@ -318,6 +318,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   result.density = fit.material.density;
   result.material = fit.material;
   warn_of_missing_frames(predictions, result);
+  warn_of_misfit(experiments, predictions, result);
   std::ranges::move(predictions, std::back_inserter(result.experiments));
   add_curves_and_figures(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {

@@ -80,6 +80,13 @@ TEST(Session, WithoutNamesOfCordsAndTimesComesBackBitForBit) {
   expect_same(read_session(folder.path()), session);
 }
 
+TEST(Session, KeepsTheNoiseThatItStates) {
+  Session session = stretch_session();
+  session.noise = {7.5e-5, {}};
+  EXPECT_EQ(read_session(SessionFolder(session).path()).noise.position, 7.5e-5);
+  EXPECT_FALSE(read_session(SessionFolder(session).path()).noise.force.has_value());
+}
+
 TEST(Session, OfABendTestComesBack) {
   const Session session = bend_session();
   const SessionFolder folder(session);

@@ -26,7 +26,9 @@ double add_points(SheetFitting& fitting, const SheetStage& stage, const Componen
           fitting.going_along({group}).front(),
           with_points(fitting.stiffness_of(group), grown_kind(fitting.settings(), group), points,
                       fitting.strain_of(group)));
-      rms = fitting.solve(stage);
+      const std::optional<double> grown = fitting.solved(stage);
+      if (!grown) return std::nullopt;
+      rms = *grown;
     }
     states.push_back(fitting.state());
     return FittedModel{rms, points, 0, frames_of(stage)};
@@ -52,10 +54,10 @@ double grade(SheetFitting& fitting, const SheetStage& stage, const ComponentGrou
   fitting.give_stiffness(fitting.going_along({group}).front(),
                          with_points(curve, curve.kind(), curve.size(), curve.knots().back(),
                                      /*power=*/2));
-  const double graded = fitting.solve(stage);
-  const bool worthwhile = is_worth(stage, 0, even, graded);
-  fitting.record(stage, graded, worthwhile);
-  if (worthwhile) return graded;
+  const std::optional<double> graded = fitting.solved(stage);
+  const bool worthwhile = graded && is_worth(stage, 0, even, *graded);
+  if (graded) fitting.record(stage, *graded, worthwhile);
+  if (worthwhile) return *graded;
   fitting.restore(before);
   return even;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/curve_growth.h"
 #include "pliant/estimation/sheet/friction_stage.h"
 #include "pliant/estimation/sheet/limit_stage.h"
@@ -27,12 +28,12 @@ class Fitter {
 
   SheetFit run() && {
     ProgressTask task(fitting_.context().progress, "fit", static_cast<double>(fit().plan.size()));
-    for (std::size_t s = 0; s < fit().plan.size(); ++s) {
+    const std::size_t planned = fit().plan.size();
+    for (std::size_t s = 0; s < fit().plan.size();) {
       fitting_.context().stop.throw_if_requested();
       leave_out_lost_frames(fit().plan[s]);
-      place_gaussians(fit().plan[s]);
-      run_stage(fit().plan[s]);
-      task.advance(static_cast<double>(s + 1));
+      if (has_ended_well(s)) ++s;
+      task.advance(static_cast<double>(planned - fit().plan.size() + s));
     }
     for (const ComponentGroup& group : fit().groups) {
       const std::string missing =
@@ -44,6 +45,38 @@ class Fitter {
   }
 
  private:
+  /// Runs a stage; one whose sheets lose their equilibria is taken off the plan, so that what the
+  /// others find is kept.
+  /// @throws SolverError where no other would be left
+  bool has_ended_well(std::size_t place) {
+    const SheetFitting::State before = fitting_.state();
+    try {
+      place_gaussians(fit().plan[place]);
+      run_stage(fit().plan[place]);
+      return true;
+    } catch (const SolverError& error) {
+      const SheetStage stage = fit().plan[place];
+      fit().plan.erase(fit().plan.begin() + static_cast<std::ptrdiff_t>(place));
+      std::erase_if(fit().plan, [&](const SheetStage& other) {
+        return other.kind == StageKind::friction && !has_stiffness_stage(other.groups.front());
+      });
+      fit().groups = groups_of(fit().plan);
+      if (fit().groups.empty()) throw;
+      fitting_.restore(before);
+      fit().converged = false;
+      fit().warnings.push_back(fmt::format("{} is not fitted to {}: {}", names_of(stage.groups),
+                                           names_of(stage.tests), error.what()));
+      return false;
+    }
+  }
+
+  bool has_stiffness_stage(const ComponentGroup& group) {
+    return std::ranges::any_of(fit().plan, [&](const SheetStage& stage) {
+      return stage.kind != StageKind::friction &&
+             std::ranges::find(stage.groups, group) != stage.groups.end();
+    });
+  }
+
   void run_stage(const SheetStage& stage) {
     if (stage.kind == StageKind::hold) return;
     if (stage.kind == StageKind::friction)

@@ -45,9 +45,11 @@ double largest_strain(const SheetFit& fit, const ComponentGroup& group);
 /// control points as the curve is worth without it.
 ///
 /// Up to a quarter of the frames of a test between clips is left out, where they have no
-/// equilibrium with the first stiffnesses.
+/// equilibrium with the first stiffnesses. A stage whose sheets have no equilibria at all is left
+/// out with a warning, and the fit counts as not converged.
 /// @param start  null, or a material of the study's model whose curves are the first ones
 /// @param known  laws that stay as they are
+/// @throws SolverError where no stage is left
 SheetFit fit_sheets(const FitSettings& settings, std::vector<SheetStage> plan,
                     const RunContext& context, const Material* start = nullptr,
                     const KnownComponents& known = {});

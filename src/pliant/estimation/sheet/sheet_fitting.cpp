@@ -66,8 +66,6 @@ double SheetFitting::solve_and_record(const SheetStage& stage) {
 }
 
 void SheetFitting::record(const SheetStage& stage, double rms, bool accepted) {
-  std::vector<std::string> components;
-  for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
   const int points = stiffness_of(stage.groups.front()).size();
   std::string what = points == 0
                          ? "addends alone"
@@ -81,8 +79,8 @@ void SheetFitting::record(const SheetStage& stage, double rms, bool accepted) {
     const bool rubs = law_of(fit_.material, stage.groups.front()).remembers();
     what += rubs ? " and friction" : " and cords";
   }
-  fit_.stages.push_back({fmt::format("{}", fmt::join(components, ", ")), what, unit_of(stage),
-                         in_unit(stage, rms), accepted});
+  fit_.stages.push_back(
+      {names_of(stage.groups), what, unit_of(stage), in_unit(stage, rms), accepted});
 }
 
 bool SheetFitting::is_fitted(const ComponentGroup& group) const {

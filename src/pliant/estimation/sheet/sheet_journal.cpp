@@ -20,7 +20,10 @@ constexpr std::array kCounts{&EquilibriumCounts::equilibria,     &EquilibriumCou
 
 /// Digest of the shapes and of what is compared.
 std::string digest_of(const SheetTest& test) {
-  std::string digests = sha256_of(as_bytes(test.session().rest.positions));
+  const SheetNoise& noise = test.session().noise;
+  const Eigen::Vector2d stated(noise.position.value_or(0), noise.force.value_or(0));
+  std::string digests =
+      sha256_of(as_bytes(test.session().rest.positions)) + sha256_of(as_bytes(stated));
   for (int frame = 0; frame < test.frame_count(); ++frame) {
     const SessionFrame& seen = test.session().frames[static_cast<std::size_t>(frame)];
     digests += sha256_of(as_bytes(seen.positions));

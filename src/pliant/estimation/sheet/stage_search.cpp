@@ -76,13 +76,26 @@ bool is_about_positions(const SheetStage& stage) {
 }
 
 double accuracy_of(const SheetStage& stage) {
-  constexpr double kForce = 1e-3, kPosition = 1e-5;  // N, m; a third of [T] 3.2.3 and less
-  return is_about_positions(stage) ? kPosition : kForce;
+  constexpr double kShare = 1e-4;  // a mesh misses more
+  double noise = INFINITY, size = 0;
+  for (const SheetTest* test : stage.tests) {
+    // The first test's kind is what differences are told in.
+    if (test->objective() != stage.tests.front()->objective()) continue;
+    noise = std::min(noise, test->stated_noise().value_or(INFINITY));
+    size = std::max(size, test->reference());
+  }
+  return std::isfinite(noise) ? noise : kShare * size;
 }
 
 std::string names_of(const std::vector<const SheetTest*>& tests) {
   std::vector<std::string> list;
   for (const SheetTest* test : tests) list.push_back(test->name());
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+std::string names_of(const std::vector<ComponentGroup>& groups) {
+  std::vector<std::string> list;
+  for (const ComponentGroup& group : groups) list.push_back(group.front());
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
@@ -107,7 +120,9 @@ StageSearch::Numbers StageSearch::search(const SheetStage& stage, SheetProblem& 
     summary = solve_least_squares(with_journal(problem.least_squares(), context_.journal),
                                   summary.parameters, kStageSearch, context_.stop);
     if (!std::isfinite(summary.cost)) {
-      throw SolverError("the equilibrium of every frame of " + names_of(stage.tests), 0, 0);
+      throw SolverError(fmt::format("the equilibrium of every frame of {}, to which {} is fitted,",
+                                    names_of(stage.tests), names_of(stage.groups)),
+                        0, 0);
     }
     rms = problem.rms(summary);
     const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
@@ -187,10 +202,8 @@ void StageSearch::keep_shapes(const SheetProblem& problem) {
 
 StageSearch::Numbers StageSearch::ask(const char* what, const SheetStage& stage,
                                       SheetProblem& problem, const std::function<Numbers()>& work) {
-  std::vector<std::string> components;
-  for (const ComponentGroup& group : stage.groups) components.push_back(group.front());
   const std::string question =
-      fmt::format("{} of {} in {}", what, fmt::join(components, ", "), names_of(stage.tests));
+      fmt::format("{} of {} in {}", what, names_of(stage.groups), names_of(stage.tests));
   Numbers answer = context_.journal.answer(question, [&] {
     problem.begin_at(shapes_);
     Numbers found = work();

@@ -16,11 +16,14 @@ namespace pliant {
 /// Whether a stage compares positions, and not forces.
 bool is_about_positions(const SheetStage& stage);
 
-/// Differences that no instrument sees (N or m): curves need no further control points for them.
+/// Differences that curves need no further control points for (N or m): the noise that the sessions
+/// state, the least where they differ, else a ten-thousandth of what is measured.
 double accuracy_of(const SheetStage& stage);
 
 /// The names of tests, for people.
 std::string names_of(const std::vector<const SheetTest*>& tests);
+/// The names of groups: those of their first components.
+std::string names_of(const std::vector<ComponentGroup>& groups);
 
 /// What a fit of sheets asks of the tests of its stages. Answers go to the journal of the run, and
 /// a fit that was stopped takes from there what it has found before.

@@ -188,6 +188,10 @@ bool SheetTest::compares_one_axis() const {
          objective_ == SheetObjective::axial_clip_forces;
 }
 
+std::optional<double> SheetTest::stated_noise() const {
+  return objective_ == SheetObjective::positions ? session_.noise.position : session_.noise.force;
+}
+
 Eigen::VectorXd SheetTest::measured(int frame) const {
   const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   const SessionFrame& now = session_.frames[static_cast<std::size_t>(frame)];

@@ -66,6 +66,8 @@ class SheetTest : public Experiment {
   /// What each row counts in a fit: 0 where nobody knows which way an unknown cord of the clip
   /// moves, and so how it drags, else 1.
   Eigen::ArrayXd weights(int frame) const;
+  /// Standard deviation of a row (N or m), where the session states it.
+  std::optional<double> stated_noise() const;
   /// rows x parameters
   Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
 

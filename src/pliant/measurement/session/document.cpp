@@ -67,6 +67,17 @@ TableEntry read_table(const Value& value) {
   return table;
 }
 
+SheetNoise read_noise(const Value& value) {
+  Fields fields = value.fields();
+  SheetNoise noise;
+  if (auto v = fields.optional("position")) {
+    noise.position = v->positive_quantity(Dimension::length);
+  }
+  if (auto v = fields.optional("force")) noise.force = v->positive_quantity(Dimension::force);
+  fields.finish();
+  return noise;
+}
+
 /// The table belongs to bend tests, with its edge across what is bent.
 void check_table(const std::string& test, const std::optional<Value>& value,
                  const std::optional<TableEntry>& table, const Location& document) {
@@ -103,6 +114,7 @@ SessionDocument session_document_of(const Document& document) {
   if (auto v = fields.optional("balance_bound")) {
     session.balance_bound = v->positive_quantity(Dimension::force);
   }
+  if (auto v = fields.optional("noise")) session.noise = read_noise(*v);
   session.rest = read_rest(fields.require("rest"));
   session.frames = FrameNames::read(fields.require("frames"));
   std::set<std::string> names;
@@ -138,6 +150,13 @@ YAML::Node sample_node(const SessionSample& sample) {
   return node;
 }
 
+YAML::Node noise_node(const SheetNoise& noise) {
+  YAML::Node node;
+  if (noise.position) node["position"] = exact_quantity(*noise.position, Dimension::length);
+  if (noise.force) node["force"] = exact_quantity(*noise.force, Dimension::force);
+  return node;
+}
+
 YAML::Node clip_node(const SessionClip& clip) {
   YAML::Node node;
   node["name"] = clip.name;
@@ -164,6 +183,7 @@ std::string session_document_text(const Session& session) {
   if (session.balance_bound != kCordFriction) {
     node["balance_bound"] = exact_quantity(session.balance_bound, Dimension::force);
   }
+  if (session.noise.position || session.noise.force) node["noise"] = noise_node(session.noise);
   node["rest"] = "rest.ply";
   node["frames"] = "frames/%04d.ply";
   for (const SessionClip& clip : session.clips) node["clips"].push_back(clip_node(clip));

@@ -36,6 +36,7 @@ struct SessionDocument {
   Location sample_where;
   Eigen::Vector3d gravity{0, 0, -kStandardGravity};  ///< m/s^2
   double balance_bound = kCordFriction;              ///< N
+  SheetNoise noise;
   std::filesystem::path rest;
   FrameNames frames;
   std::vector<ClipEntry> clips;

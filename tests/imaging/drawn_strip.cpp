@@ -89,6 +89,13 @@ void draw_strips(const std::filesystem::path& file,
   write_grey(file, photo);
 }
 
+void draw_shadow(const std::filesystem::path& file, int column, double share) {
+  ColourPhoto photo = read_picture(file);
+  cv::Mat picture(photo.rows, photo.columns, CV_8UC3, photo.levels.data());
+  picture.colRange(column, photo.columns) *= share;
+  std::ofstream(file, std::ios::binary) << png_of(photo);
+}
+
 void draw_fibres(const std::filesystem::path& file, const std::vector<Eigen::Vector2d>& pixels) {
   ColourPhoto photo = read_picture(file);
   cv::Mat picture(photo.rows, photo.columns, CV_8UC3, photo.levels.data());

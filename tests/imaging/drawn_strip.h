@@ -29,6 +29,9 @@ void draw_strips(const std::filesystem::path& file,
                  const std::vector<std::vector<Eigen::Vector2d>>& profiles,
                  const DrawnStrip& look = {}, double apart = 0);
 
+/// Makes all columns from one on darker: strip and background keep a share of their brightness.
+void draw_shadow(const std::filesystem::path& file, int column, double share);
+
 /// Draws thin bright fibres across the points of a strip, out to both sides of it.
 void draw_fibres(const std::filesystem::path& file, const std::vector<Eigen::Vector2d>& pixels);
 

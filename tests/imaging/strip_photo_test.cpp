@@ -141,6 +141,56 @@ TEST(StripPhoto, IsNotLedAstrayByLooseFibres) {
   EXPECT_NEAR(hairy.length, clean.length, 3 * kScale);
 }
 
+/// The points of a line from one share of it to another.
+std::vector<Eigen::Vector2d> part_of(const std::vector<Eigen::Vector2d>& line, double from,
+                                     double to) {
+  const auto at = [&](double share) {
+    return line.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(line.size()));
+  };
+  return {at(from), at(to)};
+}
+
+TEST(StripPhoto, JoinsPiecesOfOneLine) {
+  const PhotoFolder folder;
+  const auto truth = strip();
+  draw_strips(folder.photo(),
+              {part_of(truth, 0, 0.3), part_of(truth, 0.35, 0.64), part_of(truth, 0.7, 1)});
+  const StripTrace trace = folder.trace();
+  EXPECT_EQ(trace.gaps, 2);
+  EXPECT_NEAR(trace.length, kLength, 2 * kScale);
+  for (const Eigen::Vector2d& point : trace.profile) {
+    EXPECT_LT(distance(point, truth), 1.2 * kScale) << point.transpose() / kScale;
+  }
+}
+
+TEST(StripPhoto, JoinsNoPieceThatLiesElsewhere) {
+  const PhotoFolder folder;
+  const auto truth = strip();
+  // Above the end of the strip, and along it.
+  std::vector<Eigen::Vector2d> other;
+  for (int i = 0; i < 20; ++i) {
+    other.emplace_back(truth.back() + Eigen::Vector2d(0.001 * i - 0.01, 0.01));
+  }
+  draw_strips(folder.photo(), {truth, other});
+  const StripTrace trace = folder.trace();
+  EXPECT_EQ(trace.gaps, 0);
+  EXPECT_NEAR(trace.length, kLength, 2 * kScale);
+}
+
+TEST(StripPhoto, OfAStripThatGoesOnBeyondItsEndIsRefused) {
+  const PhotoFolder folder;
+  const auto truth = strip();
+  // Far ahead there is more of it.
+  draw_strips(folder.photo(), {part_of(truth, 0, 0.6), part_of(truth, 0.8, 1)});
+  EXPECT_THAT(folder.refusal().problem(), HasSubstr("seems to go on beyond where it ends"));
+  for (const double share : {0.35, 0.25, 0.15}) {
+    draw_strips(folder.photo(), {truth});
+    test::draw_shadow(folder.photo(), 250, share);
+    EXPECT_THAT(folder.refusal().problem(), HasSubstr("seems to go on beyond where it ends"))
+        << share;
+  }
+}
+
 TEST(StripPhoto, OfNothingIsRefused) {
   const PhotoFolder folder;
   for (const double noise : {0.0, 0.05}) {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
-#include <queue>
 
 #include <fmt/format.h>
 
+#include "pliant/imaging/strip_end.h"
 #include "pliant/math/spline_line.h"
 
 namespace pliant {
@@ -20,41 +19,11 @@ constexpr double kStep = 0.25;      // pixels, of the walks across and along the
 constexpr double kHalfPixel = 0.5;  // the border of a picture lies so far before its first column
 constexpr int kFewestMiddles = 12;
 
-// Length of the shortest way through the strip from the clamp to each of its pixels; infinite
-// outside, and where no way leads.
-Photo ways_from_clamp(const StripMask& strip) {
-  const Eigen::Index rows = strip.inside.rows(), columns = strip.inside.cols();
-  Photo way = Photo::Constant(rows, columns, std::numeric_limits<float>::infinity());
-  using Reached = std::pair<float, Eigen::Index>;  // way, number of the pixel
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
-  const auto reach = [&](Eigen::Index row, Eigen::Index column, float length) {
-    if (row < 0 || column < 0 || row >= rows || column >= columns) return;
-    if (!strip.inside(row, column) || way(row, column) <= length) return;
-    way(row, column) = length;
-    front.emplace(length, row * columns + column);
-  };
-  Eigen::Index first = 0;
-  while (first + 1 < columns && !strip.inside.col(first).any()) ++first;
-  for (Eigen::Index row = 0; row < rows; ++row) reach(row, first, 0);
-  while (!front.empty()) {
-    const auto [length, pixel] = front.top();
-    front.pop();
-    const Eigen::Index row = pixel / columns, column = pixel % columns;
-    if (length > way(row, column)) continue;
-    for (int down = -1; down <= 1; ++down) {
-      for (int right = -1; right <= 1; ++right) {
-        reach(row + down, column + right, length + std::hypot(float(down), float(right)));
-      }
-    }
-  }
-  return way;
-}
-
 // Mean places of the pixels whose ways are alike, in the order of their ways.
 Points rough_line(const StripMask& strip) {
   constexpr double kShare = 0.5, kLeast = 2;  // of the thickness; pixels
   const double bin = std::max(kShare * strip.thickness, kLeast);
-  const Photo way = ways_from_clamp(strip);
+  const Photo way = ways_from_clamp(strip.inside);
   std::vector<Eigen::Vector3d> sums;  // x, y, number
   for (Eigen::Index row = 0; row < way.rows(); ++row) {
     for (Eigen::Index column = 0; column < way.cols(); ++column) {

@@ -62,6 +62,13 @@ std::string note_on(const StripTrace& trace, const std::string& name) {
       kMillimetres * trace.thickness, kMillimetres * trace.scatter, trace.profile.size());
 }
 
+void warn_of_gaps(const StripTrace& trace, const std::string& name, ImportedStudy& study) {
+  if (trace.gaps == 0) return;
+  study.warnings.push_back(fmt::format(
+      "{}: the strip is interrupted {} and was joined there: nothing tells its shape in the gap",
+      name, trace.gaps == 1 ? "once" : fmt::format("{} times", trace.gaps)));
+}
+
 void warn_of_clamp(const StripTrace& trace, const std::string& name, ImportedStudy& study) {
   constexpr double kLevel = 5;  // degrees
   const double angle = trace.clamp_angle * 180 / std::numbers::pi;
@@ -88,6 +95,7 @@ ImportedStudy import_photos(const std::vector<std::filesystem::path>& photos,
     study.notes.push_back(
         fmt::format("look at {} whether the line follows the strip", study.files.back().first));
     warn_of_clamp(traces.back(), name, study);
+    warn_of_gaps(traces.back(), name, study);
   }
   study.files.emplace_back(experiment_name(options) + ".csv", table(traces));
   study.study_yaml = study_text(photos, options);

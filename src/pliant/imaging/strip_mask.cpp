@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -143,36 +144,12 @@ const Piece& piece_at(const Pieces& pieces, double row, const Location& where) {
                    "the pixel X,Y at which the strip leaves its clamp");
 }
 
-// The piece that begins at the border, if it is the only one of its size.
-const Piece& only_piece(const Pieces& pieces, const StripSearch& search, const Location& where) {
-  constexpr double kAlike = 0.5;  // share of the longest
-  const Piece& longest = pieces.long_ones.front();
-  const auto alike =
-      std::count_if(pieces.long_ones.begin(), pieces.long_ones.end(),
-                    [&](const Piece& piece) { return piece.extent() > kAlike * longest.extent(); });
-  if (alike > 1) {
-    throw InputError(where, fmt::format("shows {} things that could be the strip", alike),
-                     "one strip: a crop that leaves the others out, or the pixel of its clamp");
-  }
-  if (longest.box.x >= border_columns(pieces.labels.size())) {
-    throw InputError(
-        where,
-        fmt::format("the strip does not begin at the {} border, where its clamp should be",
-                    search.clamp_border),
-        "a crop whose border is the clamp's edge, the pixel of the clamp, or the other side");
-  }
-  return longest;
-}
-
-void require_free_end(const Piece& strip, const cv::Size& picture, const StripSearch& search,
-                      const Location& where) {
-  const auto refuse = [&](const std::string& border) {
-    throw InputError(where, fmt::format("the strip leaves the picture at its {} border", border),
-                     "a photograph, or a crop, with the whole strip in it");
-  };
-  if (strip.box.br().x >= picture.width) refuse(search.far_border);
-  if (strip.box.br().y >= picture.height) refuse("lower");
-  if (strip.box.y <= 0) refuse("upper");
+// The longest piece that begins at the border; nothing where none does.
+const Piece* piece_at_border(const Pieces& pieces) {
+  const auto found = std::ranges::find_if(pieces.long_ones, [&](const Piece& piece) {
+    return piece.box.x < border_columns(pieces.labels.size());
+  });
+  return found == pieces.long_ones.end() ? nullptr : &*found;
 }
 
 // In a band of thickness t the mean distance from the nearest pixel outside is (t + 2) / 4; loose
@@ -182,6 +159,158 @@ double thickness_of(const cv::Mat& inside) {
   cv::Mat distance;
   cv::distanceTransform(inside, distance, cv::DIST_L2, cv::DIST_MASK_5);
   return std::max(kPerMean * cv::mean(distance, inside)[0] - kOutside, 1.0);
+}
+
+PixelMask mask_of(const cv::Mat& inside) {
+  PixelMask mask = PixelMask::Zero(inside.rows, inside.cols);
+  cv::Mat(inside.rows, inside.cols, CV_8U, mask.data()).setTo(1, inside);
+  return mask;
+}
+
+// A strip of one piece or several.
+struct Strip {
+  cv::Mat inside;
+  std::set<int> labels;
+  int gaps = 0;
+  bool goes_on = false;  // where the next piece is too far away to be joined
+
+  double extent() const {
+    const cv::Rect box = cv::boundingRect(inside);
+    return std::hypot(box.width, box.height);
+  }
+};
+
+// The pixel of a piece that is nearest to the end of a strip and ahead of it.
+struct Ahead {
+  int label = 0;
+  cv::Point pixel;
+  double distance = 0;
+};
+
+// Pixels of other pieces ahead of an end, the nearest of each piece, the nearest piece first.
+std::vector<Ahead> pieces_ahead(const cv::Mat& labels, const std::set<int>& own,
+                                const StripEnd& end, double reach) {
+  constexpr double kCosine = 0.87;  // 30 degrees
+  std::map<int, Ahead> nearest;
+  const cv::Rect around(static_cast<int>(end.place.x() - reach),
+                        static_cast<int>(end.place.y() - reach), static_cast<int>(2 * reach) + 1,
+                        static_cast<int>(2 * reach) + 1);
+  const cv::Rect within = around & cv::Rect({}, labels.size());
+  for (int y = within.y; y < within.br().y; ++y) {
+    for (int x = within.x; x < within.br().x; ++x) {
+      const int label = labels.at<int>(y, x);
+      if (label == 0 || own.contains(label)) continue;
+      const Eigen::Vector2d way = Eigen::Vector2d(x, y) - end.place;
+      const double distance = way.norm();
+      if (distance > reach || way.dot(end.direction) < kCosine * distance) continue;
+      const auto known = nearest.find(label);
+      if (known == nearest.end() || distance < known->second.distance) {
+        nearest[label] = {label, {x, y}, distance};
+      }
+    }
+  }
+  std::vector<Ahead> ahead;
+  for (const auto& [label, piece] : nearest) ahead.push_back(piece);
+  std::ranges::sort(ahead, {}, &Ahead::distance);
+  return ahead;
+}
+
+// Whether a piece looks like more of a strip: as thick, and going on in its direction.
+bool continues(const cv::Mat& labels, const Ahead& ahead, const StripEnd& end, double thickness) {
+  constexpr double kShortest = 3, kNear = 6;  // thicknesses
+  constexpr double kThin = 0.5, kThick = 2, kCosine = 0.64;
+  const cv::Mat piece = labels == ahead.label;
+  const cv::Rect box = cv::boundingRect(piece);
+  if (std::hypot(box.width, box.height) < kShortest * thickness) return false;
+  const double own = thickness_of(piece);
+  if (own < kThin * thickness || own > kThick * thickness) return false;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int y = box.y; y < box.br().y; ++y) {
+    for (int x = box.x; x < box.br().x; ++x) {
+      if (piece.at<unsigned char>(y, x) == 0) continue;
+      const Eigen::Vector2d way(x - ahead.pixel.x, y - ahead.pixel.y);
+      if (way.norm() < kNear * thickness) sum += way;
+    }
+  }
+  return sum.dot(end.direction) > kCosine * sum.norm();
+}
+
+// Follows a strip from its first piece over gaps to others that go on.
+Strip joined(const Pieces& pieces, const Piece& first) {
+  constexpr double kGap = 10, kReach = 40;  // thicknesses
+  Strip strip{pieces.labels == first.label, {first.label}};
+  const double thickness = thickness_of(strip.inside);
+  while (true) {
+    const StripEnd end = free_end(mask_of(strip.inside), thickness);
+    const std::vector<Ahead> ahead =
+        pieces_ahead(pieces.labels, strip.labels, end, kReach * thickness);
+    const auto next = std::ranges::find_if(
+        ahead, [&](const Ahead& piece) { return continues(pieces.labels, piece, end, thickness); });
+    if (next == ahead.end()) return strip;
+    if (next->distance > kGap * thickness) {
+      strip.goes_on = true;
+      return strip;
+    }
+    strip.inside |= pieces.labels == next->label;
+    cv::line(strip.inside, {cvRound(end.place.x()), cvRound(end.place.y())}, next->pixel,
+             cv::Scalar(255), std::max(cvRound(thickness), 1));
+    strip.labels.insert(next->label);
+    ++strip.gaps;
+  }
+}
+
+// Nothing else of its size that might be the strip, and longer things begin elsewhere.
+void require_only(const Pieces& pieces, const Strip* strip, const StripSearch& search,
+                  const Location& where) {
+  constexpr double kAlike = 0.5;  // share of the longest
+  const double own = strip ? strip->extent() : 0;
+  const double longest = std::max(own, pieces.length());
+  auto alike = std::ranges::count_if(pieces.long_ones, [&](const Piece& piece) {
+    const bool other = !strip || !strip->labels.contains(piece.label);
+    return other && piece.extent() > kAlike * longest;
+  });
+  if (own > kAlike * longest) ++alike;
+  if (alike > 1) {
+    throw InputError(where, fmt::format("shows {} things that could be the strip", alike),
+                     "one strip: a crop that leaves the others out, or the pixel of its clamp");
+  }
+  if (own <= kAlike * longest) {
+    throw InputError(
+        where,
+        fmt::format("the strip does not begin at the {} border, where its clamp should be",
+                    search.clamp_border),
+        "a crop whose border is the clamp's edge, the pixel of the clamp, or the other side");
+  }
+}
+
+Strip only_strip(const Pieces& pieces, const StripSearch& search, const Location& where) {
+  const Piece* first = piece_at_border(pieces);
+  if (!first) require_only(pieces, nullptr, search, where);
+  Strip strip = joined(pieces, *first);
+  require_only(pieces, &strip, search, where);
+  return strip;
+}
+
+void require_free_end(const Strip& strip, const StripSearch& search, const Location& where) {
+  const auto refuse = [&](const std::string& border) {
+    throw InputError(where, fmt::format("the strip leaves the picture at its {} border", border),
+                     "a photograph, or a crop, with the whole strip in it");
+  };
+  const cv::Rect box = cv::boundingRect(strip.inside);
+  if (box.br().x >= strip.inside.cols) refuse(search.far_border);
+  if (box.br().y >= strip.inside.rows) refuse("lower");
+  if (box.y <= 0) refuse("upper");
+}
+
+// A strip that is cut off looks softer than it is, and nothing of the rest would tell.
+void require_whole(const StripMask& mask, bool goes_on, const Location& where) {
+  const StripEnd end = free_end(mask.inside, mask.thickness);
+  if (!goes_on && !goes_on_faintly(mask.contrast, mask.threshold, end, mask.thickness)) return;
+  throw InputError(
+      where,
+      fmt::format("the strip seems to go on beyond where it ends, about pixel {:.0f},{:.0f}",
+                  end.place.x(), end.place.y()),
+      "a strip in even light with nothing in front of it, or a crop that ends where it does");
 }
 
 // Takes off fibres that are thin against the strip, if that leaves it whole.
@@ -213,22 +342,21 @@ StripMask find_strip(const Photo& photo, const StripSearch& search, const Locati
     throw InputError(where, "shows nothing long and thin that stands out from its background",
                      "a strip seen from its side, brighter or darker than all behind it");
   }
-  const Piece& strip = search.clamp_row ? piece_at(pieces, *search.clamp_row, where)
-                                        : only_piece(pieces, search, where);
-  require_free_end(strip, pieces.labels.size(), search, where);
-
-  cv::Mat inside = pieces.labels == strip.label;
-  inside = without_fibres(inside, thickness_of(inside));
+  const Strip strip = search.clamp_row ? joined(pieces, piece_at(pieces, *search.clamp_row, where))
+                                       : only_strip(pieces, search, where);
+  require_free_end(strip, search, where);
+  const cv::Mat inside = without_fibres(strip.inside, thickness_of(strip.inside));
 
   StripMask mask;
   mask.tone = pieces.tone;
   mask.threshold = static_cast<float>(pieces.threshold);
   mask.thickness = thickness_of(inside);
+  mask.gaps = strip.gaps;
   mask.contrast.resize(photo.rows(), photo.cols());
   cv::Mat contrast = as_matrix(mask.contrast);
   pieces.contrast.copyTo(contrast);
-  mask.inside.setZero(photo.rows(), photo.cols());
-  cv::Mat(inside.rows, inside.cols, CV_8U, mask.inside.data()).setTo(1, inside);
+  mask.inside = mask_of(inside);
+  require_whole(mask, strip.goes_on, where);
   return mask;
 }
 

@@ -6,6 +6,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/imaging/photo.h"
+#include "pliant/imaging/strip_end.h"
 
 namespace pliant {
 
@@ -23,16 +24,19 @@ struct StripSearch {
 /// The pixels of a strip.
 struct StripMask {
   Photo contrast;  ///< by how much each pixel differs from what is behind, towards the strip's tone
-  Eigen::Array<unsigned char, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inside;  ///< 1 or 0
+  PixelMask inside;
   float threshold = 0;   ///< contrast from which on a pixel counts
   double thickness = 0;  ///< of the strip, a mean over its length (pixels)
   StripTone tone = StripTone::brighter;
+  int gaps = 0;  ///< across which pieces of it were joined
 };
 
-/// Finds the one long, thin thing that begins at the left border.
+/// Finds the one long, thin thing that begins at the left border. What is interrupted, as by
+/// something in front of it, is joined across gaps of up to ten times its thickness, where the next
+/// piece goes on in its direction.
 /// @param where  of the picture, for messages
 /// @throws InputError where nothing stands out, nothing reaches the clamp, several things of the
-///         kind are seen, or the strip leaves the picture
+///         kind are seen, the strip leaves the picture, or goes on beyond its end
 StripMask find_strip(const Photo& photo, const StripSearch& search, const Location& where);
 
 /// What of a picture stands out from its background, and what of that could be strips, as

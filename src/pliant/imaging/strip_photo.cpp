@@ -82,6 +82,7 @@ StripTrace trace_of(const StripMask& strip, const CentreLine& line, const Part& 
   trace.scatter = scale * line.scatter;
   trace.clamp_angle = line.clamp_angle;
   trace.tone = strip.tone;
+  trace.gaps = strip.gaps;
   return trace;
 }
 

@@ -33,6 +33,7 @@ struct StripTrace {
   double scatter = 0;  ///< m, of the strip's middle about the smooth line that was drawn through it
   double clamp_angle = 0;  ///< rad, by which it leaves the clamp below level
   StripTone tone = StripTone::brighter;
+  int gaps = 0;  ///< across which pieces of the strip were joined
 };
 
 /// @throws InputError for a file that is no picture, or a region outside it

@@ -25,21 +25,25 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 4;
 
-/// Units of a component and its numbers as texts: bending and membrane differ in all of them.
+/// Units of a component and its numbers as texts: bending and membrane differ in all of them, and a
+/// contraction has none.
 struct ComponentUnits {
   std::string component;
   MembraneMeasure measure;
   bool bending = is_bending(component);
+  bool ratio = is_contraction(component);
 
-  std::string stiffness_unit() const { return bending ? "N m" : "N/m"; }
-  std::string stress_unit() const { return bending ? "N" : "N/m"; }
+  std::string stiffness_unit() const { return ratio ? "1" : bending ? "N m" : "N/m"; }
+  std::string stress_unit() const { return ratio ? "1" : bending ? "N" : "N/m"; }
   std::string strain_unit() const { return bending ? "1/m" : "1"; }
 
   std::string stiffness(double value) const {
+    if (ratio) return format_number(value, kDigits);
     return format_quantity(
         value, bending ? Dimension::bending_stiffness : Dimension::force_per_length, kDigits);
   }
   std::string stress(double value) const {
+    if (ratio) return format_number(value, kDigits);
     return format_quantity(value, bending ? Dimension::force : Dimension::force_per_length,
                            kDigits);
   }
@@ -67,7 +71,8 @@ std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
       return "constant, k = " + units.stiffness(values[0]);
     case CurveKind::affine:
       return fmt::format("affine, k1 = {}, k2 = {} {}", units.stiffness(values[0]),
-                         format_number(values[1], kDigits), units.bending ? "N m^2" : "N/m");
+                         format_number(values[1], kDigits),
+                         units.bending ? "N m^2" : units.stiffness_unit());
     case CurveKind::hermite:
     case CurveKind::spline:
     case CurveKind::energy:

@@ -160,7 +160,14 @@ void add_session(const ExperimentSpec& spec, FileInfo& info, Json& json) {
 
 std::string peak_label(const ExperimentInfo& about) {
   if (about.test.has_unknown_zero) return "span of force";
+  if (is_contraction(about.component)) return "narrower by";
   return is_bending(about.component) ? "peak moment" : "peak force";
+}
+
+/// What the largest of the measured values counts in.
+Dimension peak_dimension(const ExperimentInfo& about) {
+  if (is_contraction(about.component)) return Dimension::length;
+  return about.quantity.kind == "force per width" ? Dimension::force_per_length : Dimension::force;
 }
 
 /// What an experiment tells: of a sheet a strip that is cut on the bias tells shear.
@@ -194,7 +201,7 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
   const MeasuredPath& path = experiment.path();
   const auto used = std::count(about.used.begin(), about.used.end(), 1);
   const auto [low, high] = std::minmax_element(path.strain.begin(), path.strain.end());
-  const bool per_width = about.quantity.kind == "force per width";
+  const Dimension peak = peak_dimension(about);
   const bool loop = unloads(path);
   std::vector<std::string> along;
   for (const NuisanceParameter& parameter : experiment.nuisance()) along.push_back(parameter.name);
@@ -204,7 +211,7 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
   json["used_rows"] = used;
   json["specimens"] = about.specimens;
   json["peak_force"] = experiment.peak_force();
-  json["peak_force_unit"] = per_width ? "N/m" : "N";
+  json["peak_force_unit"] = si_unit(peak);
   json["strain_range"] = {*low, *high};
   json["unloads"] = loop;
   json["reversals"] = count_reversals(path);
@@ -223,10 +230,7 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
                                        experiment.rows(), used, specimens_text(about.specimens)),
                            1));
   lines.push_back(
-      labelled(peak_label(about),
-               format_quantity(experiment.peak_force(),
-                               per_width ? Dimension::force_per_length : Dimension::force, kDigits),
-               1));
+      labelled(peak_label(about), format_quantity(experiment.peak_force(), peak, kDigits), 1));
   lines.push_back(labelled(
       "strain",
       fmt::format("{} to {}", format_number(*low, kDigits), format_number(*high, kDigits)), 1));

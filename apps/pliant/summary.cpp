@@ -68,6 +68,10 @@ std::string data_text(const ExperimentResult& e, MembraneMeasure measure) {
                        1 + e.strain_range.first, 1 + e.strain_range.second);
   }
   if (e.quantity.kind == "reading") return "forces and positions";
+  if (is_contraction(e.component)) {
+    return fmt::format("narrower by {:.3g} mm, {} at most", e.peak_force * 1e3,
+                       strain_in_words(e.component, e.strain_range.second, measure));
+  }
   return fmt::format("peak {:.3g} {}, {} at most", e.peak_force,
                      e.quantity.kind == "force per width" ? "N/m" : "N",
                      strain_in_words(e.component, e.strain_range.second, measure));

@@ -113,20 +113,33 @@ void add_standard(const LabFigure& figure, const TextileFigure& kind, FileInfo& 
       1));
 }
 
-/// What a chart of a tester shows of stretch and shear.
+std::string charted(const std::string& figure) {
+  if (figure == "loop_width") return "width of the loop";
+  return figure == "poisson_ratio" ? "Poisson's ratio" : "secant modulus";
+}
+
+/// What a chart of a tester shows of stretch, shear and contraction.
 Json chart_info(const Material& material, const std::string& name, FileInfo& info) {
   Json json{{"figures", Json::array()}, {"standards", Json::array()}};
   for (const LabFigure& figure : lab_figures(material, name, {})) {
     if (const TextileFigure* kind = find_textile_figure(figure.name)) {
       add_standard(figure, *kind, info, json);
     }
+    if (figure.name == "coupling") {
+      json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", nullptr}});
+      info.lines.push_back(
+          labelled("coupling",
+                   format_quantity(figure.value, Dimension::force_per_length, kDigits) +
+                       ", of an elastic sheet that narrows so",
+                   1));
+    }
     if (!figure.at) continue;  // the stiffness at rest stands above
     json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", *figure.at}});
+    const std::string value =
+        figure.unit == "1" ? format_number(figure.value, kDigits)
+                           : format_quantity(figure.value, Dimension::force_per_length, kDigits);
     info.lines.push_back(labelled(
-        figure.name == "loop_width" ? "width of the loop" : "secant modulus",
-        fmt::format("{} at {}", format_quantity(figure.value, Dimension::force_per_length, kDigits),
-                    place_in_words(name, *figure.at)),
-        1));
+        charted(figure.name), fmt::format("{} at {}", value, place_in_words(name, *figure.at)), 1));
   }
   return json;
 }

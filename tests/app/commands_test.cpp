@@ -186,8 +186,9 @@ TEST(Evaluate, GivesTheErrorsOfTheFit) {
 }
 
 TEST(SlowInit, MakesTestsThatFitReads) {
-  for (const char* test : {"hanging-weights", "tensile-cycles", "shear-cycles", "pure-bending",
-                           "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
+  for (const char* test :
+       {"hanging-weights", "tensile-cycles", "lateral-contraction", "shear-cycles", "pure-bending",
+        "cantilever", "rolled-strip", "bending-length", "buckling-bend"}) {
     const TemporaryFolder folder;
     const std::string made = (folder.path() / "mine").string();
     const ProgramRun init = run_program({"init", test, "-o", made});

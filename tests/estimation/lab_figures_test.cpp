@@ -59,6 +59,43 @@ TEST(LabFigures, OfARigidLawOfSmallStrainsAreItsStiffness) {
   EXPECT_EQ(find(figures, "loop_width"), nullptr) << "without friction there is no loop";
 }
 
+TEST(LabFigures, OfAContractionIsPoissonsRatio) {
+  const Material material = cloth("contraction.warp", ScalarCurve::affine(0.2, 0.8), 0.48);
+  const auto figures =
+      lab_figures(material, "contraction.warp", with_errors(Eigen::Vector2d(0.01, 0.05)));
+  ASSERT_EQ(figures.size(), 2U);
+  // The range ends at 40 % of extension.
+  EXPECT_NEAR(*figures[0].at, 0.2, kRounding);
+  const double strain = (1.2 * 1.2 - 1) / 2;
+  EXPECT_NEAR(figures[0].value, (0.2 + 0.8 * strain) * strain / 0.2, kRounding);
+  EXPECT_NEAR(figures[0].error->std_error, std::hypot(0.01, 0.05 * strain) * strain / 0.2,
+              kDifferences);
+  EXPECT_NEAR(*figures[1].at, 0.4, kRounding);
+}
+
+// A sheet K_x E_x^2 / 2 + K_y E_y^2 / 2 + c E_x E_y, of which nothing is carried at free edges.
+TEST(LabFigures, StripsThatNarrowTellTheCouplingOfTheirSheet) {
+  const double weft = 90, warp = 200, coupling = 50;
+  Material material =
+      cloth("stretch.weft", ScalarCurve::constant(weft - coupling * coupling / warp), 0.3);
+  material.membrane = MembraneMeasure::soft_constraint;  // its strain is the extension
+  const auto give = [&](const char* name, double stiffness) {
+    material.components[name].stiffness = ScalarCurve::constant(stiffness);
+    material.components[name].range = {0.0, 0.3};
+  };
+  give("stretch.warp", warp - coupling * coupling / weft);
+  give("contraction.weft", coupling / warp);
+  give("contraction.warp", coupling / weft);
+  for (const char* name : {"contraction.weft", "contraction.warp"}) {
+    const auto figures = lab_figures(material, name, {});
+    ASSERT_NE(find(figures, "coupling"), nullptr) << name;
+    EXPECT_NEAR(find(figures, "coupling")->value, coupling, kRounding * coupling) << name;
+  }
+  give("contraction.warp", 2.5);
+  EXPECT_EQ(find(lab_figures(material, "contraction.warp", {}), "coupling"), nullptr)
+      << "no elastic sheet narrows so";
+}
+
 TEST(LabFigures, OfAMetricOfTrianglesAreNoneThatInstrumentsRead) {
   const Material material = cloth("area", ScalarCurve::constant(25), 0.3);
   const auto figures = lab_figures(material, "area", {});

@@ -8,6 +8,7 @@
 
 #include "pliant/estimation/law_fit.h"
 #include "pliant/experiment/bending/pure_bending_type.h"
+#include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/shear/shear_cycles_type.h"
 #include "pliant/study/study.h"
 
@@ -214,6 +215,27 @@ TEST(PooledFit, FindsOneLawInWeightsAndCycles) {
   for (const std::string& name : test::names_of(fabric, "stretch.warp")) {
     EXPECT_LT(relative_error(result, fabric, name), kRecovered) << name;
   }
+}
+
+TEST(LateralContraction, GivesItsLawBack) {
+  ComponentLaw law;
+  law.stiffness = ScalarCurve::affine(0.25, 1.2);
+  law.friction_law = FrictionLaw::dahl;
+  law.friction = {4e-3, 2e-2, 0.02};
+  const Material fabric = made_up_material("contraction.weft", law);
+  VirtualLateralContraction widths;
+  widths.name = "widths";
+  widths.direction = "weft";
+  widths.length = 0.04;
+  widths.width = 0.03;
+  widths.peaks = {0.1, 0.2};
+  VirtualStudy study(lab_of(fabric, widths));
+  study.set_model("stiffness: affine");
+  const StudyResult result = study.fit();
+  for (const std::string& name : test::names_of(fabric, "contraction.weft")) {
+    EXPECT_LT(relative_error(result, fabric, name), kRecovered) << name;
+  }
+  for (const ParameterEstimate& p : result.parameters) EXPECT_EQ(p.unit, "1") << p.name;
 }
 
 TEST(SoftConstraintMeasure, IsFittedAsItIsPredicted) {

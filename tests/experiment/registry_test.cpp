@@ -91,6 +91,7 @@ TEST(Registry, TellsTheComponentOfATestAndADirection) {
   EXPECT_EQ(component_of_test("tensile-cycles", "warp"), "stretch.warp");
   EXPECT_EQ(component_of_test("tensile-cycles", "30 deg"), "shear") << "an oblique strip";
   EXPECT_EQ(component_of_test("shear-cycles", ""), "shear");
+  EXPECT_EQ(component_of_test("lateral-contraction", "bias"), "contraction.bias");
   EXPECT_EQ(component_of_test("cantilever", "bias"), "bend.diagonal");
   EXPECT_EQ(component_of_test("session", ""), "") << "each tells its own";
 }

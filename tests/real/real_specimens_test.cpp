@@ -88,5 +88,69 @@ TEST(RealKnit, TheFirstPullPredictsTheOthers) {
   }
 }
 
+/// Marks along the pull and across it; they are at rest in the first picture.
+struct Narrowing {
+  double length = INFINITY, width = 0;  // mm
+  std::string rows = "length_mm,width_mm\n";
+};
+
+std::map<int, Narrowing> narrowings_in(const std::filesystem::path& record) {
+  std::map<int, Narrowing> pulls;
+  std::ifstream in(record);
+  for (std::string line; std::getline(in, line);) {
+    std::vector<double> cells;
+    std::istringstream texts(line);
+    for (std::string text; std::getline(texts, text, ',');) {
+      cells.push_back(std::strtod(text.c_str(), nullptr));
+    }
+    if (cells.size() != 17 || cells[0] < 1) continue;
+    const double length = std::hypot(cells[7] - cells[9], cells[8] - cells[10]);
+    const double width = std::hypot(cells[3] - cells[5], cells[4] - cells[6]);
+    if (!std::isfinite(length) || !std::isfinite(width)) continue;
+    Narrowing& pull = pulls[static_cast<int>(cells[0])];
+    if (!std::isfinite(pull.length)) {
+      pull.length = length;
+      pull.width = width;
+    }
+    pull.rows += fmt::format("{},{}\n", length, width);
+  }
+  return pulls;
+}
+
+// What the first pull of a swatch tells of its width predicts those of the others; errors in % of
+// the range of the widths. Each begins at its own first picture.
+TEST(RealKnit, TheFirstPullTellsHowTheOthersNarrow) {
+  int predicted = 0, within = 0;
+  for (const char* swatch : {"garter_x", "garter_y", "stockinette_x", "stockinette_y"}) {
+    const auto record = measurement(fmt::format("cloth_knit_uniaxial/knit_acrylic_{}.csv", swatch));
+    SKIP_WITHOUT(record);
+    const TemporaryFolder folder;
+    std::string study =
+        "pliant: study/1\nname: knit\nvalidate: [pull-2, pull-3, pull-4, pull-5]\nexperiments:\n";
+    for (const auto& [number, pull] : narrowings_in(record)) {
+      folder.write(fmt::format("pull-{}.csv", number), pull.rows);
+      study += fmt::format(
+          "  - {{name: pull-{0}, type: lateral-contraction, direction: weft, data: pull-{0}.csv, "
+          "length: {1:.3f} mm, width: {2:.3f} mm}}\n",
+          number, pull.length, pull.width);
+    }
+    const json fit = fit_file(folder, folder.write("study.yaml", study)).fit;
+    fmt::print("{:<14}", swatch);
+    for (const json& e : fit["experiments"]) {
+      fmt::print(" {:>6}", cell(e["rms_percent_of_peak"]));
+      if (e["role"] == "fit") {
+        EXPECT_LT(e["rms_percent_of_peak"], 1) << swatch;
+        continue;
+      }
+      ++predicted;
+      within += e["rms_percent_of_peak"] < 15 ? 1 : 0;
+      EXPECT_LT(e["rms_percent_of_peak"], 30) << swatch << " " << e["name"];
+    }
+    fmt::print("\n");
+  }
+  EXPECT_EQ(predicted, 16);
+  EXPECT_GE(within, 13);
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -131,6 +131,8 @@ DocumentFolder::DocumentFolder() {
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
   spandex["components"]["shear"] = {{"stiffness", {{"curve", "constant"}, {"value", 3.0}}}};
+  spandex["components"]["contraction.warp"] = {
+      {"stiffness", {{"curve", "constant"}, {"value", 0.3}}}};
   spandex["components"]["bend.weft"] = {
       {"stiffness", {{"curve", "constant"}, {"value", 1e-5}}},
       {"friction", {{"law", "dahl"}, {"a", 5e-4}, {"b", 0}, {"tau", 20}}}};

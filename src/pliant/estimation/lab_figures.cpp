@@ -165,6 +165,23 @@ void add_chart(const Chart& chart, FigureReader& figures) {
               half);
 }
 
+/// Poisson's ratio, of engineering strains, half way and at the end of the range of the data.
+void add_contraction(const Material& material, FigureReader& figures) {
+  constexpr double kLeast = 1e-4;  // of strain
+  if (!(figures.end() > kLeast)) return;
+  const UniaxialGeometry strip{1, 1, material.membrane};
+  const double end = length_at(strip, figures.end()) - 1;
+  for (const double extension : {end / 2, end}) {
+    const double strain = strain_at(strip, 1 + extension);
+    figures.add(
+        "poisson_ratio", "1",
+        [=](const MaterialComponent& component) {
+          return stress_while_loading(law_of(component), strain) / extension;
+        },
+        strain, strain, extension);
+  }
+}
+
 /// @param component  that instruments read: of a metric of triangles there is no chart
 void add_membrane(const Material& material, const std::string& component, FigureReader& figures) {
   figures.add("stiffness_at_rest", "N/m", tangent_at_rest, 0, 0);
@@ -246,6 +263,40 @@ const LabFigure* find_figure(const std::vector<LabFigure>& figures, std::string_
   return found == figures.end() ? nullptr : &*found;
 }
 
+/// The coupling c of a sheet whose strips have the secants s, as both free edges have it: along a
+/// pull (s_along + c r) E, across it c E = (c / r) r E with r the narrowing per strain, so that
+///
+///     c = r s_along s_across / (s_along - r^2 s_across)
+///
+/// Read half way; nothing where no elastic sheet narrows by so much.
+std::optional<double> coupling_of(const Material& material, const std::string& component,
+                                  const LabFigure& ratio) {
+  const bool warp = component == "contraction.warp";
+  const auto secant = [&](const char* name, double strain) -> std::optional<double> {
+    const auto found = material.components.find(name);
+    if (found == material.components.end() || !found->second.stiffness) return std::nullopt;
+    return law_of(found->second).elastic_secant(strain);
+  };
+  const UniaxialGeometry strip{1, 1, material.membrane};
+  const double strain = strain_at(strip, 1 + *ratio.at);
+  const double narrowing = -strain_at(strip, 1 - ratio.value * *ratio.at);
+  const double r = narrowing / strain;
+  const auto along = secant(warp ? "stretch.warp" : "stretch.weft", strain),
+             across = secant(warp ? "stretch.weft" : "stretch.warp", narrowing);
+  if (!along || !across || !(*along > r * r * *across)) return std::nullopt;
+  return r * *along * *across / (*along - r * r * *across);
+}
+
+void add_coupling(const Material& material, const std::string& component,
+                  std::vector<LabFigure>& figures) {
+  const LabFigure* ratio = find_figure(figures, "poisson_ratio");
+  if (!ratio || !ratio->at) return;
+  const auto coupling = coupling_of(material, component, *ratio);
+  if (!coupling) return;
+  const bool beyond = ratio->beyond_range;
+  figures.push_back({component, "coupling", "N/m", *coupling, {}, {}, beyond});
+}
+
 /// Figures that two components make together; what their errors make is not known.
 void add_of_two(const Material& material, const std::string& component,
                 std::vector<LabFigure>& figures) {
@@ -262,6 +313,9 @@ void add_of_two(const Material& material, const std::string& component,
                        {},
                        {},
                        beyond});
+  }
+  if (component == "contraction.weft" || component == "contraction.warp") {
+    add_coupling(material, component, figures);
   }
   if (component == "bend.weft") {
     const auto weft = flexural_rigidity(material, component),
@@ -280,7 +334,9 @@ std::vector<LabFigure> lab_figures(const Material& material, const std::string& 
                 "a component with numbers");
   if (is_sheet_pair(component)) return {};
   FigureReader figures(material, component, error_of);
-  if (!is_bending(component)) {
+  if (is_contraction(component)) {
+    add_contraction(material, figures);
+  } else if (!is_bending(component)) {
     add_membrane(material, component, figures);
   } else if (is_of_sheet(material)) {
     add_bending(material, figures);

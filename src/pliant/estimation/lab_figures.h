@@ -30,6 +30,8 @@ struct LabFigure {
 /// Bending of a sheet: `rigidity_at_rest` and `secant_rigidity` at the end of the range, moment per
 /// width over curvature (N m), `kes_B` and `kes_2HB` (kes_bending.h), and `bending_length` where
 /// the density is known (bending_length.h).
+/// Contraction: `poisson_ratio` of engineering strains, half way and at the end of the range, and
+/// `coupling` (N/m), that of an elastic sheet whose strips stretch and narrow so.
 /// Errors are those of the law's parameters, carried over by the figure's derivatives.
 /// @param component  its stiffness is given; that of hinges has no figures
 /// @param error_of   empty: no errors are known

@@ -79,8 +79,9 @@ void ImposedStrain::add_specimen(const SpecimenRows& rows, const StrainRecord& r
 
   const size_t number = specimens_.size();
   const double peak = measured_.segment(rows.first, rows.count).cwiseAbs().maxCoeff();
-  nuisance_.push_back({nuisance_name(info_, number, record.offset), record.quantity.unit, 0,
-                       -0.2 * peak, 0.2 * peak, 0.01 * peak});
+  const std::string& unit = record.offset_unit.empty() ? record.quantity.unit : record.offset_unit;
+  nuisance_.push_back(
+      {nuisance_name(info_, number, record.offset), unit, 0, -0.2 * peak, 0.2 * peak, 0.01 * peak});
   if (!rested) {
     nuisance_.push_back(
         {nuisance_name(info_, number, "initial_friction"), "1", 0, -1, 1, 0.5, true});

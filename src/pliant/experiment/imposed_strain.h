@@ -24,7 +24,8 @@ struct StrainRecord {
   std::vector<double> apparatus;            ///< known share of the apparatus in `measured`
   std::vector<double> factor;               ///< `measured` per stress; empty: 1
   MeasuredQuantity quantity;
-  std::string offset;  ///< name of the nuisance parameter for an offset of `measured`
+  std::string offset;       ///< name of the nuisance parameter for an offset of `measured`
+  std::string offset_unit;  ///< of it in SI; empty: that of the quantity
 };
 
 /// Strain to and fro, imposed by a machine that measures the stress: shear and pure bending.

@@ -170,7 +170,7 @@ std::vector<LoopFigure> loop_figures(const ComponentExperiment& experiment,
       add_recovery(cycles, means);
     } else if (info.test.deformation == Deformation::shear) {
       add_shear(branches, specimen, means);
-    } else {
+    } else if (info.test.deformation == Deformation::bend) {
       add_bending(branches, specimen, means);
     }
   }

@@ -7,6 +7,7 @@
 #include "pliant/experiment/bending/pure_bending_type.h"
 #include "pliant/experiment/buckling/buckling_bend_type.h"
 #include "pliant/experiment/cantilever/cantilever_type.h"
+#include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/drape/drape_type.h"
 #include "pliant/experiment/hanging/hanging_weights_type.h"
 #include "pliant/experiment/homogeneous/homogeneous_type.h"
@@ -32,7 +33,7 @@ std::span<const TestType* const> test_types() {
       &pure_bending_type(),    &cantilever_type(),     &rolled_strip_type(),
       &bending_length_type(),  &buckling_bend_type(),  &session_type(),
       &drape_type(),           &homogeneous_type(),    &press_type(),
-      &indentation_type(),     &moved_body_type(),
+      &indentation_type(),     &moved_body_type(),     &lateral_contraction_type(),
   };
   return types;
 }
@@ -65,6 +66,8 @@ std::string component_of_test(const TestFacts& facts, const std::string& directi
       return "shear";
     case Deformation::bend:
       return "bend." + (direction == "bias" ? "diagonal" : direction);
+    case Deformation::contraction:
+      return "contraction." + direction;
     case Deformation::stretch:
       break;
   }

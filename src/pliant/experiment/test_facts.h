@@ -8,7 +8,12 @@
 namespace pliant {
 
 /// What a test does to the cloth along its direction.
-enum class Deformation { stretch, shear, bend };
+enum class Deformation {
+  stretch,
+  shear,
+  bend,
+  contraction,  ///< across a pull
+};
 
 /// What holds of all experiments of a type, for folders that know no test by its name.
 struct TestFacts {

@@ -179,8 +179,21 @@ std::vector<std::string> parameter_names(const ComponentLaw& law, const std::str
 }
 
 std::vector<std::string> parameter_units(const ComponentLaw& law, LawUnits system) {
-  const bool bending = system == LawUnits::bending, solid = system == LawUnits::solid;
-  const std::string stiffness = solid ? "Pa" : bending ? "N m" : "N/m";
+  const bool bending = system == LawUnits::bending;
+  const auto of_stiffness = [&]() -> std::string {
+    switch (system) {
+      case LawUnits::membrane:
+        return "N/m";
+      case LawUnits::bending:
+        return "N m";
+      case LawUnits::solid:
+        return "Pa";
+      case LawUnits::ratio:
+        return "1";
+    }
+    return "";
+  };
+  const std::string stiffness = of_stiffness();
   std::vector<std::string> units(static_cast<size_t>(law.stiffness.size()), stiffness);
   if (law.stiffness.kind() == CurveKind::affine && bending) units[1] = "N m^2";
   if (law.stiffness.kind() == CurveKind::energy && bending) {

@@ -11,7 +11,7 @@ namespace {
 bool knows_any(const Material& material, bool bending) {
   const std::vector<std::string>& names = cloth_component_names();
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return is_bending(name) == bending && is_known(material, name);
+    return is_bending(name) == bending && !is_contraction(name) && is_known(material, name);
   });
 }
 
@@ -76,7 +76,7 @@ std::vector<std::string> components_of_sheet(const Material& material) {
 std::vector<std::string> fillable_components(const Material& material, const Material& filler) {
   std::vector<std::string> names;
   for (const std::string& name : cloth_component_names()) {
-    if (solid_metric_of(name)) continue;
+    if (solid_metric_of(name) || is_contraction(name)) continue;
     if (!is_known(material, name) && is_known(filler, name)) names.push_back(name);
   }
   return names;

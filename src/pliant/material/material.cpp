@@ -50,7 +50,10 @@ MembraneMeasure membrane_measure(std::string_view name) {
 
 bool is_bending(std::string_view component) { return component.substr(0, 5) == "bend."; }
 
+bool is_contraction(std::string_view component) { return component.starts_with("contraction."); }
+
 LawUnits units_of(std::string_view component) {
+  if (is_contraction(component)) return LawUnits::ratio;
   if (is_bending(component)) return LawUnits::bending;
   const bool solid = find_strain_metric(component) || find_principal_metric(component) ||
                      find_pair_metric(component);
@@ -67,6 +70,7 @@ const std::vector<std::string>& cloth_component_names() {
     std::vector<std::string> all{"stretch.weft", "stretch.warp", "stretch.bias", "shear"};
     for (const SheetMetric& metric : sheet_metrics()) all.emplace_back(metric.name);
     all.insert(all.end(), {"bend.weft", "bend.warp", "bend.diagonal"});
+    all.insert(all.end(), {"contraction.weft", "contraction.warp", "contraction.bias"});
     return all;
   }();
   return names;

@@ -104,6 +104,10 @@ struct Material {
 /// Whether a component is one of bending (its curve is a function of |strain| and has other units).
 bool is_bending(std::string_view component);
 
+/// Whether a component says how much narrower cloth becomes across a pull. Its strain is that of
+/// the pull, its stress 1 - width / width at rest.
+bool is_contraction(std::string_view component);
+
 /// The units of a component's numbers.
 LawUnits units_of(std::string_view component);
 
@@ -111,7 +115,7 @@ LawUnits units_of(std::string_view component);
 bool is_even(std::string_view component);
 
 /// The names a cloth component may have: stretch.weft, stretch.warp, stretch.bias, shear, those of
-/// `sheet_metrics`, bend.weft, ...
+/// `sheet_metrics`, bend.weft, ..., contraction.weft, ...
 const std::vector<std::string>& cloth_component_names();
 
 /// Those of a solid: the metrics of the Green strain.

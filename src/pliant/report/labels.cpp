@@ -132,6 +132,7 @@ std::string strain_range_text(std::string_view component, std::optional<Membrane
 QuantityLabel stress_label(std::string_view component) {
   if (is_bending(component)) return {"Moment per width", "N"};
   if (units_of(component) == LawUnits::solid) return {"Energy per strain", "Pa"};
+  if (is_contraction(component)) return {"Contraction", "1"};
   return {component.starts_with("shear") ? "Shear stress" : "Stress", "N/m"};
 }
 
@@ -143,6 +144,7 @@ std::string component_title(std::string_view component) {
   const std::string direction = capitalised(std::string(component.substr(dot + 1)));
   if (kind == "stretch") return direction + " stretch";
   if (kind == "bend") return direction + " bending";
+  if (kind == "contraction") return "Contraction across " + std::string(component.substr(dot + 1));
   return std::string(component);
 }
 

@@ -49,12 +49,17 @@ std::vector<StrainRange> strain_ranges(const Results& results,
   return ranges;
 }
 
+bool is_membrane(std::string_view component) {
+  return !is_bending(component) && !is_contraction(component);
+}
+
 /// The components of one kind that have figures or data, in the order of a cloth's components.
 std::vector<std::string> components_of(const Results& results,
-                                       const std::vector<StrainRange>& ranges, bool bending) {
+                                       const std::vector<StrainRange>& ranges,
+                                       bool (*is_of_kind)(std::string_view component)) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
-    if (is_bending(name) == bending && std::ranges::find(names, name) == names.end()) {
+    if (is_of_kind(name) && std::ranges::find(names, name) == names.end()) {
       names.push_back(name);
     }
   };
@@ -172,7 +177,7 @@ void add_range(const Results& results, const std::vector<StrainRange>& ranges,
 std::string elastic(const FigureColumn& at_rest) { return at_rest.unit() + ", without friction"; }
 
 std::string membranes(const Results& results, const std::vector<StrainRange>& ranges) {
-  const std::vector<std::string> components = components_of(results, ranges, /*bending=*/false);
+  const std::vector<std::string> components = components_of(results, ranges, is_membrane);
   if (components.empty()) return {};
   const FigureColumn rest(results, "stiffness_at_rest"), secant(results, "secant_modulus"),
       end(results, "secant_modulus", /*last_of_name=*/true), loop(results, "loop_width");
@@ -198,7 +203,7 @@ std::string membranes(const Results& results, const std::vector<StrainRange>& ra
 }
 
 std::string bends(const Results& results, const std::vector<StrainRange>& ranges) {
-  const std::vector<std::string> components = components_of(results, ranges, /*bending=*/true);
+  const std::vector<std::string> components = components_of(results, ranges, is_bending);
   if (components.empty()) return {};
   const FigureColumn rest(results, "rigidity_at_rest"), end(results, "secant_rigidity"),
       b(results, "kes_B"), loop(results, "kes_2HB"), length(results, "bending_length");
@@ -224,7 +229,30 @@ std::string bends(const Results& results, const std::vector<StrainRange>& ranges
   return table.html();
 }
 
-std::string notes(const Results& results, bool membranes, bool bending) {
+std::string contractions(const Results& results, const std::vector<StrainRange>& ranges) {
+  const std::vector<std::string> components = components_of(results, ranges, is_contraction);
+  if (components.empty()) return {};
+  const FigureColumn half(results, "poisson_ratio"),
+      end(results, "poisson_ratio", /*last_of_name=*/true), coupling(results, "coupling");
+  HtmlTable table({{"Contraction"},
+                   {"Poisson's ratio", Align::number, "half way"},
+                   {"At the end", Align::number},
+                   {"Coupling", Align::number, coupling.unit()},
+                   {"Range", Align::unit, strain_name("stretch", results.membrane)},
+                   {"Green strain", Align::unit}},
+                  "compact");
+  for (const std::string& component : components) {
+    table.begin_row();
+    table.cell(component_title(component));
+    for (const FigureColumn* column : {&half, &end, &coupling}) {
+      table.cell(or_none(column->cell(component)));
+    }
+    add_range(results, ranges, component, table);
+  }
+  return table.html();
+}
+
+std::string notes(const Results& results, bool membranes, bool bending, bool contractions) {
   std::string text = results.evaluation
                          ? "Of the material; its errors stand in the report of its fit."
                          : "± standard error; in brackets: not determined by the data.";
@@ -237,6 +265,12 @@ std::string notes(const Results& results, bool membranes, bool bending) {
     text +=
         " Bending: moment per width over curvature; B and 2HB (friction) as the Kawabata tester "
         "prints them: 1 µN m = 0.0102 gf cm²/cm, 1 mN = 0.102 gf cm/cm.";
+  }
+  if (contractions) {
+    text +=
+        " Contraction: Poisson's ratio of engineering strains, on the first way out; coupling: "
+        "that "
+        "of an elastic sheet whose strips stretch and narrow so.";
   }
   if (results.has_samples()) {
     text +=
@@ -275,10 +309,12 @@ std::string solid_numbers(const Results& results) {
 std::string material_table(const Results& results, const std::optional<Material>& material) {
   if (results.is_of_solid()) return solid_numbers(results);
   const std::vector<StrainRange> ranges = strain_ranges(results, material);
-  const std::string stretch = membranes(results, ranges), bending = bends(results, ranges);
-  if (stretch.empty() && bending.empty()) return {};
-  return "<section><h2>Material</h2>\n" + stretch + bending + "<p class=\"small\">" +
-         notes(results, !stretch.empty(), !bending.empty()) + "</p></section>\n";
+  const std::string stretch = membranes(results, ranges), bending = bends(results, ranges),
+                    contraction = contractions(results, ranges);
+  if (stretch.empty() && bending.empty() && contraction.empty()) return {};
+  return "<section><h2>Material</h2>\n" + stretch + bending + contraction + "<p class=\"small\">" +
+         notes(results, !stretch.empty(), !bending.empty(), !contraction.empty()) +
+         "</p></section>\n";
 }
 
 }  // namespace pliant::report

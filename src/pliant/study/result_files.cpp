@@ -48,10 +48,11 @@ Json parameter_json(const ParameterEstimate& p, const char* owner) {
           {owner, p.owner}};
 }
 
-// Moment over curvature is a rigidity, not a modulus.
-Json loop_json(const LoopMetrics& loop, const MeasuredQuantity& quantity) {
-  const bool moment = quantity.name == "moment_N";
-  Json json{{"secant_modulus_N_per_m", moment ? Json(nullptr) : number(loop.secant_modulus)},
+// Moment over curvature is a rigidity, not a modulus, and a contraction has none.
+Json loop_json(const LoopMetrics& loop, const ExperimentResult& e) {
+  const bool moment = e.quantity.name == "moment_N";
+  const bool modulus = !moment && !is_contraction(e.component);
+  Json json{{"secant_modulus_N_per_m", modulus ? number(loop.secant_modulus) : Json(nullptr)},
             {"hysteresis_ratio", number(loop.hysteresis_ratio)},
             {"loop_loss", number(loop.loop_loss)}};
   if (moment) json["secant_rigidity_N_m"] = number(loop.secant_modulus);
@@ -75,6 +76,7 @@ Json experiment_json(const ExperimentResult& e) {
   const bool distance = e.quantity.kind == "distance";
   const bool length = e.quantity.kind == "length" || distance;
   const bool stress = e.quantity.kind == "stress", reading = e.quantity.kind == "reading";
+  const bool force = !distance && !stress && !reading && !is_contraction(e.component);
   Json json{{"name", e.name},
             {"type", e.type},
             {"direction", e.direction},
@@ -82,7 +84,7 @@ Json experiment_json(const ExperimentResult& e) {
             {"role", e.role == ExperimentRole::fit ? "fit" : "validate"},
             {"quantity", e.quantity.name},
             {"rms_force_N", length || stress || reading ? Json(nullptr) : number(e.rms)},
-            {"peak_force_N", distance || stress || reading ? Json(nullptr) : number(e.peak_force)},
+            {"peak_force_N", force ? number(e.peak_force) : Json(nullptr)},
             {"rms_stress_Pa", stress ? number(e.rms) : Json(nullptr)},
             {"peak_stress_Pa", stress ? number(e.peak_force) : Json(nullptr)},
             {"rms_in_sd", reading ? number(e.rms) : Json(nullptr)},
@@ -115,8 +117,8 @@ Json experiment_json(const ExperimentResult& e) {
   json["unloads"] = e.unloads;
   json["loop"] = nullptr;
   if (e.measured_loop && e.predicted_loop) {
-    json["loop"] = {{"measured", loop_json(*e.measured_loop, e.quantity)},
-                    {"predicted", loop_json(*e.predicted_loop, e.quantity)}};
+    json["loop"] = {{"measured", loop_json(*e.measured_loop, e)},
+                    {"predicted", loop_json(*e.predicted_loop, e)}};
   }
   json["figures"] = loop_figures_json(e);
   json["handled"] = e.handled;

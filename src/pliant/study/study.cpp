@@ -162,7 +162,9 @@ PlanStage read_plan_stage(const Value& node, MaterialKind kind) {
   stage.where = node.location();
   std::vector<std::string_view> known(cloth_component_names().begin(),
                                       cloth_component_names().end());
-  std::erase(known, "stretch.bias");  // of strips alone
+  // Of strips alone.
+  std::erase_if(
+      known, [](std::string_view name) { return name == "stretch.bias" || is_contraction(name); });
   const Value components = fields.require("components");
   for (const Value& item : components.items()) {
     const bool any = kind == MaterialKind::solid || is_sheet_pair(item.text());

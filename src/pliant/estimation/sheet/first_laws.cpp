@@ -169,6 +169,14 @@ bool asks_for_friction(const FitSettings& settings, const ComponentGroup& group)
   return model_of(settings, group).friction->choice != FrictionChoice::none;
 }
 
+bool states_friction(const FitSettings& settings, const ComponentGroup& group) {
+  return std::ranges::any_of(group, [&](const std::string& component) {
+    const auto own = settings.model.components.find(component);
+    return own != settings.model.components.end() && own->second.friction &&
+           own->second.friction->choice != FrictionChoice::none;
+  });
+}
+
 std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain) {
   std::vector<ComponentLaw> laws;
   for (const double share : {0.02, 0.06, 0.2}) {

@@ -56,6 +56,9 @@ ComponentModel model_of(const FitSettings& settings, const ComponentGroup& group
 /// Whether a study asks for friction of a group beside its addends, or leaves it to the data.
 bool asks_for_friction(const FitSettings& settings, const ComponentGroup& group);
 
+/// Whether the study itself asks for friction of a component of a group.
+bool states_friction(const FitSettings& settings, const ComponentGroup& group);
+
 /// Laws with friction of a tenth of the largest stress, spread over a share of the largest strain.
 std::vector<ComponentLaw> first_friction(const ComponentLaw& elastic, double strain);
 

@@ -32,6 +32,7 @@ SheetFitting::SheetFitting(const FitSettings& settings, std::vector<SheetStage> 
 void SheetFitting::restore(const State& state) {
   fit_.material = state.material;
   fit_.cords = state.cords;
+  fit_.converged = state.converged;
 }
 
 SheetProblem SheetFitting::problem_of(const SheetStage& stage) const {

@@ -29,8 +29,9 @@ class SheetFitting {
   struct State {
     Material material;
     CordFrictions cords;
+    bool converged = true;  ///< all searches that have led here
   };
-  State state() const { return {fit_.material, fit_.cords}; }
+  State state() const { return {fit_.material, fit_.cords, fit_.converged}; }
   void restore(const State& state);
 
   SheetProblem problem_of(const SheetStage& stage) const;

@@ -160,6 +160,22 @@ void add_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
   plan.insert(plan.end(), stages.begin(), stages.end());
 }
 
+/// Friction of bending from what hangs over a table's edge, of all directions together that the
+/// study asks for it: they bend at once, and each search follows whole paths.
+void add_bending_friction(const FitSettings& settings, std::vector<SheetStage>& plan) {
+  SheetStage friction{{}, {}, StageKind::friction};
+  for (const SheetStage& stage : plan) {
+    for (const ComponentGroup& group : stage.groups) {
+      if (!is_bending(group.front()) || !states_friction(settings, group)) continue;
+      add_once(group, friction.groups);
+      for (const SheetTest* test : stage.tests) {
+        if (test->session().table) add_once(test, friction.tests);
+      }
+    }
+  }
+  if (!friction.tests.empty()) plan.push_back(std::move(friction));
+}
+
 std::vector<SheetStage> plan_of_study(const FitSettings& settings, const Tests& tests,
                                       bool isotropic) {
   std::vector<SheetStage> plan;
@@ -218,6 +234,7 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
   add_limits(settings, plan);
   add_samples(settings, plan);
   add_friction(settings, plan);
+  add_bending_friction(settings, plan);
   leave_out(known, plan);
   return plan;
 }

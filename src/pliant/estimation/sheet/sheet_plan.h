@@ -38,7 +38,8 @@ struct SheetStage {
 /// after the stages of a study. Samples come after all other curves, together with those of
 /// triangles and what the model lets differ. Last comes friction, of what clips pull and is the
 /// same everywhere, where sequences load and unload and the study does not say no: the prediction
-/// then follows the loop and not its middle.
+/// then follows the loop and not its middle. Friction of bending, where the study states it of a
+/// component, comes after that, from what hangs over a table's edge.
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @param known  components that other experiments have told: stages leave them as they are

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pliant/experiment/clamp_column.h"
 #include "pliant/experiment/experiment_data.h"
 #include "pliant/experiment/loop_metrics.h"
 #include "pliant/experiment/strip_figures.h"
@@ -77,30 +78,11 @@ void turn_round(std::vector<double>& way, const DataRows& data, PulledRows& rows
   rows.is_turned = true;
 }
 
-/// The distance of the clamps. What a tester calls a length may be that of the specimen: it is
-/// taken last, unless it is called as we call it.
 PulledRows pulled_rows(const DataRows& data, double gauge_length, double width) {
-  const auto is_extension = [&] {
-    // "Extension (%)" is a strain.
-    const std::string unit = data.quantity_unit("extension");
-    return unit.empty() || !unit_conversion(unit, Dimension::fraction);
-  };
-  PulledRows rows{"length", {}, {}, forces_of(data, width)};
-  if (data.is_stated("length")) {
-    rows.length = data.quantity("length", Dimension::length);
-  } else if (auto extension = is_extension()
-                                  ? data.optional_quantity("extension", Dimension::length)
-                                  : std::nullopt) {
-    rows.column = "extension";
-    turn_round(*extension, data, rows);
-    for (const double e : *extension) rows.length.push_back(gauge_length + e);
-  } else if (auto strain = data.optional_quantity("strain", Dimension::fraction)) {
-    rows.column = "strain";
-    turn_round(*strain, data, rows);
-    for (const double e : *strain) rows.length.push_back(gauge_length * (1 + e));
-  } else {
-    rows.length = data.quantity("length", Dimension::length);
-  }
+  ClampColumn way = clamp_column(data);
+  PulledRows rows{way.name, {}, {}, forces_of(data, width)};
+  if (way.name != "length") turn_round(way.values, data, rows);
+  rows.length = way.lengths(gauge_length);
   require_positive(rows.length, data, rows.column);
   rows.unit = data.quantity_unit(rows.column);
   return rows;

@@ -9,6 +9,7 @@ namespace pliant {
 std::string unit_of(const AddendParameter& parameter, LawUnits units) {
   if (parameter.time == 1) return "s";
   const bool bending = units == LawUnits::bending;
+  if (units == LawUnits::ratio) return "1";
   if (units == LawUnits::solid) return parameter.stress != 0 ? "Pa" : "1";
   const std::string_view stress = bending ? "N" : "N/m";
   // A bending strain is 1/m, a membrane strain has no unit.

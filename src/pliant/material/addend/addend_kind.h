@@ -57,6 +57,7 @@ enum class LawUnits {
   membrane,  ///< N/m, strains without unit
   bending,   ///< N, strains in 1/m
   solid,     ///< Pa, strains without unit
+  ratio,     ///< what is stress elsewhere has no unit either: contraction across a pull
 };
 
 /// The unit of a parameter.

@@ -1,0 +1,80 @@
+#include "pliant/experiment/contraction/lateral_contraction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/experiment/clamp_column.h"
+#include "pliant/experiment/contraction/lateral_contraction_type.h"
+#include "pliant/experiment/experiment_data.h"
+
+namespace pliant {
+namespace {
+
+StrainRecord record_of(std::vector<double> lengths, const UniaxialGeometry& geometry) {
+  StrainRecord record;
+  record.driven = std::move(lengths);
+  record.strain_of = [geometry](double length) { return strain_at(geometry, length); };
+  record.quantity = {"contraction_mm", "length", "mm", 1e3};
+  record.offset = "width_change";
+  record.offset_unit = "m";
+  record.apparatus.assign(record.driven.size(), 0);
+  record.factor.assign(record.driven.size(), geometry.width);
+  return record;
+}
+
+UniaxialGeometry geometry_of(const ExperimentSpec& spec, const ClothFacts& cloth) {
+  return {spec.test->length, spec.test->width, cloth.membrane};
+}
+
+StrainRecord read_record(const DataRows& data, const UniaxialGeometry& geometry) {
+  const ClampColumn way = clamp_column(data);
+  StrainRecord record = record_of(way.lengths(geometry.gauge_length), geometry);
+  const std::vector<double> widths = data.quantity("width", Dimension::length);
+  require_positive(record.driven, data, way.name);
+  require_positive(widths, data, "width");
+  require_change(record.driven, data, way.name);
+  require_change(widths, data, "width");
+  for (const double width : widths) record.measured.push_back(geometry.width - width);
+  return record;
+}
+
+/// Whether the sizes at rest are those of the rows: a strip begins about there.
+std::optional<std::string> size_question(const StrainRecord& record,
+                                         const UniaxialGeometry& geometry) {
+  constexpr double kFar = 0.25;
+  const double width = 1 - record.measured.front() / geometry.width;
+  const double length = record.driven.front() / geometry.gauge_length;
+  const auto asked = [](const char* key, double share) {
+    return fmt::format(
+        "the first row has {:.0f} % of the stated `{}`: is that the distance of the marks at rest?",
+        100 * share, key);
+  };
+  if (std::abs(width - 1) > kFar) return asked("width", width);
+  if (std::abs(length - 1) > kFar) return asked("length", length);
+  return std::nullopt;
+}
+
+}  // namespace
+
+LateralContraction::LateralContraction(const UniaxialGeometry& geometry, const SampledPath& path)
+    : ImposedStrain(record_of(path.value, geometry), path) {}
+
+LateralContraction::LateralContraction(const ExperimentSpec& spec, const DataRows& data,
+                                       const ClothFacts& cloth)
+    : ImposedStrain(spec, spec_of<LateralContractionSpec>(spec).initial_friction, data,
+                    read_record(data, geometry_of(spec, cloth))) {
+  const UniaxialGeometry geometry = geometry_of(spec, cloth);
+  info_.handled.push_back(
+      "the length drives the path; compared is how much narrower the strip is than at rest");
+  info_.questions =
+      first_asked({size_question(read_record(data, geometry), geometry),
+                   secant() > 0 ? std::nullopt
+                                : std::optional<std::string>(
+                                      "the strip is wider where it is longer: is `width` "
+                                      "another length?")});
+}
+
+}  // namespace pliant

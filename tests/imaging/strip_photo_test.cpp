@@ -177,6 +177,19 @@ TEST(StripPhoto, JoinsNoPieceThatLiesElsewhere) {
   EXPECT_NEAR(trace.length, kLength, 2 * kScale);
 }
 
+TEST(StripPhoto, IsNotJoinedToWhatLiesAcrossBelowItsEnd) {
+  const PhotoFolder folder;
+  const auto truth = strip();
+  std::vector<Eigen::Vector2d> across;
+  for (int i = 0; i <= 20; ++i) across.emplace_back(0.002 + 0.004 * i, truth.back().y() - 0.004);
+  draw_strips(folder.photo(), {truth, across});
+  StripPhotoOptions options;
+  options.clamp = Eigen::Vector2d(0, 120);
+  const StripTrace trace = folder.trace(options);
+  EXPECT_EQ(trace.gaps, 0);
+  EXPECT_NEAR(trace.length, kLength, 2 * kScale);
+}
+
 TEST(StripPhoto, OfAStripThatGoesOnBeyondItsEndIsRefused) {
   const PhotoFolder folder;
   const auto truth = strip();

@@ -215,9 +215,10 @@ std::vector<Ahead> pieces_ahead(const cv::Mat& labels, const std::set<int>& own,
   return ahead;
 }
 
-// Whether a piece looks like more of a strip: as thick, and going on in its direction.
+// Whether a piece looks like more of a strip: as thick, and going on in its direction. Of one that
+// lies across it the pixels around the nearest lie to both sides.
 bool continues(const cv::Mat& labels, const Ahead& ahead, const StripEnd& end, double thickness) {
-  constexpr double kShortest = 3, kNear = 6;  // thicknesses
+  constexpr double kShortest = 3, kNear = 6, kOn = 1.2;  // thicknesses
   constexpr double kThin = 0.5, kThick = 2, kCosine = 0.64;
   const cv::Mat piece = labels == ahead.label;
   const cv::Rect box = cv::boundingRect(piece);
@@ -225,14 +226,18 @@ bool continues(const cv::Mat& labels, const Ahead& ahead, const StripEnd& end, d
   const double own = thickness_of(piece);
   if (own < kThin * thickness || own > kThick * thickness) return false;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  int count = 0;
   for (int y = box.y; y < box.br().y; ++y) {
     for (int x = box.x; x < box.br().x; ++x) {
       if (piece.at<unsigned char>(y, x) == 0) continue;
       const Eigen::Vector2d way(x - ahead.pixel.x, y - ahead.pixel.y);
-      if (way.norm() < kNear * thickness) sum += way;
+      if (way.norm() > kNear * thickness) continue;
+      sum += way;
+      ++count;
     }
   }
-  return sum.dot(end.direction) > kCosine * sum.norm();
+  const double on = sum.dot(end.direction);
+  return on > kCosine * sum.norm() && on > kOn * thickness * count;
 }
 
 // Follows a strip from its first piece over gaps to others that go on.
@@ -285,7 +290,7 @@ void require_only(const Pieces& pieces, const Strip* strip, const StripSearch& s
 
 Strip only_strip(const Pieces& pieces, const StripSearch& search, const Location& where) {
   const Piece* first = piece_at_border(pieces);
-  if (!first) require_only(pieces, nullptr, search, where);
+  if (!first) require_only(pieces, nullptr, search, where);  // throws
   Strip strip = joined(pieces, *first);
   require_only(pieces, &strip, search, where);
   return strip;

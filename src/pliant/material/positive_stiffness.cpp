@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -66,9 +67,11 @@ void hold_beyond_range(std::map<std::string, MaterialComponent>& components) {
     const std::optional<double> reach = reach_of(component);
     if (!reach || *reach == 0) continue;
     const ScalarCurve& curve = *component.stiffness;
-    // Through two control points a Hermite curve is the straight line between them.
+    // Through two control points a Hermite curve is the straight line between them, unless one is
+    // at rest, where a mirrored curve is level.
+    constexpr double kBesideRest = std::numeric_limits<double>::min();
     component.stiffness =
-        ScalarCurve::hermite({0, *reach}, {curve.value(0), curve.value(*reach)}, true);
+        ScalarCurve::hermite({kBesideRest, *reach}, {curve.value(0), curve.value(*reach)}, true);
   }
 }
 

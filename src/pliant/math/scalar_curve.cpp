@@ -34,10 +34,10 @@ double first_moment(const Cubic& c, double t) {
   return t * t * (c[0] / 2 + t * (c[1] / 3 + t * (c[2] / 4 + t * c[3] / 5)));
 }
 
-Eigen::MatrixXd tangent_matrix(const std::vector<double>& x) {
+Eigen::MatrixXd tangent_matrix(const std::vector<double>& x, bool level_at_rest) {
   const auto n = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixXd tangents = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index i = 0; i < n && n > 1; ++i) {
+  for (Eigen::Index i = level_at_rest ? 1 : 0; i < n && n > 1; ++i) {
     const Eigen::Index left = std::max<Eigen::Index>(i - 1, 0);
     const Eigen::Index right = std::min<Eigen::Index>(i + 1, n - 1);
     const double span = x[static_cast<size_t>(right)] - x[static_cast<size_t>(left)];
@@ -175,7 +175,8 @@ ScalarCurve::ScalarCurve(CurveKind kind, std::vector<double> knots, std::vector<
                          bool even)
     : kind_(kind), even_(even), knots_(std::move(knots)), values_(std::move(values)) {
   if (kind_ != CurveKind::hermite) return;
-  tangents_ = tangent_matrix(knots_);
+  // Mirrored at a control point at 0 a curve with a slope there would have an edge.
+  tangents_ = tangent_matrix(knots_, even_ && knots_.front() == 0);
   update_tangents();
 }
 

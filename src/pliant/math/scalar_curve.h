@@ -26,7 +26,7 @@ std::string_view name_of(CurveKind kind);
 /// Linearity is what estimation needs: the value, the slope and the integrals at x are dot products
 /// of the control values with weights that depend on x alone (`weights`, `slope_weights`, ...).
 /// Hermite tangents are central differences of the neighbouring control points, one-sided at the
-/// ends.
+/// ends; a curve of |x| is level at a control point at 0, where it is mirrored.
 class ScalarCurve {
  public:
   static ScalarCurve none();

@@ -141,21 +141,39 @@ bool SheetFitting::with_cords(const SheetStage& stage) const {
 bool SheetFitting::begin_at_best(const SheetStage& stage, const ComponentGroup& group,
                                  const char* what, const std::vector<ComponentLaw>& laws,
                                  const StartOptions& options) {
-  if (laws.empty()) return false;
-  const ComponentLaw before = law_of(fit_.material, group);
-  StartRecord record{group.front(), what, unit_of(stage), {}, 0, /*followed=*/false};
+  std::vector<std::vector<ComponentLaw>> starts;
+  for (const ComponentLaw& law : laws) starts.push_back({law});
+  return begin_at_best(stage, std::vector<ComponentGroup>{group}, what, starts, options);
+}
+
+bool SheetFitting::begin_at_best(const SheetStage& stage, const std::vector<ComponentGroup>& groups,
+                                 const char* what,
+                                 const std::vector<std::vector<ComponentLaw>>& starts,
+                                 const StartOptions& options) {
+  if (starts.empty()) return false;
+  const Material before = fit_.material;
+  StartRecord record{names_of(groups), what, unit_of(stage), {}, 0, /*followed=*/false};
+  const auto give = [&](std::size_t start) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      set_law(fit_.material, groups[g], starts[start][g]);
+    }
+  };
   const auto begin = [&](std::size_t start, double least) {
-    set_law(fit_.material, group, laws[start]);
+    give(start);
     SheetProblem problem = problem_of(stage);
     const LeastSquaresSummary begun = search_.at_start(stage, problem, least);
     record.ends.push_back(in_unit(stage, problem.rms(begun)));
     return begun.cost;
   };
-  const StartSearch starts = search_from(laws.size(), begin, options);
-  set_law(fit_.material, group, starts.found() ? laws[starts.best] : before);
-  record.reached_best = starts.reached_best;
+  const StartSearch search = search_from(starts.size(), begin, options);
+  if (search.found()) {
+    give(search.best);
+  } else {
+    fit_.material = before;
+  }
+  record.reached_best = search.reached_best;
   fit_.starts.push_back(std::move(record));
-  return starts.found();
+  return search.found();
 }
 
 bool SheetFitting::guess_addends(const SheetStage& stage, const ComponentGroup& group,

@@ -66,6 +66,11 @@ class SheetFitting {
   /// the best is followed.
   bool begin_at_best(const SheetStage& stage, const ComponentGroup& group, const char* what,
                      const std::vector<ComponentLaw>& laws, const StartOptions& options = {});
+  /// The same of several groups at once.
+  /// @param starts  of each a law for every group
+  bool begin_at_best(const SheetStage& stage, const std::vector<ComponentGroup>& groups,
+                     const char* what, const std::vector<std::vector<ComponentLaw>>& starts,
+                     const StartOptions& options = {});
 
   /// Begins with the addends that the study asks for, those that remember or the others.
   /// @return whether there are any

@@ -18,11 +18,14 @@ namespace {
 struct ImportArguments {
   std::vector<std::string> files;
   std::string output;
+  bool without_pauses = false;
   PhotoArguments photo;  ///< its width is a U3M file's too
 };
 
-ImportOptions import_options(const std::string& width) {
+ImportOptions import_options(const ImportArguments& arguments) {
+  const std::string& width = arguments.photo.width;
   ImportOptions options;
+  options.without_pauses = arguments.without_pauses;
   if (width.empty()) return options;
   try {
     options.width_m = parse_quantity(width, Dimension::length);
@@ -105,7 +108,7 @@ ImportedStudy import_files(const ImportArguments& arguments) {
     throw InputError({arguments.files[1]}, "is one file too many",
                      "one instrument's file, or photographs alone");
   }
-  return import_u3m(arguments.files.front(), import_options(arguments.photo.width));
+  return import_u3m(arguments.files.front(), import_options(arguments));
 }
 
 ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
@@ -130,6 +133,9 @@ void add_import(CommandRegistry& registry) {
   command.add_option("-o,--output", arguments->output, "Directory for the study (DIR)")->required();
   command.add_option("--width", arguments->photo.width,
                      "Strip width, if not the file's, e.g. 5 cm");
+  command.add_flag(
+      "--no-pauses", arguments->without_pauses,
+      "U3M: half cycles follow each other at once; rows get times by its sampling rate");
   add_photo_options(command, arguments->photo);
   add_strip_options(command, arguments->photo);
   add_drape_options(command, arguments->photo);

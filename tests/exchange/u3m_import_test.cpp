@@ -220,6 +220,24 @@ TEST(U3mImport, DatesAndTheOrderOfTheTestsAreKept) {
                        "strip, it was stretched before"));
 }
 
+TEST(U3mImport, RowsGetTimesWhereThereAreNoPauses) {
+  const std::string text =
+      record(fmt::format(R"({{"M": 150, "L": {{"width": 5, "S2": {}}}}})", test_json()));
+  const auto times = [&](bool without_pauses) {
+    const ImportedStudy imported = import_text(text, {.without_pauses = without_pauses});
+    const auto file = std::ranges::find(imported.files, std::string("warp-stretch-8cm.csv"),
+                                        &std::pair<std::string, std::string>::first);
+    return parse_csv(file->second, "warp-stretch-8cm.csv")
+        .optional_quantity("time", Dimension::time);
+  };
+  EXPECT_FALSE(times(false).has_value());
+  const auto seconds = times(true);
+  ASSERT_TRUE(seconds.has_value());
+  for (std::size_t i = 0; i < seconds->size(); ++i) {
+    EXPECT_NEAR((*seconds)[i], static_cast<double>(i) / 50, 1e-12);
+  }
+}
+
 TEST(U3mImport, TheVendorsSectionIsKeptAsInformation) {
   const std::string custom =
       R"({"acme": {"name": "Jersey: \"5\"", "company": "Acme", "stretch": {"length": "12.5"},

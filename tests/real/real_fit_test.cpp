@@ -49,6 +49,31 @@ TEST(RealFab, FourNestedCyclesAreOneLaw) {
   EXPECT_LT(real.run.peak_memory_kb, 200 * 1024);
 }
 
+// The first way of each strip is half as fast as the others, short ones are strained a little more
+// slowly than long ones: that tells no law of the rate.
+TEST(RealFab, TheRateOfItsFrictionIsSaidNotToBeDetermined) {
+  const auto record = measurement("cloth_hysteresis_fab/fab_knit_cotton_300gsm.json");
+  SKIP_WITHOUT(record);
+  const TemporaryFolder folder;
+  const auto study = folder.path() / "imported";
+  ASSERT_EQ(run_program({"import", record.string(), "-o", study.string(), "--no-pauses"}).status,
+            0);
+  std::ofstream(study / "study.yaml", std::ios::app)
+      << "model: {friction: none, components: {stretch.warp: {addends: [rate-friction]}, "
+         "stretch.weft: {addends: [rate-friction]}, stretch.bias: {addends: [rate-friction]}}}\n";
+  const RealFit real = fit_file(folder, study / "study.yaml");
+  print_table(real.fit);
+  int rates = 0;
+  for (const json& p : real.fit["parameters"]) {
+    if (!std::string(p["name"]).ends_with(".growth")) continue;
+    ++rates;
+    fmt::print("{} {} +- {}, {}\n", std::string(p["name"]), p["value"].dump(),
+               p["std_error"].dump(), std::string(p["determined"]));
+    EXPECT_FALSE(p["identified"]) << p["name"];
+  }
+  EXPECT_EQ(rates, 3);
+}
+
 // A second branch of friction explains what one leaves of the loops, and what it leaves of the
 // short strips' prediction too. The bounds are those asked for in a trial with two branches.
 TEST(RealFab, TwoBranchesOfFrictionFollowTheLoopsCloser) {

@@ -36,9 +36,11 @@ std::optional<CurveError> FigureReader::error(const FigureReading& read) const {
   const Eigen::VectorXd steps = steps_of(law);
   Eigen::VectorXd gradient(law.parameter_count());
   for (Eigen::Index i = 0; i < gradient.size(); ++i) {
-    const auto up = read_with(law, i, steps(i), read), down = read_with(law, i, -steps(i), read);
+    // What is zero may not be less.
+    const double back = law.parameters()(i) == 0 ? 0 : steps(i);
+    const auto up = read_with(law, i, steps(i), read), down = read_with(law, i, -back, read);
     if (!up || !down) return std::nullopt;
-    gradient(i) = (*up - *down) / (2 * steps(i));
+    gradient(i) = (*up - *down) / (steps(i) + back);
   }
   return gradient.allFinite() ? error_of_(gradient) : std::nullopt;
 }

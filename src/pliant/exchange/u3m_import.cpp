@@ -55,14 +55,19 @@ void leave_out_bends(const std::string& file, std::vector<ImportedTest>& tests,
   throw InputError({file}, "holds bends alone and tells no mass per area", "M, in g/m^2");
 }
 
-std::string csv_text(const U3mTest& test) {
-  const std::string header[] = {"force_N", is_stretch(test) ? "length_mm" : "distance_mm", "cycle"};
+std::string csv_text(const U3mTest& test, bool without_pauses) {
+  const bool timed = without_pauses && is_stretch(test) && test.frequency;
+  std::vector<std::string> header{"force_N", is_stretch(test) ? "length_mm" : "distance_mm",
+                                  "cycle"};
+  if (timed) header.emplace_back("time_s");
   CsvWriter csv(header);
+  int row = 0;
   for (std::size_t s = 0; s < test.segments.size(); ++s) {
     const U3mSegment& segment = test.segments[s];
     const int cycle = static_cast<int>(s / 2) + 1;  // there and back
     for (std::size_t i = 0; i < segment.distance.size(); ++i) {
       csv.cell(segment.force[i]).cell(kMillimetresPerMetre * segment.distance[i]).cell(cycle);
+      if (timed) csv.cell(row++ / *test.frequency);
       csv.end_row();
     }
   }
@@ -182,7 +187,7 @@ ImportedStudy import_u3m(const U3mFile& file, const ImportOptions& options) {
   ImportedStudy study;
   study.study_yaml = study_text(about.name, physics, info, tests);
   for (const ImportedTest& test : tests) {
-    study.files.emplace_back(test.name + ".csv", csv_text(test.test));
+    study.files.emplace_back(test.name + ".csv", csv_text(test.test, options.without_pauses));
   }
   study.notes = import_notes(tests, physics, options);
   study.warnings = std::move(warnings);

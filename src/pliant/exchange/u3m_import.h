@@ -10,6 +10,8 @@ namespace pliant {
 
 struct ImportOptions {
   std::optional<double> width_m = {};  ///< of every strip, in place of the file's
+  bool without_pauses = false;  ///< half cycles follow each other at once: stretch rows get times,
+                                ///< by the file's sampling rate
 };
 
 /// The study in a U3M file (see `read_u3m_file` for what is accepted): stretch tests along warp,

@@ -184,8 +184,11 @@ std::vector<std::string> import_notes(const std::vector<ImportedTest>& tests,
   if (physics.thickness) notes.push_back("thickness " + thickness_text(*physics.thickness));
   for (const ImportedTest& test : tests) notes.push_back(test_note(test));
   for (std::string& note : order_notes(tests)) notes.push_back(std::move(note));
-  notes.push_back(
-      "no time column: the file tells a sampling rate but not the pauses between half cycles");
+  notes.push_back(options.without_pauses
+                      ? "times of the stretch tests are those of the sampling rate, as if half "
+                        "cycles followed each other at once (--no-pauses)"
+                      : "no time column: the file tells a sampling rate but not the pauses between "
+                        "half cycles");
   return notes;
 }
 

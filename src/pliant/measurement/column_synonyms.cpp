@@ -63,6 +63,7 @@ const std::map<std::string, std::vector<std::string>>& column_synonyms() {
       {"strain",
        {"tensile strain", "engineering strain", "nominal strain", "stroke strain", "elongation",
         "extension", "Dehnung", "Standarddehnung", "应变", "伸长率"}},
+      {"lateral_strain", {"lateral strain", "transverse strain", "width strain", "Querdehnung"}},
       {"time", {"test time", "elapsed time", "Zeit", "Prüfzeit", "Pruefzeit", "时间"}},
       {"angle", {"shear angle", "Scherwinkel", "Winkel"}},
       {"curvature", {"Krümmung", "Kruemmung", "K"}},

@@ -57,6 +57,15 @@ TEST(LateralContraction, TakesExtensionsAndStrains) {
   EXPECT_NEAR(folder.experiment(entry())->path().strain[2], strain, 1e-15);
 }
 
+TEST(LateralContraction, TakesStrainsAcross) {
+  const StudyFolder folder;
+  for (const char* header :
+       {"strain_percent,lateral_strain_percent", "Tensile strain (%),Transverse strain (%)"}) {
+    folder.write("w.csv", std::string(header) + "\n0,0\n5,-1\n10,-3\n");
+    EXPECT_NEAR(folder.experiment(entry())->measured()(2), 0.03 * 0.03, 1e-15) << header;
+  }
+}
+
 TEST(LateralContraction, IsTheLawsShareOfTheWidth) {
   const StudyFolder folder;
   folder.write("w.csv", kTable);

@@ -80,7 +80,8 @@ double accuracy_of(const SheetStage& stage) {
   double noise = INFINITY, size = 0;
   for (const SheetTest* test : stage.tests) {
     // The first test's kind is what differences are told in.
-    if (test->objective() != stage.tests.front()->objective()) continue;
+    const bool positions = test->objective() == SheetObjective::positions;
+    if (positions != is_about_positions(stage)) continue;
     noise = std::min(noise, test->stated_noise().value_or(INFINITY));
     size = std::max(size, test->reference());
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,10 +31,20 @@ UniaxialGeometry geometry_of(const ExperimentSpec& spec, const ClothFacts& cloth
   return {spec.test->length, spec.test->width, cloth.membrane};
 }
 
+/// Extensometers across write a strain, which is negative where the strip narrows.
+std::vector<double> widths_of(const DataRows& data, double at_rest) {
+  std::optional<std::vector<double>> strains =
+      data.is_stated("width") ? std::nullopt
+                              : data.optional_quantity("lateral_strain", Dimension::fraction);
+  if (!strains) return data.quantity("width", Dimension::length);
+  for (double& strain : *strains) strain = at_rest * (1 + strain);
+  return std::move(*strains);
+}
+
 StrainRecord read_record(const DataRows& data, const UniaxialGeometry& geometry) {
   const ClampColumn way = clamp_column(data);
   StrainRecord record = record_of(way.lengths(geometry.gauge_length), geometry);
-  const std::vector<double> widths = data.quantity("width", Dimension::length);
+  const std::vector<double> widths = widths_of(data, geometry.width);
   require_positive(record.driven, data, way.name);
   require_positive(widths, data, "width");
   require_change(record.driven, data, way.name);

@@ -27,24 +27,26 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
 }  // namespace
 
 const TestType& lateral_contraction_type() {
-  static const TestType type{.name = "lateral-contraction",
-                             .facts = {.deformation = Deformation::contraction,
-                                       .follows_time = true,
-                                       .unfitted = "width at rest as stated, friction at rest"},
-                             .channels = {length_channel()},
-                             .template_files = template_files("contraction"),
-                             .required = {"direction", "length", "width"},
-                             .read = read,
-                             .make = make_experiment<LateralContraction>,
-                             .read_virtual = read_virtual,
-                             .own_quantities = {{"width", Dimension::length}},
-                             .is_table = [](const TableColumns& columns) {
-                               return columns.has("width", Dimension::length) &&
-                                      !columns.has("force", Dimension::force) &&
-                                      (columns.has("length", Dimension::length) ||
-                                       columns.has("extension", Dimension::length) ||
-                                       columns.has("strain", Dimension::fraction));
-                             }};
+  static const TestType type{
+      .name = "lateral-contraction",
+      .facts = {.deformation = Deformation::contraction,
+                .follows_time = true,
+                .unfitted = "width at rest as stated, friction at rest"},
+      .channels = {length_channel()},
+      .template_files = template_files("contraction"),
+      .required = {"direction", "length", "width"},
+      .read = read,
+      .make = make_experiment<LateralContraction>,
+      .read_virtual = read_virtual,
+      .own_quantities = {{"width", Dimension::length}, {"lateral_strain", Dimension::fraction}},
+      .is_table = [](const TableColumns& columns) {
+        return (columns.has("width", Dimension::length) ||
+                columns.has("lateral_strain", Dimension::fraction)) &&
+               !columns.has("force", Dimension::force) &&
+               (columns.has("length", Dimension::length) ||
+                columns.has("extension", Dimension::length) ||
+                columns.has("strain", Dimension::fraction));
+      }};
   return type;
 }
 

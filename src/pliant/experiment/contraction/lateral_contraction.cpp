@@ -53,19 +53,19 @@ StrainRecord read_record(const DataRows& data, const UniaxialGeometry& geometry)
   return record;
 }
 
-/// Whether the sizes at rest are those of the rows: a strip begins about there.
-std::optional<std::string> size_question(const StrainRecord& record,
+/// A strip begins about at rest: whether it has the stated sizes there.
+/// @param width, length  in the first row (m)
+std::optional<std::string> size_question(double width, double length,
                                          const UniaxialGeometry& geometry) {
   constexpr double kFar = 0.25;
-  const double width = 1 - record.measured.front() / geometry.width;
-  const double length = record.driven.front() / geometry.gauge_length;
   const auto asked = [](const char* key, double share) {
     return fmt::format(
         "the first row has {:.0f} % of the stated `{}`: is that the distance of the marks at rest?",
         100 * share, key);
   };
-  if (std::abs(width - 1) > kFar) return asked("width", width);
-  if (std::abs(length - 1) > kFar) return asked("length", length);
+  const double of_width = width / geometry.width, of_length = length / geometry.gauge_length;
+  if (std::abs(of_width - 1) > kFar) return asked("width", of_width);
+  if (std::abs(of_length - 1) > kFar) return asked("length", of_length);
   return std::nullopt;
 }
 
@@ -82,7 +82,8 @@ LateralContraction::LateralContraction(const ExperimentSpec& spec, const DataRow
   info_.handled.push_back(
       "the length drives the path; compared is how much narrower the strip is than at rest");
   info_.questions =
-      first_asked({size_question(read_record(data, geometry), geometry),
+      first_asked({size_question(geometry.width - measured_(0),
+                                 length_at(geometry, path_.strain.front()), geometry),
                    secant() > 0 ? std::nullopt
                                 : std::optional<std::string>(
                                       "the strip is wider where it is longer: is `width` "

@@ -126,6 +126,16 @@ void pull(const test::StudyFolder& folder, const std::string& name, const std::s
   folder.write(name + ".csv", rows_text(lengths, forces));
 }
 
+/// In % of the peaks.
+void expect_long_met_and_short_predicted(const StudyResult& fit) {
+  ASSERT_EQ(fit.experiments.size(), 6U);
+  for (const ExperimentResult& experiment : fit.experiments) {
+    std::printf("%s %.2f %%\n", experiment.name.c_str(), experiment.rms_percent);
+    EXPECT_LT(experiment.rms_percent, experiment.role == ExperimentRole::fit ? 1 : 2)
+        << experiment.name;
+  }
+}
+
 TEST(SlowStiffWeave, SoftOnTheBiasTellsItsShortStripsByItsLongOnes) {
   const test::StudyFolder folder;
   RandomStream random(1);
@@ -141,12 +151,7 @@ TEST(SlowStiffWeave, SoftOnTheBiasTellsItsShortStripsByItsLongOnes) {
   const StudyResult fit = fit_study(
       folder.study(strips, "model: {strips: sheet}\nvalidate: [weft20, warp20, bias20]\n"), {},
       two_threads());
-  ASSERT_EQ(fit.experiments.size(), 6U);
-  for (const ExperimentResult& experiment : fit.experiments) {
-    std::printf("%s %.2f %%\n", experiment.name.c_str(), experiment.rms_percent);
-    EXPECT_LT(experiment.rms_percent, experiment.role == ExperimentRole::fit ? 1 : 2)
-        << experiment.name;
-  }
+  expect_long_met_and_short_predicted(fit);
 }
 
 /// On the bias what strips of one dimension have.
@@ -176,12 +181,7 @@ TEST(StiffWeave, OfOneDimensionTellsItsShortStripsByItsLongOnes) {
   }
   test::LabFolder folder(test::measurements_of(read_lab(lab.write("lab.yaml", text)), 0));
   const StudyResult fit = fit_study(folder.study(), {}, two_threads());
-  ASSERT_EQ(fit.experiments.size(), 6U);
-  for (const ExperimentResult& experiment : fit.experiments) {
-    std::printf("%s %.2f %%\n", experiment.name.c_str(), experiment.rms_percent);
-    EXPECT_LT(experiment.rms_percent, experiment.role == ExperimentRole::fit ? 1 : 2)
-        << experiment.name;
-  }
+  expect_long_met_and_short_predicted(fit);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,9 +26,9 @@ struct Pull {
   std::string rows = "force_N,length_mm\n";
 };
 
-/// The pulls of a knitted swatch; the distance of its clamps is that of two points of a video.
-std::map<int, Pull> pulls_in(const std::filesystem::path& record) {
-  std::map<int, Pull> pulls;
+/// The rows of a knitted swatch: the pull, its force (third) and the places of its marks.
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& record) {
+  std::vector<std::vector<double>> rows;
   std::ifstream in(record);
   for (std::string line; std::getline(in, line);) {
     std::vector<double> cells;
@@ -35,7 +36,15 @@ std::map<int, Pull> pulls_in(const std::filesystem::path& record) {
     for (std::string text; std::getline(texts, text, ',');) {
       cells.push_back(std::strtod(text.c_str(), nullptr));
     }
-    if (cells.size() != 17 || cells[0] < 1) continue;
+    if (cells.size() == 17 && cells[0] >= 1) rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+/// The pulls of a knitted swatch; the distance of its clamps is that of two points of a video.
+std::map<int, Pull> pulls_in(const std::filesystem::path& record) {
+  std::map<int, Pull> pulls;
+  for (const std::vector<double>& cells : rows_of(record)) {
     const double length = std::hypot(cells[13] - cells[15], cells[14] - cells[16]);
     if (!std::isfinite(length)) continue;
     Pull& pull = pulls[static_cast<int>(cells[0])];
@@ -96,14 +105,7 @@ struct Narrowing {
 
 std::map<int, Narrowing> narrowings_in(const std::filesystem::path& record) {
   std::map<int, Narrowing> pulls;
-  std::ifstream in(record);
-  for (std::string line; std::getline(in, line);) {
-    std::vector<double> cells;
-    std::istringstream texts(line);
-    for (std::string text; std::getline(texts, text, ',');) {
-      cells.push_back(std::strtod(text.c_str(), nullptr));
-    }
-    if (cells.size() != 17 || cells[0] < 1) continue;
+  for (const std::vector<double>& cells : rows_of(record)) {
     const double length = std::hypot(cells[7] - cells[9], cells[8] - cells[10]);
     const double width = std::hypot(cells[3] - cells[5], cells[4] - cells[6]);
     if (!std::isfinite(length) || !std::isfinite(width)) continue;

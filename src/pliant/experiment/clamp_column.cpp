@@ -1,5 +1,9 @@
 #include "pliant/experiment/clamp_column.h"
 
+#include <utility>
+
+#include "pliant/experiment/test_type.h"
+
 namespace pliant {
 namespace {
 
@@ -36,6 +40,11 @@ ClampColumn clamp_column(const DataRows& data) {
     return {"strain", std::move(*strain)};
   }
   return lengths();
+}
+
+bool has_clamp_column(const TableColumns& columns) {
+  return columns.has("length", Dimension::length) || columns.has("extension", Dimension::length) ||
+         columns.has("strain", Dimension::fraction);
 }
 
 }  // namespace pliant

@@ -7,6 +7,8 @@
 
 namespace pliant {
 
+class TableColumns;
+
 /// How far clamps, or marks, are apart, as a table tells it.
 struct ClampColumn {
   std::string name;            ///< length, extension or strain
@@ -21,5 +23,8 @@ struct ClampColumn {
 /// specimen: it is taken last, unless it is called as we call it.
 /// @throws InputError where none does
 ClampColumn clamp_column(const DataRows& data);
+
+/// Whether a table has such a column.
+bool has_clamp_column(const TableColumns& columns);
 
 }  // namespace pliant

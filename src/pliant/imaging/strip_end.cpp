@@ -34,7 +34,7 @@ double longest_way(const Photo& way) {
   return longest;
 }
 
-/// Mean of a photograph over a band; nothing of it may lie outside.
+/// Mean of a photograph over a band, of what lies within; 0 where nothing does.
 /// @param from    the middle of its beginning
 /// @param across  half of its width, as a vector
 double mean_over(const Photo& photo, const Eigen::Vector2d& from, const Eigen::Vector2d& along,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string_view>
 #include <vector>
@@ -174,6 +175,14 @@ void add_range(const Results& results, const std::vector<StrainRange>& ranges,
   if (!is_bending(component)) table.cell(green.empty() ? kNoValue : green);
 }
 
+/// A row with the title of a component and its figures.
+void begin_row(const std::string& component, std::initializer_list<const FigureColumn*> figures,
+               HtmlTable& table) {
+  table.begin_row();
+  table.cell(component_title(component));
+  for (const FigureColumn* figure : figures) table.cell(or_none(figure->cell(component)));
+}
+
 std::string elastic(const FigureColumn& at_rest) { return at_rest.unit() + ", without friction"; }
 
 std::string membranes(const Results& results, const std::vector<StrainRange>& ranges) {
@@ -190,11 +199,7 @@ std::string membranes(const Results& results, const std::vector<StrainRange>& ra
                    {"Green strain", Align::unit}},
                   "compact");
   for (const std::string& component : components) {
-    table.begin_row();
-    table.cell(component_title(component));
-    for (const FigureColumn* column : {&rest, &secant, &end}) {
-      table.cell(or_none(column->cell(component)));
-    }
+    begin_row(component, {&rest, &secant, &end}, table);
     const std::string friction = loop.cell(component);
     table.cell(friction.empty() ? without_friction(results, component) : friction);
     add_range(results, ranges, component, table);
@@ -216,11 +221,7 @@ std::string bends(const Results& results, const std::vector<StrainRange>& ranges
                    {"Range", Align::unit, "curvature"}},
                   "compact");
   for (const std::string& component : components) {
-    table.begin_row();
-    table.cell(component_title(component));
-    for (const FigureColumn* column : {&rest, &end, &b}) {
-      table.cell(or_none(column->cell(component)));
-    }
+    begin_row(component, {&rest, &end, &b}, table);
     const std::string friction = loop.cell(component);
     table.cell(friction.empty() ? without_friction(results, component) : friction);
     table.cell(or_none(length.cell(component)));
@@ -242,11 +243,7 @@ std::string contractions(const Results& results, const std::vector<StrainRange>&
                    {"Green strain", Align::unit}},
                   "compact");
   for (const std::string& component : components) {
-    table.begin_row();
-    table.cell(component_title(component));
-    for (const FigureColumn* column : {&half, &end, &coupling}) {
-      table.cell(or_none(column->cell(component)));
-    }
+    begin_row(component, {&half, &end, &coupling}, table);
     add_range(results, ranges, component, table);
   }
   return table.html();

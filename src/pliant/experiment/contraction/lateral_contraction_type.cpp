@@ -1,5 +1,6 @@
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 
+#include "pliant/experiment/clamp_column.h"
 #include "pliant/experiment/contraction/lateral_contraction.h"
 
 namespace pliant {
@@ -42,10 +43,7 @@ const TestType& lateral_contraction_type() {
       .is_table = [](const TableColumns& columns) {
         return (columns.has("width", Dimension::length) ||
                 columns.has("lateral_strain", Dimension::fraction)) &&
-               !columns.has("force", Dimension::force) &&
-               (columns.has("length", Dimension::length) ||
-                columns.has("extension", Dimension::length) ||
-                columns.has("strain", Dimension::fraction));
+               !columns.has("force", Dimension::force) && has_clamp_column(columns);
       }};
   return type;
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "pliant/experiment/clamp_column.h"
 #include "pliant/experiment/tensile/tensile_cycles.h"
 
 namespace pliant {
@@ -77,9 +78,7 @@ const TestType& tensile_cycles_type() {
                              .is_table = [](const TableColumns& columns) {
                                return (columns.has("force", Dimension::force) ||
                                        columns.has("force", Dimension::force_per_length)) &&
-                                      (columns.has("length", Dimension::length) ||
-                                       columns.has("extension", Dimension::length) ||
-                                       columns.has("strain", Dimension::fraction));
+                                      has_clamp_column(columns);
                              }};
   return type;
 }

@@ -16,6 +16,7 @@ namespace {
 
 using test::lab_of;
 using test::made_up_material;
+using test::measurements_of;
 using test::relative_error;
 using test::strip_cycles;
 using test::VirtualStudy;
@@ -55,6 +56,23 @@ TEST(LastingRecovery, OfLoopsThatGrowFindsWhatTheyTookAway) {
     study.set_model(model_with(kind));
     expect_all_found(study.fit(), truth);
   }
+}
+
+// A long strip, and then a short piece of it, which has been softened and is longer by then.
+TEST(LastingRecovery, FollowsAStripFromOneTestToTheNext) {
+  const Material truth = with_addend("softening", Eigen::Vector2d(60, 0.15));
+  VirtualTensileCycles before = strip_cycles({0.05, 0.3}), again = strip_cycles({0.1, 0.2});
+  before.name = "long";
+  again.name = "short";
+  again.length = 0.02;
+  const auto fresh = measurements_of(lab_of(truth, {before, again}));
+  again.before = std::make_shared<VirtualTensileCycles>(before);
+  const VirtualLab lab = lab_of(truth, {before, again});
+  EXPECT_EQ(measurements_of(lab)[0], fresh[0]);
+  EXPECT_NE(measurements_of(lab)[1], fresh[1]);
+  VirtualStudy study(lab);
+  study.set_model(model_with("softening"));
+  expect_all_found(study.fit(), truth);
 }
 
 // The strip of the fast test is slack at the end of its cycles, and relaxes meanwhile.

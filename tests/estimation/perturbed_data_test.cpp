@@ -118,6 +118,12 @@ void state_too_long(const EditedTest& test, VirtualStudy& study) {
   study.set_in_experiment("length", fmt::format("{} mm", 1.02 * test.stated));
 }
 
+void state_too_short(const EditedTest& test, VirtualStudy& study) {
+  study.set_in_experiment("length", fmt::format("{} mm", 0.98 * test.stated));
+}
+
+void free_length(VirtualStudy& study) { study.add_to_experiment("rest_length: unknown"); }
+
 const std::vector<Disturbance>& disturbances() {
   static const std::vector<Disturbance> all{
       {"rows off by a tenth", throw_off,
@@ -126,9 +132,9 @@ const std::vector<Disturbance>& disturbances() {
       {"a tenth missing", lose_a_tenth, [](VirtualStudy&) {}, nullptr},
       {"readings of 1 mm", read_coarsely, nullptr, "a grid of 1 mm"},
       {"repeats swapped", swap_first_two, [](VirtualStudy&) {}, "in the order"},
-      {"a length 2 % too long", state_too_long,
-       [](VirtualStudy& study) { study.add_to_experiment("rest_length: unknown"); },
-       "contradict the stated gauge length|is the strip shorter"}};
+      {"a length 2 % too long", state_too_long, free_length, "contradict the stated gauge length"},
+      {"a length 2 % too short", state_too_short, free_length,
+       "contradict the stated gauge length"}};
   return all;
 }
 

@@ -217,7 +217,7 @@ TEST(U3mImport, DatesAndTheOrderOfTheTestsAreKept) {
   EXPECT_EQ(study.info.at("sampling_stretch"), "50 Hz");
   EXPECT_THAT(imported.notes,
               Contains("warp: stretch-2cm came 300 s after stretch-8cm; on the same "
-                       "strip, it was stretched before"));
+                       "strip, it was stretched before (`after: warp-stretch-8cm` follows it)"));
 }
 
 TEST(U3mImport, RowsGetTimesWhereThereAreNoPauses) {

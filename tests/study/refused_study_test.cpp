@@ -33,6 +33,15 @@ std::string with_field(const std::string& field) {
                          field + "}");
 }
 
+std::string strip(const std::string& name, const std::string& direction) {
+  return "{name: " + name + ", type: tensile-cycles, direction: " + direction +
+         ", data: w.csv, length: 1 m, width: 1 m";
+}
+
+std::string after(const std::string& name, const std::string& direction) {
+  return strip("after-" + name, direction) + ", after: " + name;
+}
+
 const Refusal kRefusals[] = {
     {"UnknownVersion", "pliant: study/2\nname: x\n", 1, "pliant", "unknown version \"2\""},
     {"AnotherDocument", "pliant: scene/1\nname: x\n", 1, "pliant", "study/1"},
@@ -94,6 +103,19 @@ const Refusal kRefusals[] = {
     {"StripTurnedHalfWay",
      with_experiment("{name: w, type: tensile-cycles, direction: 180 deg, data: w.csv}"), 4,
      "experiments[0].direction", "less than 180 deg"},
+    {"AfterWhatComesLater",
+     with_experiment(after("l", "warp") + "}\n  - " + strip("l", "warp") + "}"), 4,
+     "experiments[0].after", "names no experiment that stands before it"},
+    {"AfterAnotherDirection",
+     with_experiment(strip("l", "weft") + "}\n  - " + after("l", "warp") + "}"), 5,
+     "experiments[1].after",
+     "expected an earlier experiment of the list, tensile-cycles along warp"},
+    {"AfterAndUnknownFriction",
+     with_experiment(strip("l", "warp") + "}\n  - " + after("l", "warp") +
+                     ", initial_friction: unknown}"),
+     5, "experiments[1].initial_friction", "as the test before has left it"},
+    {"AfterOfAnotherType", with_field("length: 1 m, width: 1 m, after: x"), 5,
+     "experiments[0].after", "unknown key"},
     {"NoDirection", with_experiment("{name: w, type: tensile-cycles, data: w.csv}"), 4,
      "experiments[0].direction", "is missing"},
     {"NoData", with_experiment("{name: w, type: shear-cycles}"), 4, "experiments[0].data",

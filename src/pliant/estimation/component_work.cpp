@@ -186,6 +186,7 @@ void add_component(const ComponentWork& work, StudyResult& result) {
     std::ranges::move(nuisance_warnings(*work.problem, work.fit),
                       std::back_inserter(result.warnings));
   }
+  std::ranges::copy(work.lengths, std::back_inserter(result.warnings));
   std::ranges::copy(work.fit.rests.warnings, std::back_inserter(result.warnings));
   result.curves.push_back(component_curve(work.component, work.fit.fit.law,
                                           strains_of_data(work).second,

@@ -22,6 +22,7 @@ struct ComponentWork {
   std::vector<ModelRank> models;
   std::vector<Profile> profiles;
   std::vector<std::string> apparatus;  ///< what it takes of the misfit
+  std::vector<std::string> lengths;    ///< what the data say against the stated ones
 };
 
 /// Adds what a component's fit found out to the result of its study: parameters, comparisons,

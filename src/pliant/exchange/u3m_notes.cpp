@@ -136,7 +136,8 @@ std::vector<std::string> order_notes(const std::vector<ImportedTest>& tests) {
     const auto near = time_of(dated, "stretch-2cm");
     if (!far || !near || *near <= *far) continue;
     notes.push_back(fmt::format(
-        "{}: stretch-2cm came {} s after stretch-8cm; on the same strip, it was stretched before",
+        "{0}: stretch-2cm came {1} s after stretch-8cm; on the same strip, it was stretched before "
+        "(`after: {0}-stretch-8cm` follows it)",
         direction, *near - *far));
   }
   return notes;

@@ -36,6 +36,8 @@ struct ExperimentSpec {
   DataSource data;
   std::shared_ptr<const TestSpec> test;  ///< what the type has beside
   StatedNoise noise;
+  std::string after;  ///< the experiment before it that was on the same specimens; empty: they were
+                      ///< fresh
   double weight = 1;  ///< of its squared differences, beside those of other experiments
   std::vector<ExcludedRows> excluded;
   std::vector<std::string> told;  ///< what the data files told and the study did not, in sentences
@@ -43,6 +45,11 @@ struct ExperimentSpec {
   ExperimentRole role = ExperimentRole::fit;
   Location where;
 };
+
+/// Where `after` stands.
+inline Location after_location(const ExperimentSpec& spec) {
+  return {spec.where.file, spec.where.line, spec.where.field + ".after"};
+}
 
 /// The fields of an experiment's own type, which the caller knows.
 template <class Spec>

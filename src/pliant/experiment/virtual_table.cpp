@@ -97,9 +97,12 @@ void VirtualTable::require(const Material& material) const {
 VirtualData VirtualTable::measure(const VirtualSpecimen& specimen, const VirtualWork& work) const {
   work.stop.throw_if_requested();
   const Material& material = specimen.material;
-  RandomStream random = specimen.random.split(fmt::format("{}/{}", name, specimen.number));
-  const ComponentLaw own = specimen_law(
-      *law_of(material, component_of_test(type().facts, direction)), specimen.variation, random);
+  const auto stream_of = [&](const VirtualTest& test) {
+    return specimen.random.split(fmt::format("{}/{}", test.name, specimen.number));
+  };
+  RandomStream random = stream_of(*this), of_strip = stream_of(first());
+  const ComponentLaw law = *law_of(material, component_of_test(type().facts, direction));
+  const ComponentLaw own = specimen_law(law, specimen.variation, before ? of_strip : random);
   return {{{specimen.name + ".csv", rows(own, {material.density, material.membrane}, random)}}};
 }
 

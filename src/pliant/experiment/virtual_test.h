@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,13 @@ struct VirtualData {
 struct VirtualTest {
   std::string name;
   Location where;
+  std::string after;  ///< name of the test that is on the same specimens before; empty: none is
+  std::shared_ptr<const VirtualTest> before = nullptr;  ///< that test
 
   virtual ~VirtualTest() = default;
   virtual const TestType& type() const = 0;
+  /// The test that is the first on its specimens.
+  const VirtualTest& first() const { return before ? before->first() : *this; }
   /// @throws InputError where a material lacks what the test needs
   virtual void require(const Material& material) const = 0;
   /// Steps that measuring a specimen takes and that are worth telling of.

@@ -9,6 +9,7 @@
 #include "pliant/estimation/apparatus_shares.h"
 #include "pliant/estimation/fit_journal.h"
 #include "pliant/estimation/friction_comparison.h"
+#include "pliant/estimation/gauge_length_check.h"
 #include "pliant/estimation/law_comparison.h"
 #include "pliant/estimation/profile_likelihood.h"
 
@@ -42,6 +43,7 @@ void fit_one(ComponentWork& work, const StudyFitOptions& options, const RunConte
   }
   if (work.plan.fit.estimator == EstimatorKind::anchor) return;
   work.apparatus = apparatus_shares(*work.problem, work.fit);
+  work.lengths = gauge_length_warnings(*work.problem, work.fit);
   if (options.compare_laws) work.models = compare_laws(*work.problem, work.fit, work.plan);
   const std::vector<Unknown>& unknowns = work.fit.fit.unknowns;
   for (size_t i = 0; i < unknowns.size(); ++i) {

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "pliant/experiment/registry.h"
 #include "pliant/io/document.h"
@@ -10,12 +13,29 @@
 namespace pliant {
 namespace {
 
-std::shared_ptr<VirtualTest> read_experiment(const Value& node, std::set<std::string>& names) {
+using VirtualTests = std::vector<std::shared_ptr<VirtualTest>>;
+
+/// The test that `test` comes after.
+std::shared_ptr<const VirtualTest> earlier_test(const VirtualTest& test,
+                                                const VirtualTests& earlier) {
+  const auto before = std::ranges::find(earlier, test.after, [](const auto& e) { return e->name; });
+  const bool fits = before != earlier.end() && (*before)->type().name == test.type().name &&
+                    (*before)->heading() == test.heading();
+  if (fits) return *before;
+  throw InputError({test.where.file, test.where.line, test.where.field + ".after"},
+                   quoted_value(test.after) + " names no such experiment that stands before it",
+                   fmt::format("an earlier experiment of the list, {} along {}", test.type().name,
+                               test.heading()));
+}
+
+std::shared_ptr<VirtualTest> read_experiment(const Value& node, std::set<std::string>& names,
+                                             const VirtualTests& earlier) {
   Fields fields = node.fields();
   const std::string name = read_experiment_name(fields.require("name"), names);
   std::shared_ptr<VirtualTest> test = read_test_type(fields.require("type")).read_virtual(fields);
   test->name = name;
   test->where = node.location();
+  if (!test->after.empty()) test->before = earlier_test(*test, earlier);
   fields.finish();
   return test;
 }
@@ -40,7 +60,7 @@ VirtualLab lab_of(const Document& document) {
   std::set<std::string> names;
   const Value list = fields.require("experiments");
   for (const Value& node : list.items()) {
-    lab.experiments.push_back(read_experiment(node, names));
+    lab.experiments.push_back(read_experiment(node, names, lab.experiments));
     lab.experiments.back()->require(lab.material);
   }
   if (lab.experiments.empty()) list.fail("has no experiment", "at least one");

@@ -70,6 +70,10 @@ void warn_of_density(const std::string& name, double density, double of_study,
 /// The strips of an experiment, one test a specimen.
 void add_strips(const ExperimentSpec& spec, const Study& study,
                 std::vector<SheetExperiment>& experiments, StudyResult& result) {
+  if (!spec.after.empty()) {
+    throw InputError(after_location(spec), "strips as sheets are not followed from test to test",
+                     "strips in one dimension, or no `after`");
+  }
   StripSheets strips = sheets_of_strips(spec, DataRows(spec.data), study.model, study.density);
   add_remarks(spec.name, strips, result);
   for (SheetTest& test : strips.tests) {

@@ -114,10 +114,29 @@ ExperimentSpec read_experiment(const Value& node, const SpecimenDefaults& defaul
   return spec;
 }
 
+/// A specimen is followed from one test to the next of its kind.
+void require_earlier(const ExperimentSpec& spec, const std::vector<ExperimentSpec>& earlier) {
+  if (spec.after.empty()) return;
+  const auto before = std::ranges::find(earlier, spec.after, &ExperimentSpec::name);
+  const bool fits =
+      before != earlier.end() && before->type == spec.type && before->direction == spec.direction;
+  if (fits) return;
+  throw InputError(
+      after_location(spec),
+      before == earlier.end()
+          ? quoted_value(spec.after) + " names no experiment that stands before it"
+          : quoted_value(spec.after) + " is of another type or direction",
+      fmt::format("an earlier experiment of the list, {} along {}", spec.type, spec.direction));
+}
+
 std::vector<ExperimentSpec> read_experiments(const Value& list, const SpecimenDefaults& defaults) {
   std::vector<ExperimentSpec> specs;
   std::set<std::string> names;
-  for (const Value& node : list.items()) specs.push_back(read_experiment(node, defaults, names));
+  for (const Value& node : list.items()) {
+    ExperimentSpec spec = read_experiment(node, defaults, names);
+    require_earlier(spec, specs);
+    specs.push_back(std::move(spec));
+  }
   if (specs.empty()) list.fail("has no experiment", "at least one");
   return specs;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pliant/base/assert.h"
 #include "pliant/base/plausibility.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/study/example_data.h"
@@ -43,6 +44,12 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
   for (const ExperimentSpec& spec : study.experiments) {
     if (is_sheet(spec, study.model) || is_only_predicted(spec)) continue;
     experiments.push_back(read_experiment(spec, study));
+    if (!spec.after.empty()) {
+      const auto earlier =
+          std::ranges::find(experiments, spec.after, [](const auto& e) { return e->info().name; });
+      PLIANT_ASSERT(earlier != experiments.end(), "studies list them in the order of time");
+      experiments.back()->follow(**earlier, after_location(spec));
+    }
     add_remarks(spec.name, experiments.back()->info(), result);
     if (is_example_data(spec)) {
       result.warnings.push_back(spec.name +

@@ -70,6 +70,7 @@ YAML::Node experiment_node(const ExperimentSpec& spec, const std::filesystem::pa
     const bool list = value.starts_with('[');
     node[key] = list ? YAML::Load(value) : YAML::Node(value);
   }
+  if (!spec.after.empty()) node["after"] = spec.after;
   if (!spec.standard.empty()) node["standard"] = spec.standard;
   if (spec.noise.force || spec.noise.length) {
     node["noise"] = noise_node(spec.noise, spec.test->type().channels);

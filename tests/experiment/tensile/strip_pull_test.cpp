@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/material/addend/addend_registry.h"
 #include "pliant/math/check_derivatives.h"
 
 #include "support/random_laws.h"
@@ -215,11 +216,21 @@ TEST(StripPull, NeverPushes) {
   }
 }
 
+/// Friction with a second branch, softening and permanent set beside it.
+ComponentLaw laws_that_remember(RandomStream& random) {
+  ComponentLaw law = random_law(random, CurveKind::affine);
+  law.addends = {{*find_addend_kind("dahl"), Eigen::Vector3d(0.5, 1, random.uniform(0.05, 0.2))},
+                 {*find_addend_kind("softening"), Eigen::Vector2d(15, random.uniform(0.1, 0.3))},
+                 {*find_addend_kind("set"), Eigen::VectorXd::Constant(1, 4)}};
+  return law;
+}
+
 /// One random strip with every setup parameter in play.
 struct StripCase {
   ComponentLaw law;
   StripSetup setup;
   std::vector<double> lengths;
+  std::vector<double> before = {};  // of an earlier pull; none: empty
 
   /// Law, force offset, rest length change, initial friction, slip, compliance.
   Eigen::VectorXd parameters() const {
@@ -243,8 +254,15 @@ struct StripCase {
                              parameters(count + 3), parameters(count + 4)};
     const StripColumns columns =
         jacobian ? StripColumns{count, count + 1, count + 2, count + 3, count + 4} : StripColumns{};
-    return pull_strip(law.with_parameters(parameters), kStrip, changed, columns, lengths,
-                      half_cycles_of(lengths, 1e-5), jacobian ? count + 5 : 0);
+    const ComponentLaw own = law.with_parameters(parameters);
+    const int columns_of = jacobian ? count + 5 : 0;
+    std::optional<PathPoint> state;
+    if (!before.empty()) {
+      state = state_after_pull(own, kStrip, {.slip = 2e-5}, before, half_cycles_of(before, 1e-5),
+                               columns_of);
+    }
+    return pull_strip(own, kStrip, changed, columns, lengths, half_cycles_of(lengths, 1e-5),
+                      columns_of, {}, state ? &*state : nullptr);
   }
 };
 
@@ -307,6 +325,52 @@ TEST(StripPull, DerivativesAreThoseOfDifferencesFromATautStart) {
       StripCase strip = random_strip(random, curve, FrictionLaw::dahl, 0.0865);
       strip.setup = {
           0, random.uniform(-2e-4, 2e-4), random.uniform(0, 0.9), 0, given_way(), given_way()};
+      expect_right_derivatives(strip);
+    }
+  }
+}
+
+// A strip that is clamped anew as it is pulls on as if it had never left the clamps.
+TEST(StripPull, AStripThatWasPulledBeforePullsOn) {
+  RandomStream random(47);
+  const ComponentLaw law = laws_that_remember(random);
+  const std::vector<double> before = lengths_between({0.08, 0.096, 0.085, 0.098, 0.0802}, 9);
+  const std::vector<double> again = lengths_between({0.0802, 0.093, 0.0805, 0.1}, 9);
+  std::vector<double> whole = before;
+  whole.insert(whole.end(), again.begin() + 1, again.end());
+  const Eigen::VectorXd expected = pull(law, whole).force.tail(27);
+
+  const auto state = state_after_pull(law, kStrip, {}, before, half_cycles_of(before, 1e-6), 0);
+  ASSERT_TRUE(state);
+  EXPECT_GT(state->strain, 0.001);
+  const UniaxialGeometry as_left{length_at(kStrip, state->strain), kStrip.width, kStrip.measure};
+  const auto forces =
+      pull_strip(law, as_left, {}, {}, again, half_cycles_of(again, 1e-6), 0, {}, &*state);
+  ASSERT_TRUE(forces);
+  EXPECT_LT((forces->force.tail(27) - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(StripPull, AStripThatIsReleasedIsFreeOfForce) {
+  RandomStream random(48);
+  ComponentLaw law = laws_that_remember(random);
+  law.addends.push_back({*find_addend_kind("maxwell"), Eigen::Vector2d(20, 3)});
+  const std::vector<double> lengths = lengths_between({0.079, 0.096, 0.09}, 9);
+  std::vector<double> times(lengths.size());
+  for (size_t i = 0; i < times.size(); ++i) times[i] = 0.2 * static_cast<double>(i);
+  const auto state =
+      state_after_pull(law, kStrip, {}, lengths, half_cycles_of(lengths, 1e-6), 0, times);
+  ASSERT_TRUE(state);
+  EXPECT_NEAR(LawPath(law, *state).stress_at(state->strain), 0, 1e-6);
+}
+
+TEST(StripPull, DerivativesAreThoseOfDifferencesAfterAnEarlierPull) {
+  RandomStream random(49);
+  for (const double first : {0.0783, 0.0885}) {  // slack, taut
+    for (int draw = 0; draw < 8; ++draw) {
+      StripCase strip = random_strip(random, CurveKind::affine, FrictionLaw::dahl, first);
+      strip.law.addends = laws_that_remember(random).addends;
+      strip.setup = {0.1, random.uniform(-2e-4, 2e-4), 0.3, 0, 3e-5, 5e-5};
+      strip.before = lengths_between({0.079, random.uniform(0.085, 0.1), 0.082, 0.095}, 5);
       expect_right_derivatives(strip);
     }
   }

@@ -106,7 +106,8 @@ HangingWeights::HangingWeights(const ExperimentSpec& spec, const DataRows& data,
   read_path();
   warn_of_order(data, own.rested);
   if (own.rest_length == RestLength::unknown && spec.role == ExperimentRole::fit) {
-    look_for_rest_length();
+    free_rest_length();
+    info_.handled.emplace_back("the rest length is estimated along (nuisance parameter)");
   }
   info_.handled.push_back(fmt::format(
       "weights drive the path and count as exact; clip ({:.4g} g) and half of the cloth ({:.4g} g) "
@@ -141,13 +142,19 @@ void HangingWeights::warn_of_order(const DataRows& data, bool rested) {
 }
 
 // One of each specimen, within 10 % of the stated length.
-void HangingWeights::look_for_rest_length() {
+void HangingWeights::free_rest_length() {
   const double change = 0.1 * geometry_.gauge_length;
   for (size_t s = 0; s < specimens_.size(); ++s) {
     nuisance_.push_back(
         {nuisance_name(info_, s, "rest_length_change"), "m", 0, -change, change, 0.1 * change});
   }
-  info_.handled.emplace_back("the rest length is estimated along (nuisance parameter)");
+}
+
+std::unique_ptr<ComponentExperiment> HangingWeights::with_free_length() const {
+  if (!nuisance_.empty()) return nullptr;
+  auto copy = std::make_unique<HangingWeights>(*this);
+  copy->free_rest_length();
+  return copy;
 }
 
 void HangingWeights::read_path() {

@@ -25,12 +25,13 @@ class HangingWeights : public ComponentExperiment {
   Eigen::VectorXd unfitted_nuisance(const ComponentLaw&) const override {
     return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nuisance_.size()));
   }
+  std::unique_ptr<ComponentExperiment> with_free_length() const override;
   std::optional<LoopSeries> loop(const Eigen::VectorXd& length) const override;
 
  private:
   void read_path();
   void warn_of_order(const DataRows& data, bool rested);
-  void look_for_rest_length();
+  void free_rest_length();
 
   UniaxialGeometry geometry_;
   std::vector<SpecimenRows> specimens_;

@@ -23,6 +23,8 @@ class StripWalk {
         parameters_(parameters),
         path_(law, {}) {
     geometry_.gauge_length += setup.rest_length_change;
+    if (columns.rest_length_change < 0) return;
+    rest_gradient_ = Eigen::VectorXd::Unit(parameters, columns.rest_length_change);
   }
 
   bool start(double length, double time) {
@@ -41,6 +43,36 @@ class StripWalk {
     path_ = LawPath(law_, *point, time);
     last_strain_ = point->strain;
     return true;
+  }
+
+  // The same of a strip that was pulled before: it is slack at the strain that it kept.
+  void start_after(const PathPoint& before, double length, double time) {
+    measure_as_left(before);
+    path_ = LawPath(law_, before, time);
+    last_strain_ = before.strain;
+    slack_ = strain_at(own_geometry(), length) <= before.strain;
+    if (slack_) return;
+    const Pull pull = pulled(length, [&](double strain) { return path_.at(strain, time); });
+    go_to(pull, time);
+    path_.turn_at(pull.strain, pull.strain_gradient);
+  }
+
+  // Takes the strip out of its clamps after the last half cycle.
+  std::optional<PathPoint> released() {
+    constexpr double kShortest = 0.5;  // of its length at rest
+    if (slack_ && !law_.flows()) return path_.start();
+    const double from = law_.flows() ? last_strain_ : path_.start().strain;
+    const auto stress = [&](double strain) { return path_.stress_at(strain, kEndless); };
+    slack_strain_ = from;
+    if (stress(from) > 0) {
+      slack_strain_ = first_root(stress, from, -kRootStep,
+                                 strain_at(geometry_, kShortest * geometry_.gauge_length));
+    }
+    if (!slack_strain_) return std::nullopt;
+    const Eigen::VectorXd gradient = kept_gradient(kEndless);
+    if (law_.flows()) go_on(*slack_strain_, gradient, kEndless);
+    path_.turn_at(*slack_strain_, gradient);
+    return path_.start();
   }
 
   // Must be called before the rows of a half cycle: finds where it goes slack.
@@ -72,8 +104,7 @@ class StripWalk {
       return;
     }
     const Pull pull = pulled(length, [&](double strain) { return path_.at(strain, time); });
-    if (law_.flows()) go_on(pull.strain, pull.strain_gradient, time);
-    remember(pull);
+    go_to(pull, time);
     out.strain(i) = pull.strain;
     out.force(i) += pull.force;
     out.length_gain(i) = std::abs(pull.by_length);
@@ -170,7 +201,7 @@ class StripWalk {
       if (column >= 0) at_force(column) += by;
     };
     const double largest = std::max(pull.force, largest_force_);
-    add(columns_.rest_length_change, stretch.by_rest_length);
+    if (rest_gradient_.size() > 0) at_force += stretch.by_rest_length * rest_gradient_;
     add(columns_.slip, stretch.by_rest_length * largest);
     add(columns_.compliance, -stretch.by_length * pull.force);
     if (!slips && largest_gradient_.size() > 0) {
@@ -186,6 +217,23 @@ class StripWalk {
     if (pull.force <= largest_force_) return;
     largest_force_ = pull.force;
     largest_gradient_ = pull.force_gradient;
+  }
+
+  void go_to(const Pull& pull, double time) {
+    if (law_.flows()) go_on(pull.strain, pull.strain_gradient, time);
+    remember(pull);
+  }
+
+  // The stated length is that of the strip as it was left: the strain that it keeps is part of it.
+  void measure_as_left(const PathPoint& before) {
+    const UniaxialGeometry unit{1, 1, geometry_.measure};
+    const double stretch = length_at(unit, before.strain);
+    geometry_.gauge_length /= stretch;
+    if (parameters_ == 0) return;
+    if (rest_gradient_.size() == 0) rest_gradient_ = Eigen::VectorXd::Zero(parameters_);
+    rest_gradient_ /= stretch;
+    rest_gradient_ -=
+        geometry_.gauge_length / (stretch * strain_slope(unit, stretch)) * before.strain_gradient;
   }
 
   // Stress at the first row, of elasticity and the initial state of friction.
@@ -263,7 +311,8 @@ class StripWalk {
   }
 
   ComponentLaw law_;
-  UniaxialGeometry geometry_;  // with the strip's own rest length
+  UniaxialGeometry geometry_;      // with the strip's own rest length
+  Eigen::VectorXd rest_gradient_;  // of that length by the parameters; empty: it hangs on none
   StripSetup setup_;
   StripColumns columns_;
   int parameters_;
@@ -276,19 +325,16 @@ class StripWalk {
       slack_strain_;  // kept by the material while the present half cycle is slack
 };
 
-}  // namespace
-
-std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
-                                      const StripSetup& setup, const StripColumns& columns,
-                                      std::span<const double> lengths,
-                                      std::span<const HalfCycle> half_cycles, int parameters,
-                                      std::span<const double> times) {
-  const auto rows = static_cast<Eigen::Index>(lengths.size());
-  StripForces out{Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::VectorXd(rows),
-                  Eigen::MatrixXd(rows, parameters)};
-  StripWalk walk(law, geometry, setup, columns, parameters);
+/// Follows the clamps; false where the strip's start has no value.
+bool follow(StripWalk& walk, std::span<const double> lengths,
+            std::span<const HalfCycle> half_cycles, std::span<const double> times,
+            const PathPoint* before, StripForces& out) {
   const auto time = [&](int i) { return times.empty() ? kEndless : times[static_cast<size_t>(i)]; };
-  if (!walk.start(lengths.front(), time(0))) return std::nullopt;
+  if (before) {
+    walk.start_after(*before, lengths.front(), time(0));
+  } else if (!walk.start(lengths.front(), time(0))) {
+    return false;
+  }
   for (const HalfCycle& half : half_cycles) {
     walk.begin(half);
     for (int i = half.first; i <= half.last; ++i) {
@@ -296,7 +342,36 @@ std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeo
     }
     walk.end(half);
   }
+  return true;
+}
+
+StripForces rows_of_forces(std::span<const double> lengths, int parameters) {
+  const auto rows = static_cast<Eigen::Index>(lengths.size());
+  return {Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::VectorXd(rows),
+          Eigen::MatrixXd(rows, parameters)};
+}
+
+}  // namespace
+
+std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
+                                      const StripSetup& setup, const StripColumns& columns,
+                                      std::span<const double> lengths,
+                                      std::span<const HalfCycle> half_cycles, int parameters,
+                                      std::span<const double> times, const PathPoint* before) {
+  StripForces out = rows_of_forces(lengths, parameters);
+  StripWalk walk(law, geometry, setup, columns, parameters);
+  if (!follow(walk, lengths, half_cycles, times, before, out)) return std::nullopt;
   return out;
+}
+
+std::optional<PathPoint> state_after_pull(const ComponentLaw& law, const UniaxialGeometry& geometry,
+                                          const StripSetup& setup, std::span<const double> lengths,
+                                          std::span<const HalfCycle> half_cycles, int parameters,
+                                          std::span<const double> times, const PathPoint* before) {
+  StripForces out = rows_of_forces(lengths, parameters);
+  StripWalk walk(law, geometry, setup, {}, parameters);
+  if (!follow(walk, lengths, half_cycles, times, before, out)) return std::nullopt;
+  return walk.released();
 }
 
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "pliant/experiment/uniaxial_geometry.h"
-#include "pliant/material/component_law.h"
+#include "pliant/material/law_path.h"
 #include "pliant/measurement/turning_points.h"
 
 namespace pliant {
@@ -54,11 +54,24 @@ struct StripForces {
 /// @param half_cycles   of `lengths`
 /// @param parameters  number of columns of the Jacobian; 0: no derivatives
 /// @param times       of the rows (s); empty: what flows is at rest
+/// @param before      what an earlier pull of the same strip has left (`state_after_pull`); none:
+/// the
+///                    strip is fresh. The gauge length is then that of the strip as it was left.
 /// @return nothing when the persistent strain at the start has no value
 std::optional<StripForces> pull_strip(const ComponentLaw& law, const UniaxialGeometry& geometry,
                                       const StripSetup& setup, const StripColumns& columns,
                                       std::span<const double> lengths,
                                       std::span<const HalfCycle> half_cycles, int parameters,
-                                      std::span<const double> times = {});
+                                      std::span<const double> times = {},
+                                      const PathPoint* before = nullptr);
+
+/// What a pull leaves of the strip when it is taken out of its clamps: free of force, with the
+/// strain that the material keeps then, and with what flows come to rest.
+/// @return nothing where the pull has no values, or where no strain is free of force
+std::optional<PathPoint> state_after_pull(const ComponentLaw& law, const UniaxialGeometry& geometry,
+                                          const StripSetup& setup, std::span<const double> lengths,
+                                          std::span<const HalfCycle> half_cycles, int parameters,
+                                          std::span<const double> times = {},
+                                          const PathPoint* before = nullptr);
 
 }  // namespace pliant

@@ -127,11 +127,14 @@ TensileCycles::TensileCycles(const ExperimentSpec& spec, const DataRows& data,
   if (info_.questions.empty()) ask_of_rest_length(spec_of<TensileCyclesSpec>(spec));
 }
 
+std::span<const double> TensileCycles::lengths_of(const SpecimenRows& rows) const {
+  return {length_.data() + rows.first, static_cast<size_t>(rows.count)};
+}
+
 void TensileCycles::add_specimen(const SpecimenRows& rows, const ExperimentSpec& spec) {
   Specimen specimen;
   specimen.rows = rows;
-  const std::span<const double> lengths(length_.data() + rows.first,
-                                        static_cast<size_t>(rows.count));
+  const std::span<const double> lengths = lengths_of(rows);
   const double threshold = reversal_threshold(lengths, spec.noise.length.value_or(0));
   specimen.half_cycles = half_cycles_of(lengths, threshold);
   for (int i = rows.first; i < rows.first + rows.count; ++i) {
@@ -172,11 +175,7 @@ void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const Tensil
   const double offset = std::max(kForceOffsetShare * peak, 2 * std::abs(specimen.slack_force));
   specimen.nuisance.force_offset =
       add("force_offset", "N", specimen.slack_force, -offset, offset, 0.01 * peak);
-  if (spec.rest_length == RestLength::unknown) {
-    const double change = kRestLengthShare * geometry_.gauge_length;
-    specimen.nuisance.rest_length_change =
-        add("rest_length_change", "m", 0, -change, change, 0.1 * change);
-  }
+  if (spec.rest_length == RestLength::unknown) free_rest_length(specimen, number);
   // How far clamps and apparatus may give way at the peak force, and what is expected of them.
   const auto add_given_way = [&](const char* name, double expected) {
     const double most = kGivenWayShare * geometry_.gauge_length;
@@ -195,6 +194,20 @@ void TensileCycles::add_nuisance(Specimen& specimen, size_t number, const Tensil
         add("initial_friction", "1", slack ? -0.1 : 0.0, -1, slack ? 0 : 1, 0.5);
     nuisance_.back().of_friction = true;
   }
+}
+
+void TensileCycles::free_rest_length(Specimen& specimen, size_t number) {
+  const double change = kRestLengthShare * geometry_.gauge_length;
+  specimen.nuisance.rest_length_change = static_cast<int>(nuisance_.size());
+  nuisance_.push_back(
+      {nuisance_name(info_, number, "rest_length_change"), "m", 0, -change, change, 0.1 * change});
+}
+
+std::unique_ptr<ComponentExperiment> TensileCycles::with_free_length() const {
+  if (specimens_.front().nuisance.rest_length_change >= 0) return nullptr;
+  auto copy = std::make_unique<TensileCycles>(*this);
+  for (size_t i = 0; i < specimens_.size(); ++i) copy->free_rest_length(copy->specimens_[i], i);
+  return copy;
 }
 
 void TensileCycles::read_path(const Specimen& specimen, int number) {
@@ -254,7 +267,7 @@ void TensileCycles::describe(const ExperimentSpec& spec) {
         "force",
         slack));
   }
-  if (spec.role == ExperimentRole::fit) describe_nuisance(own);
+  if (spec.role == ExperimentRole::fit) describe_nuisance(spec);
   handled.push_back(
       apparatus_friction_ > 0
           ? fmt::format("stated friction of the apparatus, {:.4g} N, is taken off",
@@ -273,16 +286,19 @@ void TensileCycles::describe(const ExperimentSpec& spec) {
   }
 }
 
-void TensileCycles::describe_nuisance(const TensileCyclesSpec& spec) {
+void TensileCycles::describe_nuisance(const ExperimentSpec& experiment) {
+  const auto& spec = spec_of<TensileCyclesSpec>(experiment);
   info_.handled.push_back(
       spec.rest_length == RestLength::unknown
           ? "force offset and rest length are estimated along (nuisance parameters)"
           : "the force offset is estimated along (nuisance parameter); the rest "
             "length is the stated gauge length");
-  info_.handled.push_back(
-      spec.initial_friction == InitialFriction::rest
-          ? "friction starts at rest"
-          : "the friction state at the first row is unknown and estimated along");
+  if (experiment.after.empty()) {
+    info_.handled.push_back(
+        spec.initial_friction == InitialFriction::rest
+            ? "friction starts at rest"
+            : "the friction state at the first row is unknown and estimated along");
+  }
   if (!clamps_.slip_is_known) {
     info_.handled.emplace_back(
         "cloth that the pull draws out of the clamps is estimated along: slip times the largest "
@@ -293,6 +309,45 @@ void TensileCycles::describe_nuisance(const TensileCyclesSpec& spec) {
         "how far the apparatus gives way to the pull is estimated along, expected to be some "
         "0.2 mm at the peak force");
   }
+}
+
+void TensileCycles::follow(const ComponentExperiment& earlier, const Location& where) {
+  const auto& before = dynamic_cast<const TensileCycles&>(earlier);
+  if (before.specimens_.size() != specimens_.size()) {
+    throw InputError(
+        where,
+        fmt::format("{} has {} specimens, and this test has {}", quoted_value(before.info().name),
+                    before.specimens_.size(), specimens_.size()),
+        "as many, in the same order: a strip is followed from one test to the next");
+  }
+  for (size_t i = 0; i < specimens_.size(); ++i) {
+    const Specimen& strip = before.specimens_[i];
+    const auto lengths = before.lengths_of(strip.rows);
+    const auto times = before.times_of(strip.rows);
+    std::vector<PastPull>& past = specimens_[i].past;
+    past = strip.past;
+    past.push_back({before.geometry_,
+                    before.clamps_,
+                    {lengths.begin(), lengths.end()},
+                    {times.begin(), times.end()},
+                    strip.half_cycles});
+  }
+  info_.handled.push_back(
+      fmt::format("follows {} on the same strip: it starts in the state that this has left, and "
+                  "its length is that of the strip as it was left",
+                  before.info().name));
+}
+
+std::optional<PathPoint> TensileCycles::left_by(const std::vector<PastPull>& past,
+                                                const ComponentLaw& law, int parameters) {
+  std::optional<PathPoint> state;
+  for (const PastPull& pull : past) {
+    const StripSetup setup{.slip = pull.clamps.slip, .compliance = pull.clamps.compliance};
+    state = state_after_pull(law, pull.geometry, setup, pull.length, pull.half_cycles, parameters,
+                             pull.time, state ? &*state : nullptr);
+    if (!state) return std::nullopt;
+  }
+  return state;
 }
 
 std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
@@ -317,10 +372,11 @@ std::optional<Prediction> TensileCycles::predict(const ComponentLaw& law,
     const StripColumns columns{column(own.force_offset), column(own.rest_length_change),
                                column(own.initial_friction), column(own.slip),
                                column(own.compliance)};
-    const std::span<const double> lengths(length_.data() + specimen.rows.first,
-                                          static_cast<size_t>(specimen.rows.count));
-    const auto forces = pull_strip(law, geometry_, setup, columns, lengths, specimen.half_cycles,
-                                   parameters, times_of(specimen.rows));
+    const std::optional<PathPoint> before = left_by(specimen.past, law, parameters);
+    if (!before && !specimen.past.empty()) return std::nullopt;
+    const auto forces =
+        pull_strip(law, geometry_, setup, columns, lengths_of(specimen.rows), specimen.half_cycles,
+                   parameters, times_of(specimen.rows), before ? &*before : nullptr);
     if (!forces) return std::nullopt;
     prediction.value.segment(specimen.rows.first, specimen.rows.count) = forces->force;
     prediction.strain.segment(specimen.rows.first, specimen.rows.count) = forces->strain;

@@ -32,6 +32,19 @@ void read_cut(const Value& value, std::string& direction, TensileCyclesSpec& spe
   spec.oblique_angle = angle;
 }
 
+void read_after(Fields& fields, ExperimentSpec& experiment, TensileCyclesSpec& spec) {
+  const auto after = fields.optional("after");
+  const auto start = fields.optional("initial_friction");
+  spec.initial_friction = read_initial_friction(fields);
+  if (!after) return;
+  experiment.after = after->text();
+  if (start && spec.initial_friction == InitialFriction::unknown) {
+    start->fail("is unknown, and the strip starts as the test before has left it",
+                "`after` without `initial_friction`");
+  }
+  spec.initial_friction = InitialFriction::rest;
+}
+
 std::shared_ptr<const TestSpec> read(Fields& fields, const SpecimenDefaults& defaults,
                                      ExperimentSpec& experiment) {
   auto spec = std::make_shared<TensileCyclesSpec>();
@@ -42,7 +55,7 @@ std::shared_ptr<const TestSpec> read(Fields& fields, const SpecimenDefaults& def
   if (auto v = fields.optional("precondition_cycles")) {
     spec->precondition_cycles = v->integer(0, 1000);
   }
-  spec->initial_friction = read_initial_friction(fields);
+  read_after(fields, experiment, *spec);
   spec->rest_length = read_rest_length(fields, spec->pretension);
   spec->clamps = read_clamps(fields, defaults.clamps);
   return spec;
@@ -57,6 +70,7 @@ std::shared_ptr<VirtualTest> read_virtual(Fields& fields) {
   test->slack = read_from_zero(fields, "slack", Dimension::length);
   test->clamps.slip = read_from_zero(fields, "slip", Dimension::compliance);
   test->clamps.compliance = read_from_zero(fields, "compliance", Dimension::compliance);
+  if (const auto v = fields.optional("after")) test->after = v->text();
   read_cycles(fields, Dimension::fraction, *test);
   return test;
 }
@@ -94,11 +108,19 @@ WrittenFields TensileCyclesSpec::fields() const {
   return fields;
 }
 
+TensileCycles VirtualTensileCycles::pulled(const SampledPath& path, const ClothFacts& cloth) const {
+  TensileCycles pull({length, width, cloth.membrane}, path, clamps);
+  if (before) {
+    const auto& earlier = dynamic_cast<const VirtualTensileCycles&>(*before);
+    pull.follow(earlier.pulled(earlier.timed(earlier.clamp_path(1)), cloth), where);
+  }
+  return pull;
+}
+
 std::string VirtualTensileCycles::rows(const ComponentLaw& law, const ClothFacts& cloth,
                                        RandomStream& random) const {
   const SampledPath path = timed(clamp_path(1));
-  const Prediction pulled =
-      predicted(TensileCycles({length, width, cloth.membrane}, path, clamps), law);
+  const Prediction pulled = predicted(this->pulled(path, cloth), law);
   return table_text(with_times({{"force_N", {pulled.value.begin(), pulled.value.end()}, 1, force()},
                                 {"length_mm", path.value, 1e3, lengths()},
                                 {"cycle", {path.cycle.begin(), path.cycle.end()}}},
@@ -109,6 +131,7 @@ std::string VirtualTensileCycles::rows(const ComponentLaw& law, const ClothFacts
 WrittenFields VirtualTensileCycles::study_fields() const {
   WrittenFields fields = VirtualTable::study_fields();
   fields.emplace_back("initial_friction", "rest");
+  if (before) fields.emplace_back("after", before->name);
   return fields;
 }
 
@@ -118,6 +141,7 @@ WrittenFields VirtualTensileCycles::own_description() const {
   if (clamps.slip > 0 || clamps.compliance > 0) {
     std::ranges::move(written(clamps), std::back_inserter(description));
   }
+  if (before) description.emplace_back("after", before->name);
   return description;
 }
 

@@ -7,6 +7,8 @@
 
 namespace pliant {
 
+class TensileCycles;
+
 /// Load-unload cycles of a strip on a tensile tester.
 const TestType& tensile_cycles_type();
 
@@ -37,6 +39,10 @@ struct VirtualTensileCycles : VirtualCycles {
 
  protected:
   WrittenFields own_description() const override;
+
+ private:
+  /// The pull along a path, after the tests before it.
+  TensileCycles pulled(const SampledPath& path, const ClothFacts& cloth) const;
 };
 
 }  // namespace pliant

@@ -134,7 +134,12 @@ void DahlFriction::differentiate(const Samples& samples, const StepTime&, int la
   const FrictionState start{samples.last(lane, component_), samples.history(lane, 0)};
   const FrictionStressBySide sides =
       friction_stress(dahl_, samples.strain(lane, component_), start);
-  const FrictionStress& friction = sides.friction;
+  FrictionStress friction = sides.friction;
+  // A step of no length keeps the stress, whichever way its tangent counts.
+  if (samples.strain(lane, component_) == start.strain) {
+    friction.slope = FrictionLanes(dahl_, component_, samples).slope(lane);
+    friction.from_strain = -friction.slope;
+  }
   Eigen::Matrix<double, 1, 6> by_parameter;
   by_parameter << row(friction.parameters), row(sides.negative_parameters);
   if (!by_side_) by_parameter.head<3>() += by_parameter.tail<3>();

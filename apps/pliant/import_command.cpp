@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
+#include "pliant/capture/dic_import.h"
 #include "pliant/exchange/u3m_import.h"
 #include "pliant/imaging/refused_photo.h"
 #include "pliant/io/result_directory.h"
+#include "pliant/measurement/session.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/import_photos.h"
@@ -19,6 +22,7 @@ struct ImportArguments {
   std::vector<std::string> files;
   std::string output;
   bool without_pauses = false;
+  bool dic = false;      ///< a dic/1 file
   PhotoArguments photo;  ///< its width is a U3M file's too
 };
 
@@ -89,6 +93,11 @@ void add_drape_options(CLI::App& command, PhotoArguments& photo) {
       "Pixel X,Y of the disc's middle (default: of the largest circle in the silhouette)");
 }
 
+const std::string& only_file(const ImportArguments& arguments, const char* expected) {
+  if (arguments.files.size() == 1) return arguments.files.front();
+  throw InputError({arguments.files[1]}, "is one file too many", expected);
+}
+
 // Leaves a picture of what was seen where the study would stand.
 [[noreturn]] void refuse(const RefusedPhoto& photo, const std::string& output, Progress& progress) {
   const std::string name = std::filesystem::path(photo.where().file).stem().string() + "-seen.png";
@@ -101,14 +110,12 @@ void add_drape_options(CLI::App& command, PhotoArguments& photo) {
 }
 
 ImportedStudy import_files(const ImportArguments& arguments) {
+  if (arguments.dic) return import_dic(only_file(arguments, "one dic/1 file"));
   const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
   if (photos == std::ssize(arguments.files))
     return import_photo_files(arguments.files, arguments.photo);
-  if (arguments.files.size() > 1) {
-    throw InputError({arguments.files[1]}, "is one file too many",
-                     "one instrument's file, or photographs alone");
-  }
-  return import_u3m(arguments.files.front(), import_options(arguments));
+  return import_u3m(only_file(arguments, "one instrument's file, or photographs alone"),
+                    import_options(arguments));
 }
 
 ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
@@ -119,20 +126,40 @@ ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
   }
 }
 
+// Reads the session back as a fit would, before it is put into place.
+std::vector<std::string> judged_session(const ImportArguments& arguments,
+                                        const ResultDirectory& results) {
+  try {
+    Session session = read_session(results.staging() / kDicSessionFolder);
+    std::ranges::move(session.questions, std::back_inserter(session.warnings));
+    return session.warnings;
+  } catch (const InputError& error) {
+    const std::string what = std::filesystem::path(error.where().file).filename().string();
+    throw InputError(
+        {arguments.files.front()},
+        fmt::format("gives a session that cannot be used: {}: {}", what, error.problem()),
+        error.expected());
+  }
+}
+
 }  // namespace
 
 void add_import(CommandRegistry& registry) {
-  CLI::App& command = registry.add(
-      "import",
-      "Turn an instrument's file (U3M) or photographs of hanging strips or drapes into a study");
+  CLI::App& command = registry.add("import",
+                                   "Turn an instrument's file (U3M), points of image correlation "
+                                   "(DIC) or photographs of hanging "
+                                   "strips or drapes into a study");
   auto arguments = std::make_shared<ImportArguments>();
   command
       .add_option("FILE", arguments->files,
-                  "U3M 1.1 physics or .u3m; or photographs (JPEG, PNG, TIFF, BMP)")
+                  "U3M 1.1 physics or .u3m; photographs (JPEG, PNG, TIFF, BMP); or, with --dic, "
+                  "a dic/1 file")
       ->required();
   command.add_option("-o,--output", arguments->output, "Directory for the study (DIR)")->required();
   command.add_option("--width", arguments->photo.width,
                      "Strip width, if not the file's, e.g. 5 cm");
+  command.add_flag("--dic", arguments->dic,
+                   "FILE is a dic/1 file: tables of points from image correlation, and forces");
   command.add_flag(
       "--no-pauses", arguments->without_pauses,
       "U3M: half cycles follow each other at once; rows get times by its sampling rate");
@@ -144,10 +171,14 @@ void add_import(CommandRegistry& registry) {
     ResultDirectory results(arguments->output, "import");
     results.write("study.yaml", study.study_yaml);
     for (const auto& [name, content] : study.files) results.write(name, content);
+    const std::vector<std::string> doubts =
+        arguments->dic ? judged_session(*arguments, results) : std::vector<std::string>{};
     results.commit();
     for (const std::string& note : study.notes) context.say(note);
-    for (const std::string& warning : study.warnings) {
-      context.run.progress.message(Level::warning, warning);
+    for (const auto* warnings : {&study.warnings, &doubts}) {
+      for (const std::string& warning : *warnings) {
+        context.run.progress.message(Level::warning, warning);
+      }
     }
     context.say(fmt::format("study: {}",
                             (std::filesystem::path(arguments->output) / "study.yaml").string()));

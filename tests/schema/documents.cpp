@@ -127,6 +127,7 @@ DocumentFolder::DocumentFolder() {
   // Readers of scenes and sessions ask whether such files are there, and no more.
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"})
     write(name, "");
+  write("export/1.csv", "x,y,u,v\n0,0,0,0\n");
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));
   spandex["components"]["stretch.weft"] = spandex["components"]["stretch.warp"];
@@ -390,6 +391,33 @@ std::vector<NamedDocument> broken_scenes() {
   };
 }
 
+std::vector<NamedDocument> broken_points() {
+  const SchemaCase dic = full_documents().back().document;
+  return {
+      changed("a test without name", dic, "/test", ""),
+      changed("a sample without unit", dic, "/sample/width", 100),
+      changed("a scale of nothing", dic, "/scale", "0 mm"),
+      changed("an origin of three numbers", dic, "/origin", {1, 2, 3}),
+      changed("an origin of masses", dic, "/origin/0", "1 g"),
+      without("an origin of numbers that have no scale", dic, "/scale"),
+      changed("warp along z", dic, "/warp", "z"),
+      changed("warp along weft", dic, "/warp", "x"),
+      changed("a mesh without unit", dic, "/mesh", 4),
+      changed("gravity of two numbers", dic, "/gravity", {0, -9.81}),
+      changed("a clip's name with blanks", dic, "/clips/0/name", "left bar"),
+      changed("a clip at a corner", dic, "/clips/0/side", "lower left"),
+      changed("a clip that moves at will", dic, "/clips/0/motion", "free"),
+      changed("a clip of negative mass", dic, "/clips/0/mass", "-1 g"),
+      changed("a rate in seconds", dic, "/forces/rate", "2 s"),
+      changed("a rate of nothing", dic, "/forces/rate", "0 Hz"),
+      without("no points", dic, "/points"),
+      without("no clips", dic, "/clips"),
+      without("a clip without side", dic, "/clips/0/side"),
+      without("forces on nothing", dic, "/forces/on"),
+      without("an extension that nobody tells", dic, "/forces"),
+  };
+}
+
 std::vector<NamedDocument> broken_sessions() {
   const std::vector<NamedDocument> full = full_documents();
   const SchemaCase &session = full[7].document, &bend = full[8].document;
@@ -431,6 +459,7 @@ std::vector<NamedDocument> broken_documents() {
   std::vector<NamedDocument> documents = broken_inputs_of_fits();
   for (NamedDocument& scene : broken_scenes()) documents.push_back(std::move(scene));
   for (NamedDocument& session : broken_sessions()) documents.push_back(std::move(session));
+  for (NamedDocument& points : broken_points()) documents.push_back(std::move(points));
   return documents;
 }
 

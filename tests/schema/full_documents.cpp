@@ -26,6 +26,7 @@ std::vector<NamedDocument> full_documents() {
       Full{"material of a sampled solid", "phantom.json"},
       Full{"material of a sampled cloth", "sampled_cloth.json"},
       Full{"study of a sampled sheet", "sampled_sheet_study.yaml"},
+      Full{"points of image correlation", "full_dic.yaml"},
   };
   const std::filesystem::path folder =
       std::filesystem::path(PLIANT_SOURCE_DIR) / "tests/schema/documents";

@@ -82,6 +82,7 @@ std::set<std::string> properties_of(const std::string& type) {
 std::vector<std::string> folders_of_readers(const std::string& type) {
   if (type == "scene") return {"scene", "io"};
   if (type == "session") return {"measurement", "io"};
+  if (type == "dic") return {"capture", "measurement", "io"};
   if (type == "material") return {"material", "io"};
   return {"study", "experiment", "measurement", "io"};
 }
@@ -149,8 +150,8 @@ NamedDocument mutated(const SchemaCase& document, const Json::json_pointer& obje
 TEST(SchemaText, IsTheTextInDocs) {
   const std::vector<std::string> types = schema_types();
   EXPECT_EQ(types,
-            (std::vector<std::string>{"evaluation", "fit", "fits-of-models", "lab", "material",
-                                      "scene", "session", "simulation", "study"}));
+            (std::vector<std::string>{"dic", "evaluation", "fit", "fits-of-models", "lab",
+                                      "material", "scene", "session", "simulation", "study"}));
   for (const std::string& type : types) {
     EXPECT_EQ(schema_text(type),
               read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));

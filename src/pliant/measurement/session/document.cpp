@@ -20,23 +20,6 @@ namespace {
 const std::set<std::string_view> kTestsWithoutTable{"stretch-weft", "stretch-warp", "shear",
                                                     "corner-pull", "complex-shear"};
 
-SessionSample read_sample(const Value& value, SessionKind kind) {
-  Fields fields = value.fields();
-  SessionSample sample;
-  if (auto v = fields.optional("id")) sample.id = v->text();
-  sample.width = fields.require("width").positive_quantity(Dimension::length);
-  sample.height = fields.require("height").positive_quantity(Dimension::length);
-  if (auto v = fields.optional("mass")) sample.mass = v->positive_quantity(Dimension::mass);
-  if (auto v = fields.optional("density")) {
-    sample.density = v->positive_quantity(Dimension::area_density);
-  }
-  if (!sample.mass && !sample.density && kind == SessionKind::sheet) {
-    value.fail("weighs nothing", "`mass` or `density`");
-  }
-  fields.finish();
-  return sample;
-}
-
 std::filesystem::path read_rest(const Value& value) {
   const std::string name = value.text();
   if (!name.ends_with(".ply")) value.fail(quoted_value(name) + " is no PLY file", "rest.ply");
@@ -95,6 +78,23 @@ void check_table(const std::string& test, const std::optional<Value>& value,
 
 }  // namespace
 
+SessionSample read_session_sample(const Value& value, SessionKind kind) {
+  Fields fields = value.fields();
+  SessionSample sample;
+  if (auto v = fields.optional("id")) sample.id = v->text();
+  sample.width = fields.require("width").positive_quantity(Dimension::length);
+  sample.height = fields.require("height").positive_quantity(Dimension::length);
+  if (auto v = fields.optional("mass")) sample.mass = v->positive_quantity(Dimension::mass);
+  if (auto v = fields.optional("density")) {
+    sample.density = v->positive_quantity(Dimension::area_density);
+  }
+  if (!sample.mass && !sample.density && kind == SessionKind::sheet) {
+    value.fail("weighs nothing", "`mass` or `density`");
+  }
+  fields.finish();
+  return sample;
+}
+
 SessionDocument session_document_of(const Document& document) {
   Fields fields = Value(document).fields();
   require_document(fields, "session", 1);
@@ -109,7 +109,7 @@ SessionDocument session_document_of(const Document& document) {
   session.info = fields.texts("info");
   const Value sample = fields.require("sample");
   session.sample_where = sample.location();
-  session.sample = read_sample(sample, session.kind);
+  session.sample = read_session_sample(sample, session.kind);
   if (auto v = fields.optional("gravity")) session.gravity = read_vector(*v);
   if (auto v = fields.optional("balance_bound")) {
     session.balance_bound = v->positive_quantity(Dimension::force);

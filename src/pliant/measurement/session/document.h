@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pliant/io/document.h"
+#include "pliant/io/fields.h"
 #include "pliant/io/index_list.h"
 #include "pliant/measurement/session.h"
 #include "pliant/measurement/session/frame_names.h"
@@ -42,6 +43,10 @@ struct SessionDocument {
   std::vector<ClipEntry> clips;
   std::optional<TableEntry> table;
 };
+
+/// `sample` of session.yaml.
+/// @throws InputError
+SessionSample read_session_sample(const Value& value, SessionKind kind);
 
 /// @throws InputError
 SessionDocument read_session_document(const std::filesystem::path& path);

@@ -1,0 +1,120 @@
+#include "pliant/capture/dic_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pliant/base/number_text.h"
+#include "pliant/io/document.h"
+#include "pliant/io/fields.h"
+#include "pliant/io/result_name.h"
+#include "pliant/io/vector_fields.h"
+#include "pliant/measurement/session/document.h"
+
+namespace pliant {
+namespace {
+
+PointAxis read_axis(const Value& value) {
+  const std::string name = value.choice({"x", "+x", "-x", "y", "+y", "-y"});
+  return {name.back() == 'x' ? 0 : 1, name.front() == '-' ? -1.0 : 1.0};
+}
+
+SampleSide read_side(const Value& value) {
+  const std::string name = value.choice({"left", "right", "bottom", "top"});
+  if (name == "left") return SampleSide::left;
+  if (name == "right") return SampleSide::right;
+  return name == "bottom" ? SampleSide::bottom : SampleSide::top;
+}
+
+ClipMotion read_motion(const Value& value) {
+  const std::string name = value.choice({"points", "held", "extension"});
+  if (name == "held") return ClipMotion::held;
+  return name == "extension" ? ClipMotion::extension : ClipMotion::points;
+}
+
+DicClip read_clip(const Value& value, std::set<std::string>& taken, std::set<SampleSide>& sides) {
+  Fields fields = value.fields();
+  DicClip clip;
+  clip.name = read_result_name(fields.require("name"), "a clip", taken);
+  const Value side = fields.require("side");
+  clip.side = read_side(side);
+  if (!sides.insert(clip.side).second) side.fail("is held by another clip", "a side for each clip");
+  if (auto v = fields.optional("motion")) clip.motion = read_motion(*v);
+  if (auto v = fields.optional("mass")) clip.mass = v->quantity_from_zero(Dimension::mass);
+  fields.finish();
+  return clip;
+}
+
+DicForces read_forces(const Value& value) {
+  Fields fields = value.fields();
+  DicForces forces;
+  forces.data = read_data_source(fields.require("data"));
+  const Value on = fields.require("on");
+  forces.clip = on.text("the name of a clip");
+  forces.where_clip = on.location();
+  if (auto v = fields.optional("rate")) forces.rate = v->positive_quantity(Dimension::frequency);
+  fields.finish();
+  return forces;
+}
+
+/// A coordinate: a length, or a number of the columns' own unit.
+double read_coordinate(const Value& value, const std::optional<double>& scale) {
+  const auto number = parse_number(value.text("a coordinate"));
+  if (!number) return value.quantity(Dimension::length);
+  if (!scale) value.fail("has no unit", "a length, or `scale` for numbers of pixels");
+  return *number * *scale;
+}
+
+Eigen::Vector2d read_origin(const Value& value, const std::optional<double>& scale) {
+  const std::vector<Value> items = value.items();
+  if (items.size() != 2) value.fail("is no place", "[x, y] of the sample's corner");
+  return {read_coordinate(items[0], scale), read_coordinate(items[1], scale)};
+}
+
+void require_clips_for_motion(const DicFile& dic, const Value& list) {
+  const bool by_log = std::ranges::any_of(
+      dic.clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
+  if (by_log && !dic.forces) {
+    list.fail("has a clip that moves by its extension, and there are no `forces` to tell it",
+              "`forces` with a log that has a column of the extension");
+  }
+}
+
+}  // namespace
+
+DicFile read_dic(const std::filesystem::path& path) { return dic_of(read_yaml(path)); }
+
+DicFile dic_of(const Document& document) {
+  Fields fields = Value(document).fields();
+  require_document(fields, "dic", 1);
+  DicFile dic;
+  dic.file = document.file;
+  const Value test = fields.require("test");
+  dic.test = test.text();
+  if (dic.test.empty()) test.fail("is empty", "stretch-warp, shear, ..., or a name of its own");
+  dic.info = fields.texts("info");
+  dic.sample = read_session_sample(fields.require("sample"), SessionKind::sheet);
+  if (auto v = fields.optional("scale")) dic.scale = v->positive_quantity(Dimension::length);
+  dic.points = read_data_source(fields.require("points"));
+  if (auto v = fields.optional("origin")) dic.origin = read_origin(*v, dic.scale);
+  if (auto v = fields.optional("weft")) dic.weft = read_axis(*v);
+  dic.warp = {1 - dic.weft.axis, 1};
+  if (auto v = fields.optional("warp")) {
+    dic.warp = read_axis(*v);
+    if (dic.warp.axis == dic.weft.axis) v->fail("lies along the weft", "the other axis");
+  }
+  if (auto v = fields.optional("mesh")) dic.mesh = v->positive_quantity(Dimension::length);
+  if (auto v = fields.optional("gravity")) dic.gravity = read_vector(*v);
+  const Value list = fields.require("clips");
+  std::set<std::string> taken;
+  std::set<SampleSide> sides;
+  for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken, sides));
+  if (dic.clips.empty()) list.fail("names no clip", "what holds the sample");
+  if (auto v = fields.optional("forces")) dic.forces = read_forces(*v);
+  require_clips_for_motion(dic, list);
+  fields.finish();
+  return dic;
+}
+
+}  // namespace pliant

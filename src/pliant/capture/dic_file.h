@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/io/document.h"
+#include "pliant/measurement/data_source.h"
+#include "pliant/measurement/session.h"
+
+namespace pliant {
+
+/// A side of a rectangular sample: of its least u, largest u, least v, largest v.
+enum class SampleSide { left, right, bottom, top };
+
+/// How a clip is known to move.
+enum class ClipMotion {
+  points,     ///< with the cloth at its edge, as the points beside it move
+  held,       ///< not at all
+  extension,  ///< away from the sample by the extension in the log of forces
+};
+
+/// A clip, or a jaw, that holds a whole side of the sample.
+struct DicClip {
+  std::string name;
+  SampleSide side = SampleSide::bottom;
+  ClipMotion motion = ClipMotion::points;
+  double mass = 0;  ///< kg
+};
+
+/// A direction of the points' coordinates: axis 0, 1 or 2, along it (1) or against it (-1).
+struct PointAxis {
+  int axis = 0;
+  double sign = 1;
+};
+
+/// The log of a tester or of load cells.
+struct DicForces {
+  DataSource data;
+  std::string clip;  ///< that the cell pulls
+  Location where_clip;
+  std::optional<double>
+      rate;  ///< of the frames (1/s), from the log's time zero; none: a row a frame
+};
+
+/// What a dic/1 file says of the export of a system for digital image correlation
+/// (docs/formats/dic.md). SI units.
+struct DicFile {
+  std::string file;
+  std::string test;
+  std::map<std::string, std::string> info;
+  SessionSample sample;
+  DataSource points;            ///< a file a frame
+  std::optional<double> scale;  ///< m of one unit of columns that tell none: of a pixel
+  std::optional<Eigen::Vector2d>
+      origin;  ///< of the sample's corner of least u and v in the points'
+               ///< first two coordinates (m); none: it is centred on them
+  PointAxis weft{0, 1}, warp{1, 1};
+  std::optional<double> mesh;  ///< edge of the sheet's triangles (m); none: as the points lie
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
+  std::vector<DicClip> clips;
+  std::optional<DicForces> forces;
+};
+
+/// @throws InputError
+DicFile read_dic(const std::filesystem::path& path);
+DicFile dic_of(const Document& document);
+
+}  // namespace pliant

@@ -1,0 +1,151 @@
+#include "pliant/capture/dic_import.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/base/quantity.h"
+#include "pliant/capture/dic_session.h"
+#include "pliant/io/csv_writer.h"
+
+namespace pliant {
+namespace {
+
+// A text as YAML reads it back, whatever is in it.
+std::string yaml_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string millimetres(double metres) { return format_quantity(metres, Dimension::length, 3); }
+
+std::string study_head(const DicFile& dic, const std::string& name) {
+  std::string text = fmt::format("pliant: study/1\nname: {}\n", yaml_text(name));
+  const SessionSample& sample = dic.sample;
+  const double density =
+      sample.density ? *sample.density : *sample.mass / (sample.width * sample.height);
+  return text + fmt::format("density: {}\n", exact_quantity(density, Dimension::area_density));
+}
+
+std::string sheet_study(const DicFile& dic, const std::string& name) {
+  return study_head(dic, name) +
+         fmt::format("experiments:\n  - {{name: {}, type: session, data: {}}}\n", yaml_text(name),
+                     kDicSessionFolder);
+}
+
+std::string strip_study(const DicFile& dic, const std::string& name, const MiddleRecord& middle) {
+  const auto entry = [&](const char* suffix, const char* type) {
+    return fmt::format(
+        "  - name: {}\n    type: {}\n    direction: {}\n    data: middle.csv\n"
+        "    length: {}\n    width: {}\n",
+        yaml_text(name + suffix), type, middle.direction,
+        exact_quantity(middle.length, Dimension::length),
+        exact_quantity(middle.width, Dimension::length));
+  };
+  return study_head(dic, name) +
+         "# The middle third of the sample: no clamp hinders it, and none lets go of it.\n"
+         "experiments:\n" +
+         entry("", "tensile-cycles") + entry("-width", "lateral-contraction");
+}
+
+std::string middle_table(const DicSession& dic) {
+  const MiddleRecord& middle = *dic.middle;
+  std::vector<std::string> header{"force_N", "strain (%)", "lateral_strain (%)"};
+  for (const ClipSlip& slip : dic.slips) header.push_back("slip_" + slip.clip + "_mm");
+  if (!dic.time.empty()) header.emplace_back("time_s");
+  CsvWriter csv(header);
+  for (std::size_t f = 0; f < middle.strain.size(); ++f) {
+    csv.cell(dic.force[f]).cell(100 * middle.strain[f]).cell(100 * middle.lateral_strain[f]);
+    for (const ClipSlip& slip : dic.slips) csv.cell(1e3 * slip.slip[f]);
+    if (!dic.time.empty()) csv.cell(dic.time[f]);
+    csv.end_row();
+  }
+  return csv.text();
+}
+
+/// The frame with the largest of some numbers, NaN left out.
+template <class Number>
+std::size_t worst_frame(const std::vector<Number>& numbers) {
+  std::size_t worst = 0;
+  for (std::size_t f = 1; f < numbers.size(); ++f) {
+    if (!(std::abs(static_cast<double>(numbers[f])) <=
+          std::abs(static_cast<double>(numbers[worst])))) {
+      worst = f;
+    }
+  }
+  return worst;
+}
+
+std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
+  const Session& session = made.session;
+  std::vector<std::string> notes;
+  notes.push_back(fmt::format("{} frames of points {} apart; a mesh of {} vertices on {} x {}",
+                              session.frame_count(), millimetres(made.spacing),
+                              session.rest.vertex_count(), millimetres(dic.sample.width),
+                              millimetres(dic.sample.height)));
+  if (!dic.origin)
+    notes.emplace_back("the sample is centred on the points (`origin` says otherwise)");
+  if (made.off_plane > 0) {
+    notes.push_back(fmt::format("points at rest are off their plane by {} (root mean square)",
+                                millimetres(made.off_plane)));
+  }
+  if (session.noise.position) {
+    notes.push_back(fmt::format(
+        "points miss an affine motion of those around them by {}, a vertex so by {} (`noise` of "
+        "the session): noise, and what bends within {}",
+        millimetres(made.point_noise), millimetres(*session.noise.position),
+        millimetres(2 * made.spacing)));
+  }
+  const std::size_t lost = worst_frame(made.lost), unseen = worst_frame(made.unseen);
+  if (made.lost[lost] > 0) {
+    notes.push_back(fmt::format("up to {} points were lost (frame {})", made.lost[lost], lost));
+  }
+  if (made.unseen[unseen] > 0) {
+    notes.push_back(fmt::format("up to {} of {} vertices were not seen (frame {})",
+                                made.unseen[unseen], session.rest.vertex_count(), unseen));
+  }
+  for (const ClipSlip& slip : made.slips) {
+    const std::size_t f = worst_frame(slip.slip);
+    notes.push_back(std::isfinite(slip.slip[f])
+                        ? fmt::format("cloth has left the clip {} by {} at most (frame {}), what "
+                                      "the points beside it say",
+                                      slip.clip, millimetres(slip.slip[f]), f)
+                        : fmt::format("whether cloth has left the clip {} is not seen in all "
+                                      "frames: no points are near it",
+                                      slip.clip));
+  }
+  if (made.middle && !made.force.empty()) {
+    notes.push_back(
+        "middle.csv, strip.yaml: what the middle third did, as a tensile test of a "
+        "strip along " +
+        made.middle->direction);
+  }
+  return notes;
+}
+
+}  // namespace
+
+ImportedStudy import_dic(const std::filesystem::path& file) {
+  const DicFile dic = read_dic(file);
+  const DicSession made = make_dic_session(dic);
+  const std::string name = file.stem().string();
+  ImportedStudy study;
+  study.study_yaml = sheet_study(dic, name);
+  for (auto& [path, content] : session_files(made.session)) {
+    study.files.emplace_back(fmt::format("{}/{}", kDicSessionFolder, path), std::move(content));
+  }
+  if (made.middle && !made.force.empty()) {
+    study.files.emplace_back("middle.csv", middle_table(made));
+    study.files.emplace_back("strip.yaml", strip_study(dic, name, *made.middle));
+  }
+  if (!dic.forces) {
+    study.warnings.emplace_back(
+        "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
+        "forces");
+  }
+  study.notes = notes_of(dic, made);
+  return study;
+}
+
+}  // namespace pliant

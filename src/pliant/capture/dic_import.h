@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pliant/study/imported_study.h"
+
+namespace pliant {
+
+/// The folder of the session among the files of an import.
+inline constexpr const char* kDicSessionFolder = "session";
+
+/// What a dic/1 file describes as a study: a session/1 directory `session/`, study.yaml that fits
+/// it; and where two clips pull and their force is known, the table of what the middle of the
+/// sample did, middle.csv, with strip.yaml, the study of it in one dimension.
+/// @throws InputError
+ImportedStudy import_dic(const std::filesystem::path& file);
+
+}  // namespace pliant

@@ -1,0 +1,237 @@
+#include "pliant/capture/dic_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
+#include "pliant/capture/clip_motion.h"
+#include "pliant/capture/force_log.h"
+#include "pliant/capture/local_motion.h"
+#include "pliant/capture/point_frames.h"
+#include "pliant/capture/sample_axes.h"
+#include "pliant/geometry/regular_grid.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kEdge = 2;     // of the mesh, in spacings of the points
+constexpr double kReach = 2.3;  // points that tell a vertex: some sixteen
+constexpr double kGap = 1.25;   // the nearest of them
+constexpr double kFar = 6;      // points that tell a clip
+constexpr int kMostVertices = 40000;
+
+int nodes_along(double size, double edge) {
+  return std::max(static_cast<int>(std::lround(size / edge)), 2) + 1;
+}
+
+/// The middle of numbers; 0 of none.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Follows the sheet from frame to frame.
+class SheetFollower {
+ public:
+  explicit SheetFollower(const DicFile& dic) : dic_(dic), points_(dic) {
+    const PointFrame first = points_.read(0);
+    axes_ = sample_axes(dic, first.rest);
+    result_.off_plane = axes_.off_plane;
+    result_.spacing = point_spacing(axes_.of(first.rest).topRows<2>());
+    make_rest();
+    require_pulled_clip();
+    if (dic.forces) log_ = read_force_log(*dic.forces, points_.count());
+    result_.force = log_.force;
+    result_.time = log_.time;
+    begin_middle();
+    for (const DicClip& clip : dic.clips) {
+      if (clip.motion != ClipMotion::points) result_.slips.push_back({clip.name, {}});
+    }
+  }
+
+  DicSession followed() && {
+    for (int f = 0; f < points_.count(); ++f) follow(f);
+    result_.point_noise = std::sqrt(median(residuals_));
+    if (result_.point_noise > 0) {
+      const double leverage = leverage_ / static_cast<double>(residuals_.size());
+      result_.session.noise.position = result_.point_noise * std::sqrt(leverage);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void make_rest() {
+    Session& session = result_.session;
+    session.test = dic_.test;
+    session.info = dic_.info;
+    session.sample = dic_.sample;
+    session.gravity = dic_.gravity;
+    const double edge = dic_.mesh.value_or(kEdge * result_.spacing);
+    nodes_u_ = nodes_along(dic_.sample.width, edge);
+    nodes_v_ = nodes_along(dic_.sample.height, edge);
+    if (nodes_u_ > kMostVertices / nodes_v_) {
+      throw InputError({dic_.file, 0, "mesh"},
+                       fmt::format("gives {} x {} vertices", nodes_u_, nodes_v_),
+                       fmt::format("a coarser mesh, of at most {}", kMostVertices));
+    }
+    session.rest = regular_grid(dic_.sample.width, dic_.sample.height, nodes_u_, nodes_v_);
+    for (const DicClip& clip : dic_.clips) {
+      sides_.push_back(held_side(clip.side, nodes_u_, nodes_v_));
+      session.clips.push_back({clip.name, clip.mass, {}});
+      for (const int vertex : sides_.back().vertices) {
+        // The corner of two sides is the first clip's.
+        const bool taken = std::ranges::any_of(session.clips, [&](const SessionClip& other) {
+          return std::ranges::find(other.clamped, vertex) != other.clamped.end();
+        });
+        if (!taken) session.clips.back().clamped.push_back(vertex);
+      }
+    }
+  }
+
+  void require_pulled_clip() const {
+    if (!dic_.forces) return;
+    const std::string& name = dic_.forces->clip;
+    if (std::ranges::find(dic_.clips, name, &DicClip::name) != dic_.clips.end()) return;
+    throw InputError(dic_.forces->where_clip, quoted_value(name) + " is no clip",
+                     "the name of a clip");
+  }
+
+  /// Two clips at opposite sides pull along weft or along warp.
+  void begin_middle() {
+    if (dic_.clips.size() != 2 || (sides_[0].outward + sides_[1].outward).norm() > 0.5) return;
+    pull_ = std::abs(sides_[0].outward.y()) > 0.5 ? 1 : 0;
+    const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
+    result_.middle =
+        MiddleRecord{pull_ == 1 ? "warp" : "weft", size(pull_) / 3, size(1 - pull_), {}, {}};
+  }
+
+  void follow(int f) {
+    const PointFrame points = points_.read(f);
+    const Eigen::Matrix2Xd rest = axes_.of(points.rest).topRows<2>();
+    const Eigen::Matrix3Xd moved = axes_.of(points.moved);
+    const Session& session = result_.session;
+    SessionFrame frame;
+    if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
+    frame.positions = seen_positions(LocalMotion(rest, moved, kReach * result_.spacing), f);
+    const LocalMotion around(rest, moved, kFar * result_.spacing);
+    std::size_t slip = 0;
+    for (std::size_t c = 0; c < session.clips.size(); ++c) {
+      frame.poses.push_back(pose_of(c, f, around, slip));
+      for (const int vertex : session.clips[c].clamped) {
+        frame.positions.col(vertex) = frame.poses[c].apply(session.rest.positions.col(vertex));
+      }
+    }
+    frame.cords.resize(session.clips.size());
+    if (dic_.forces) pull(f, frame);
+    if (result_.middle) add_middle(rest, moved, f);
+    result_.lost.push_back(points.lost);
+    note_unseen(frame);
+    result_.session.frames.push_back(std::move(frame));
+  }
+
+  Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const TriangleMesh& rest = result_.session.rest;
+    Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Constant(3, rest.vertex_count(), kNone);
+    for (int v = 0; v < rest.vertex_count(); ++v) {
+      const auto moved = motion.at(rest.positions.col(v).head<2>(), kGap * result_.spacing);
+      if (!moved) continue;
+      positions.col(v) = moved->position;
+      if (f == 0) continue;  // it is where displacements are counted from
+      // Of a flat test the third coordinate misses nothing.
+      residuals_.push_back(moved->residual * (points_.in_space() ? 1 : 1.5));
+      leverage_ += moved->leverage;
+    }
+    return positions;
+  }
+
+  Pose pose_of(std::size_t c, int f, const LocalMotion& around, std::size_t& slip) {
+    const DicClip& clip = dic_.clips[c];
+    const HeldSide& side = sides_[c];
+    const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.vertices);
+    const auto by_points = pose_of_points(around, rest, side.outward, kFar * result_.spacing);
+    if (clip.motion == ClipMotion::points) {
+      if (by_points) return *by_points;
+      throw InputError(
+          {dic_.points.files[static_cast<std::size_t>(f)].string()},
+          fmt::format("frame {}: no points within {} of the clip {}", f,
+                      format_quantity(kFar * result_.spacing, Dimension::length, 3), clip.name),
+          "points beside it; or `motion: held` or `extension`, where it is known");
+    }
+    Pose pose;
+    if (clip.motion == ClipMotion::extension) {
+      if (log_.extension.empty()) {
+        throw InputError(dic_.forces->data.where, "has no column of the extension",
+                         fmt::format("one: the clip {} moves by it", clip.name));
+      }
+      const double way = log_.extension[static_cast<std::size_t>(f)] - log_.extension.front();
+      pose.translation = way * side.outward;
+    }
+    const Eigen::Vector3d middle = rest.rowwise().mean();
+    const double out = by_points ? side.outward.dot(pose.apply(middle) - by_points->apply(middle))
+                                 : std::numeric_limits<double>::quiet_NaN();
+    result_.slips[slip++].slip.push_back(out);
+    return pose;
+  }
+
+  /// The force of the log at its clip, and what answers it at the only other one.
+  void pull(int f, SessionFrame& frame) const {
+    const double force = log_.force[static_cast<std::size_t>(f)];
+    const auto clip = static_cast<std::size_t>(
+        std::ranges::find(dic_.clips, dic_.forces->clip, &DicClip::name) - dic_.clips.begin());
+    const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
+      const Eigen::Vector3d middle =
+          frame.positions(Eigen::all, sides_[c].vertices).rowwise().mean();
+      frame.cords[c].push_back({"", middle, by});
+    };
+    add(clip, force * sides_[clip].outward);
+    if (dic_.clips.size() == 2) add(1 - clip, -force * sides_[clip].outward);
+  }
+
+  /// The affine motion of the middle third.
+  void add_middle(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved, int f) {
+    const double size = pull_ == 1 ? dic_.sample.height : dic_.sample.width;
+    std::vector<int> inside;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+      if (std::abs(rest(pull_, i) - size / 2) <= size / 6) inside.push_back(static_cast<int>(i));
+    }
+    const auto motion = affine_motion(rest(Eigen::all, inside), moved(Eigen::all, inside));
+    if (!motion) {
+      throw InputError({dic_.points.files[static_cast<std::size_t>(f)].string()},
+                       fmt::format("frame {}: no points in the middle of the sample", f),
+                       "at least five that do not lie in a line");
+    }
+    result_.middle->strain.push_back(motion->slope.col(pull_).norm() - 1);
+    result_.middle->lateral_strain.push_back(motion->slope.col(1 - pull_).norm() - 1);
+  }
+
+  void note_unseen(const SessionFrame& frame) {
+    int unseen = 0;
+    for (const auto& position : frame.positions.colwise()) unseen += !position.allFinite();
+    result_.unseen.push_back(unseen);
+  }
+
+  const DicFile& dic_;
+  PointFrames points_;
+  SampleAxes axes_;
+  FrameLog log_;
+  DicSession result_;
+  std::vector<HeldSide> sides_;  // of each clip
+  int nodes_u_ = 0, nodes_v_ = 0;
+  int pull_ = 1;                   // rest coordinate along it
+  std::vector<double> residuals_;  // mean squares, of each vertex and frame
+  double leverage_ = 0;            // their sum
+};
+
+}  // namespace
+
+DicSession make_dic_session(const DicFile& dic) { return SheetFollower(dic).followed(); }
+
+}  // namespace pliant

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/capture/dic_file.h"
+#include "pliant/measurement/session.h"
+
+namespace pliant {
+
+/// What the middle of a pulled sample and its clips did, frame by frame. Strains are engineering
+/// ones; of the middle third along the pull.
+struct MiddleRecord {
+  std::string direction;         ///< of the pull: weft or warp
+  double length = 0, width = 0;  ///< of the middle third along the pull, and of the sample (m)
+  std::vector<double> strain, lateral_strain;
+};
+
+/// How far cloth has come out of a clip whose own motion is known, frame by frame (m).
+struct ClipSlip {
+  std::string clip;
+  std::vector<double> slip;
+};
+
+/// A session that was made from measured points.
+struct DicSession {
+  Session session;
+  double spacing = 0;       ///< of the points (m)
+  double off_plane = 0;     ///< root mean square at rest (m)
+  double point_noise = 0;   ///< by which a coordinate of a point misses an affine motion around it
+  std::vector<int> lost;    ///< points of each frame
+  std::vector<int> unseen;  ///< vertices of each frame
+  std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
+  std::vector<ClipSlip> slips;
+  std::vector<double> force, time;  ///< of each frame; empty where they are not known
+};
+
+/// Follows a grid on the sample through the frames: each vertex goes where the points around it
+/// say, by an affine motion of the points within two spacings; where there is none it is unseen.
+/// Clips move as the file tells.
+/// @throws InputError
+DicSession make_dic_session(const DicFile& dic);
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+/// Where a place of the sheet has gone, by the points around it.
+struct MovedPlace {
+  Eigen::Vector3d position;           ///< m
+  Eigen::Matrix<double, 3, 2> slope;  ///< d position / d (u, v)
+  double leverage =
+      1;  ///< variance of `position` over that of a point, were all points independent
+  double residual = 0;  ///< mean square by which a coordinate of the points misses (m^2)
+};
+
+/// Measured motion of scattered points, smoothed: near a place it is affine in the rest
+/// coordinates, by least squares.
+class LocalMotion {
+ public:
+  /// @param rest   2 x points, rest coordinates (m)
+  /// @param moved  3 x points (m)
+  /// @param reach  points within this distance of a place tell its motion (m)
+  LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach);
+
+  /// @param gap  the nearest point may be this far away (m)
+  /// @return nothing where no point is so near, fewer than five are in reach or all lie in a line
+  std::optional<MovedPlace> at(const Eigen::Vector2d& place, double gap) const;
+
+ private:
+  std::vector<int> points_near(const Eigen::Vector2d& place) const;
+  Eigen::Vector2i cell_of(const Eigen::Vector2d& place) const;
+
+  Eigen::Matrix2Xd rest_;
+  Eigen::Matrix3Xd moved_;
+  double reach_;
+  Eigen::Vector2d corner_;
+  Eigen::Vector2i cells_;
+  std::vector<std::vector<int>> in_cell_;
+};
+
+/// The affine motion of points by least squares: position and slope at their middle. Nothing of
+/// fewer than five, or where all lie in a line.
+std::optional<MovedPlace> affine_motion(const Eigen::Matrix2Xd& rest,
+                                        const Eigen::Matrix3Xd& moved);
+
+/// Median distance of a point from its nearest neighbour, of some hundred points (m).
+double point_spacing(const Eigen::Matrix2Xd& rest);
+
+}  // namespace pliant

@@ -1,0 +1,132 @@
+// Exports that cannot be used are refused with what was wrong.
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/capture/dic_session.h"
+
+#include "capture/point_tables.h"
+#include "io/input_error_of.h"
+
+namespace pliant {
+namespace {
+
+using test::PointTables;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+Eigen::Vector3d still(int, const Eigen::Vector2d& place) { return {place.x(), place.y(), 0}; }
+
+constexpr const char* kTwoClips = "clips: [{name: a, side: bottom}, {name: b, side: top}]\n";
+
+std::string refused(const TemporaryFolder& folder, const std::string& more) {
+  const auto file = PointTables::describe(folder, more);
+  return test::input_error_of([&] { make_dic_session(read_dic(file)); }).what();
+}
+
+TEST(DicRefusal, OfARowOfTheLogTooFew) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 3, still);
+  folder.write("log.csv", "force_N,extension_mm\n0,0\n1,1\n");
+  EXPECT_THAT(refused(folder, PointTables::kJaws), HasSubstr("has 2 rows, and there are 3 frames"));
+}
+
+TEST(DicRefusal, OfALogThatDoesNotCoverTheFrames) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 3, still);
+  folder.write("log.csv", "time_s,force_N\n0,0\n1,1\n1.5,2\n");
+  const std::string more = std::string(kTwoClips) + "forces: {data: log.csv, on: b, rate: 1 Hz}\n";
+  EXPECT_THAT(refused(folder, more), HasSubstr("a log that covers the frames"));
+}
+
+TEST(DicRefusal, OfALogWithoutTheExtensionThatAClipMovesBy) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  folder.write("log.csv", "force_N\n0\n1\n");
+  EXPECT_THAT(refused(folder, PointTables::kJaws), HasSubstr("has no column of the extension"));
+}
+
+TEST(DicRefusal, OfASampleThatThePointsReachOutOf) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  EXPECT_THAT(refused(folder, std::string("weft: -x\n") + kTwoClips),
+              HasSubstr("`origin`, `weft`, `warp` and `scale` tell where it lies"));
+}
+
+TEST(DicRefusal, OfClipsThatNoPointIsNear) {
+  const TemporaryFolder folder;
+  const auto places = PointTables::places();
+  PointTables::write(folder, 2, still,
+                     [&](int, std::size_t p, const std::string& row) -> std::string {
+                       return places[p].y() > 0.06 ? "1,1,nan,nan" : row;
+                     });
+  EXPECT_THAT(refused(folder, kTwoClips),
+              HasSubstr("frame 0: no points within 12 mm of the clip b"));
+}
+
+TEST(DicRefusal, OfTablesWithoutDisplacementsOrNumbers) {
+  const TemporaryFolder folder;
+  folder.write("points/0.csv", "x,y\n100,1900\n110,1900\n");
+  EXPECT_THAT(refused(folder, kTwoClips), HasSubstr("neither displacements nor numbers"));
+}
+
+TEST(DicRefusal, OfOneDisplacementAlone) {
+  const TemporaryFolder folder;
+  folder.write("points/0.csv", "x,y,u\n100,1900,0\n110,1900,0\n");
+  EXPECT_THAT(refused(folder, kTwoClips), HasSubstr("has no column y or v"));
+}
+
+TEST(DicRefusal, OfColumnsWithoutUnitOrScale) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  const auto file = folder.write("d.yaml",
+                                 "pliant: dic/1\ntest: t\npoints: points/*.csv\n"
+                                 "sample: {width: 40 mm, height: 80 mm, mass: 1 g}\n" +
+                                     std::string(kTwoClips));
+  const InputError error = test::input_error_of([&] { make_dic_session(read_dic(file)); });
+  EXPECT_THAT(error.what(), HasSubstr("000.csv:1: x: tells no unit"));
+  EXPECT_THAT(error.expected(), HasSubstr("`scale`"));
+}
+
+TEST(DicRefusal, OfWordsInCells) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still, [](int, std::size_t p, const std::string& row) {
+    return p == 5 ? "1,1,lost,0" : row;
+  });
+  EXPECT_THAT(refused(folder, kTwoClips), HasSubstr("000.csv:7: u: \"lost\" is no number"));
+}
+
+TEST(DicRefusal, OfTooFewPoints) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still,
+                     [](int f, std::size_t p, const std::string& row) -> std::string {
+                       return f == 1 && p > 5 ? "1,1,," : row;
+                     });
+  EXPECT_THAT(refused(folder, kTwoClips), HasSubstr("frame 1 has 6 points"));
+}
+
+TEST(DicRefusal, OfTwoClipsAtOneSide) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  EXPECT_THAT(refused(folder, "clips: [{name: a, side: top}, {name: b, side: top}]\n"),
+              HasSubstr("clips[1].side: is held by another clip"));
+}
+
+TEST(DicRefusal, OfForcesOnNoClip) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  folder.write("log.csv", "force_N\n0\n1\n");
+  EXPECT_THAT(refused(folder, std::string(kTwoClips) + "forces: {data: log.csv, on: c}\n"),
+              HasSubstr("forces.on: \"c\" is no clip"));
+}
+
+TEST(DicRefusal, OfAMeshTooFine) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  EXPECT_THAT(refused(folder, std::string(kTwoClips) + "mesh: 0.1 mm\n"), HasSubstr("401 x 801"));
+}
+
+}  // namespace
+}  // namespace pliant

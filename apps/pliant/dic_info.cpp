@@ -11,7 +11,7 @@ FileInfo dic_info(const std::filesystem::path& path) {
   const DicFile dic = read_dic(path);
   const DicSession made = make_dic_session(dic);
   FileInfo info = begin_info(path, "dic/1");
-  const int frames = made.session.frame_count();
+  const int frames = made.frame_count();
   info.json["test"] = dic.test;
   info.json["frames"] = frames;
   info.json["spacing"] = made.spacing;

@@ -101,7 +101,8 @@ NamedDocument written_simulation() {
   return from_json("simulation.json", simulation_text(simulation, facts));
 }
 
-/// A document with one value replaced; a pointer to nothing adds it.
+}  // namespace
+
 NamedDocument changed(const std::string& what, SchemaCase document, const char* pointer,
                       Json value) {
   document.document[Json::json_pointer(pointer)] = std::move(value);
@@ -113,8 +114,6 @@ NamedDocument without(const std::string& what, SchemaCase document, const char* 
   document.document.at(at.parent_pointer()).erase(at.back());
   return {document.type + ": " + what, std::move(document)};
 }
-
-}  // namespace
 
 NamedDocument named(const std::string& name, const Document& document) {
   const Json json = json_of(document.root);
@@ -388,33 +387,6 @@ std::vector<NamedDocument> broken_scenes() {
       without("a keyframe without time", scene, "/pins/0/motion/keyframes/1/time"),
       without("a pin of nothing", scene, "/pins/1/vertices"),
       without("a cord without end", scene, "/clips/0/cords/2/end"),
-  };
-}
-
-std::vector<NamedDocument> broken_points() {
-  const SchemaCase dic = full_documents().back().document;
-  return {
-      changed("a test without name", dic, "/test", ""),
-      changed("a sample without unit", dic, "/sample/width", 100),
-      changed("a scale of nothing", dic, "/scale", "0 mm"),
-      changed("an origin of three numbers", dic, "/origin", {1, 2, 3}),
-      changed("an origin of masses", dic, "/origin/0", "1 g"),
-      without("an origin of numbers that have no scale", dic, "/scale"),
-      changed("warp along z", dic, "/warp", "z"),
-      changed("warp along weft", dic, "/warp", "x"),
-      changed("a mesh without unit", dic, "/mesh", 4),
-      changed("gravity of two numbers", dic, "/gravity", {0, -9.81}),
-      changed("a clip's name with blanks", dic, "/clips/0/name", "left bar"),
-      changed("a clip at a corner", dic, "/clips/0/side", "lower left"),
-      changed("a clip that moves at will", dic, "/clips/0/motion", "free"),
-      changed("a clip of negative mass", dic, "/clips/0/mass", "-1 g"),
-      changed("a rate in seconds", dic, "/forces/rate", "2 s"),
-      changed("a rate of nothing", dic, "/forces/rate", "0 Hz"),
-      without("no points", dic, "/points"),
-      without("no clips", dic, "/clips"),
-      without("a clip without side", dic, "/clips/0/side"),
-      without("forces on nothing", dic, "/forces/on"),
-      without("an extension that nobody tells", dic, "/forces"),
   };
 }
 

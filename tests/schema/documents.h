@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "io/temporary_folder.h"
 #include "schema/schema_judge.h"
 
@@ -17,6 +19,12 @@ struct NamedDocument {
 
 /// A document of a type that it states.
 NamedDocument named(const std::string& name, const Document& document);
+
+/// A document with one value replaced; a pointer to nothing adds it.
+NamedDocument changed(const std::string& what, SchemaCase document, const char* pointer,
+                      nlohmann::json value);
+/// The same with a value taken away.
+NamedDocument without(const std::string& what, SchemaCase document, const char* pointer);
 
 /// A folder with the files that the documents here name.
 class DocumentFolder : public TemporaryFolder {
@@ -35,6 +43,9 @@ std::vector<NamedDocument> shipped_documents();
 /// What the program itself writes: from a virtual lab study, resolved study, material, fit and
 /// evaluation; from a scene a simulation; a session.
 std::vector<NamedDocument> written_documents();
+
+/// Documents of points of image correlation that every reader must refuse.
+std::vector<NamedDocument> broken_points();
 
 /// Documents that every reader must refuse, with what is wrong with them as a name.
 std::vector<NamedDocument> broken_documents();

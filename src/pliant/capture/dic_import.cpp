@@ -8,6 +8,9 @@
 
 #include "pliant/base/quantity.h"
 #include "pliant/capture/dic_session.h"
+#include "pliant/experiment/contraction/lateral_contraction_type.h"
+#include "pliant/experiment/session/session_type.h"
+#include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/io/csv_writer.h"
 
 namespace pliant {
@@ -22,31 +25,42 @@ std::string millimetres(double metres) { return format_quantity(metres, Dimensio
 
 std::string study_head(const DicFile& dic, const std::string& name) {
   std::string text = fmt::format("pliant: study/1\nname: {}\n", yaml_text(name));
-  const SessionSample& sample = dic.sample;
-  const double density =
-      sample.density ? *sample.density : *sample.mass / (sample.width * sample.height);
+  const double density = sample_mass(dic.sample) / (dic.sample.width * dic.sample.height);
   return text + fmt::format("density: {}\n", exact_quantity(density, Dimension::area_density));
 }
 
 std::string sheet_study(const DicFile& dic, const std::string& name) {
-  return study_head(dic, name) +
-         fmt::format("experiments:\n  - {{name: {}, type: session, data: {}}}\n", yaml_text(name),
-                     kDicSessionFolder);
+  return study_head(dic, name) + fmt::format("experiments:\n  - {{name: {}, type: {}, data: {}}}\n",
+                                             yaml_text(name), session_type().name,
+                                             kDicSessionFolder);
+}
+
+double largest(const std::vector<double>& numbers) {
+  double most = 0;
+  for (const double number : numbers) most = std::max(most, std::abs(number));
+  return most;
+}
+
+/// Whether it narrows by more than what is noise, or nothing to a lab.
+bool narrows(const MiddleRecord& middle) {
+  constexpr double kShare = 0.02, kSmallest = 5e-4;
+  return largest(middle.lateral_strain) > std::max(kShare * largest(middle.strain), kSmallest);
 }
 
 std::string strip_study(const DicFile& dic, const std::string& name, const MiddleRecord& middle) {
-  const auto entry = [&](const char* suffix, const char* type) {
+  const auto entry = [&](const char* suffix, const TestType& type) {
     return fmt::format(
         "  - name: {}\n    type: {}\n    direction: {}\n    data: middle.csv\n"
         "    length: {}\n    width: {}\n",
-        yaml_text(name + suffix), type, middle.direction,
+        yaml_text(name + suffix), type.name, middle.direction,
         exact_quantity(middle.length, Dimension::length),
         exact_quantity(middle.width, Dimension::length));
   };
   return study_head(dic, name) +
          "# The middle third of the sample: no clamp hinders it, and none lets go of it.\n"
          "experiments:\n" +
-         entry("", "tensile-cycles") + entry("-width", "lateral-contraction");
+         entry("", tensile_cycles_type()) +
+         (narrows(middle) ? entry("-width", lateral_contraction_type()) : std::string());
 }
 
 std::string middle_table(const DicSession& dic) {
@@ -81,7 +95,7 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
   const Session& session = made.session;
   std::vector<std::string> notes;
   notes.push_back(fmt::format("{} frames of points {} apart; a mesh of {} vertices on {} x {}",
-                              session.frame_count(), millimetres(made.spacing),
+                              made.frame_count(), millimetres(made.spacing),
                               session.rest.vertex_count(), millimetres(dic.sample.width),
                               millimetres(dic.sample.height)));
   if (!dic.origin)
@@ -96,6 +110,12 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
         "the session): noise, and what bends within {}",
         millimetres(made.point_noise), millimetres(*session.noise.position),
         millimetres(2 * made.spacing)));
+  }
+  if (!made.slack.empty()) {
+    notes.push_back(fmt::format(
+        "{} frames in which the sample hung slack are not in the session: one camera does not see "
+        "how it buckles",
+        made.slack.size()));
   }
   const std::size_t lost = worst_frame(made.lost), unseen = worst_frame(made.unseen);
   if (made.lost[lost] > 0) {
@@ -119,7 +139,8 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
     notes.push_back(
         "middle.csv, strip.yaml: what the middle third did, as a tensile test of a "
         "strip along " +
-        made.middle->direction);
+        made.middle->direction +
+        (narrows(*made.middle) ? "" : "; across the pull it hardly narrows"));
   }
   return notes;
 }
@@ -143,6 +164,14 @@ ImportedStudy import_dic(const std::filesystem::path& file) {
     study.warnings.emplace_back(
         "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
         "forces");
+  }
+  constexpr double kPretension = 0.02;  // of the largest force
+  if (!made.force.empty() && std::abs(made.force.front()) > kPretension * largest(made.force)) {
+    study.warnings.push_back(
+        fmt::format("the sample is pulled by {} in the first frame, where it is taken to be at "
+                    "rest: a frame of "
+                    "the slack sample comes first, or the cell's zero is off",
+                    format_quantity(made.force.front(), Dimension::force, 3)));
   }
   study.notes = notes_of(dic, made);
   return study;

@@ -7,9 +7,9 @@
 namespace pliant {
 
 /// The folder of the session among the files of an import.
-inline constexpr const char* kDicSessionFolder = "session";
+inline constexpr const char* kDicSessionFolder = "sheet";
 
-/// What a dic/1 file describes as a study: a session/1 directory `session/`, study.yaml that fits
+/// What a dic/1 file describes as a study: a session/1 directory `sheet/`, study.yaml that fits
 /// it; and where two clips pull and their force is known, the table of what the middle of the
 /// sample did, middle.csv, with strip.yaml, the study of it in one dimension.
 /// @throws InputError

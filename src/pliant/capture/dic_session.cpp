@@ -133,7 +133,22 @@ class SheetFollower {
     if (result_.middle) add_middle(rest, moved, f);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
+    if (is_slack(f)) {
+      result_.slack.push_back(f);
+      return;
+    }
     result_.session.frames.push_back(std::move(frame));
+  }
+
+  /// Whether a sample that lies in a plane carries nothing after it was pulled: it has buckled out
+  /// of the plane, which a single camera does not see.
+  bool is_slack(int f) const {
+    // Of the largest force; and of the sample's weight, which still bends it noticeably then.
+    constexpr double kNothing = 0.005, kWeights = 4;
+    if (f == 0 || points_.in_space() || !result_.middle || log_.force.empty()) return false;
+    const double peak = *std::ranges::max_element(log_.force);
+    const double weight = sample_mass(dic_.sample) * kStandardGravity;
+    return log_.force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
   }
 
   Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f) {

@@ -31,9 +31,13 @@ struct DicSession {
   double point_noise = 0;   ///< by which a coordinate of a point misses an affine motion around it
   std::vector<int> lost;    ///< points of each frame
   std::vector<int> unseen;  ///< vertices of each frame
+  std::vector<int> slack;   ///< frames that the session leaves out: of a flat test, without force
   std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
   std::vector<ClipSlip> slips;
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
+
+  /// Of the files; the session may have fewer.
+  int frame_count() const { return static_cast<int>(lost.size()); }
 };
 
 /// Follows a grid on the sample through the frames: each vertex goes where the points around it

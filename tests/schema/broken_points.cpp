@@ -1,0 +1,32 @@
+#include "schema/documents.h"
+
+namespace pliant::test {
+
+std::vector<NamedDocument> broken_points() {
+  const SchemaCase dic = full_documents().back().document;
+  return {
+      changed("a test without name", dic, "/test", ""),
+      changed("a sample without unit", dic, "/sample/width", 100),
+      changed("a scale of nothing", dic, "/scale", "0 mm"),
+      changed("an origin of three numbers", dic, "/origin", {1, 2, 3}),
+      changed("an origin of masses", dic, "/origin/0", "1 g"),
+      without("an origin of numbers that have no scale", dic, "/scale"),
+      changed("warp along z", dic, "/warp", "z"),
+      changed("warp along weft", dic, "/warp", "x"),
+      changed("a mesh without unit", dic, "/mesh", 4),
+      changed("gravity of two numbers", dic, "/gravity", {0, -9.81}),
+      changed("a clip's name with blanks", dic, "/clips/0/name", "left bar"),
+      changed("a clip at a corner", dic, "/clips/0/side", "lower left"),
+      changed("a clip that moves at will", dic, "/clips/0/motion", "free"),
+      changed("a clip of negative mass", dic, "/clips/0/mass", "-1 g"),
+      changed("a rate in seconds", dic, "/forces/rate", "2 s"),
+      changed("a rate of nothing", dic, "/forces/rate", "0 Hz"),
+      without("no points", dic, "/points"),
+      without("no clips", dic, "/clips"),
+      without("a clip without side", dic, "/clips/0/side"),
+      without("forces on nothing", dic, "/forces/on"),
+      without("an extension that nobody tells", dic, "/forces"),
+  };
+}
+
+}  // namespace pliant::test

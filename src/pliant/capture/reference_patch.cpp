@@ -1,0 +1,123 @@
+#include "pliant/capture/reference_patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace pliant {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// The motion that undoes `step` first: x -> motion(step^-1(x)), about the middle of the patch.
+PatchMotion after_undoing(const PatchMotion& motion, const Vector6& step) {
+  Eigen::Matrix2d by;
+  by << 1 + step(2), step(3), step(4), 1 + step(5);
+  const Eigen::Matrix2d slope = (Eigen::Matrix2d::Identity() + motion.slope) * by.inverse();
+  return {motion.shift - slope * step.head<2>(), slope - Eigen::Matrix2d::Identity()};
+}
+
+}  // namespace
+
+std::optional<ReferencePatch> ReferencePatch::of(const SplinePicture& picture,
+                                                 const Eigen::Vector2d& place, int radius) {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
+  if (!picture.contains(place - reach) || !picture.contains(place + reach)) return std::nullopt;
+  ReferencePatch patch;
+  patch.place_ = place;
+  patch.radius_ = radius;
+  patch.noise_left_ = picture.noise_left(place);
+  const int side = 2 * radius + 1;
+  patch.values_.resize(side * side);
+  patch.steps_.resize(side * side, 6);
+  int i = 0;
+  for (int y = -radius; y <= radius; ++y) {
+    for (int x = -radius; x <= radius; ++x, ++i) {
+      const Eigen::Vector2f off(static_cast<float>(x), static_cast<float>(y));
+      const PictureSample sample = picture.sample(place + off.cast<double>());
+      patch.values_(i) = sample.value;
+      patch.steps_.row(i) << sample.gradient.x(), sample.gradient.y(),
+          sample.gradient.x() * off.x(), sample.gradient.x() * off.y(),
+          sample.gradient.y() * off.x(), sample.gradient.y() * off.y();
+    }
+  }
+  patch.project_out_brightness();
+  const Eigen::Matrix<double, 6, 6> normal =
+      (patch.steps_.transpose() * patch.steps_).cast<double>();
+  // A patch without texture, or with stripes alone, could be anywhere, or anywhere along them.
+  constexpr double kFlat = 1e-4;
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factor(normal);
+  const Eigen::Vector2d along = normal.diagonal().head<2>();
+  const double crossed = normal.topLeftCorner<2, 2>().determinant();
+  if (!(patch.norm_ > 0) || factor.info() != Eigen::Success ||
+      !(crossed > kFlat * along.maxCoeff() * along.maxCoeff())) {
+    return std::nullopt;
+  }
+  patch.inverse_ = factor.solve(Eigen::Matrix<double, 6, 6>::Identity());
+  return patch;
+}
+
+// What a step does beyond a change of brightness and of contrast.
+void ReferencePatch::project_out_brightness() {
+  values_.array() -= values_.mean();
+  norm_ = values_.cast<double>().norm();
+  if (!(norm_ > 0)) return;
+  steps_.rowwise() -= steps_.colwise().mean();
+  const Eigen::VectorXf unit = values_ / static_cast<float>(norm_);
+  steps_ -= unit * (unit.transpose() * steps_);
+}
+
+bool ReferencePatch::sample(const SplinePicture& picture, const PatchMotion& motion,
+                            Eigen::ArrayXf& values) const {
+  const Eigen::Matrix2d slope = Eigen::Matrix2d::Identity() + motion.slope;
+  const Eigen::Vector2d middle = place_ + motion.shift;
+  for (const int x : {-radius_, radius_}) {
+    for (const int y : {-radius_, radius_}) {
+      if (!picture.contains(middle + slope * Eigen::Vector2d(x, y))) return false;
+    }
+  }
+  int i = 0;
+  for (int y = -radius_; y <= radius_; ++y) {
+    for (int x = -radius_; x <= radius_; ++x, ++i) {
+      values(i) = picture.value(middle + slope * Eigen::Vector2d(x, y));
+    }
+  }
+  return true;
+}
+
+std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
+                                                const PatchMotion& start) const {
+  constexpr int kMostIterations = 30;
+  constexpr double kExact = 1e-4;  // pixels
+  constexpr int kUnknowns = 8;     // six of the motion, brightness and contrast
+  PatchMatch result;
+  result.motion = start;
+  Eigen::ArrayXf values(values_.size());
+  for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
+    if (!sample(picture, result.motion, values)) return std::nullopt;
+    values -= values.mean();
+    const double norm = values.matrix().cast<double>().norm();
+    if (!(norm > 0)) return std::nullopt;
+    const Eigen::VectorXf missed = values.matrix() * static_cast<float>(norm_ / norm) - values_;
+    const Vector6 step = inverse_ * (steps_.transpose() * missed).cast<double>();
+    result.motion = after_undoing(result.motion, step);
+    const double moved = std::max(step.head<2>().norm(), radius_ * step.tail<4>().norm());
+    if (!std::isfinite(moved) || moved > radius_) return std::nullopt;
+    if (moved > kExact) continue;
+    const double left = missed.cast<double>().squaredNorm();
+    result.correlation = values.matrix().dot(values_) / (norm * norm_);
+    const auto rows = static_cast<double>(values_.size());
+    // Both pictures have the noise. Smoothing and interpolation take some of it from a pixel, and
+    // give it to the neighbours: over a patch it counts as before.
+    const double variance = left / (rows - kUnknowns) /
+                            (noise_left_ + picture.noise_left(place_ + result.motion.shift));
+    result.noise = std::sqrt(variance);
+    result.covariance = 2 * variance * inverse_.topLeftCorner<2, 2>();
+    return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pliant

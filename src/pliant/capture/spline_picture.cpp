@@ -1,0 +1,143 @@
+#include "pliant/capture/spline_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/base/assert.h"
+
+namespace pliant {
+namespace {
+
+/// Turns samples into coefficients of the cubic B-spline through them, which is mirrored at both
+/// ends: a causal and an anticausal recursion [Unser1999, Box 2].
+template <class Line>
+void to_coefficients(Line line) {
+  const float pole = std::sqrt(3.0F) - 2;
+  const Eigen::Index count = line.size();
+  const Eigen::Index horizon = std::min<Eigen::Index>(count, 16);  // the pole's power is below 1e-9
+  float sum = line(0), power = pole;
+  for (Eigen::Index i = 1; i < horizon; ++i, power *= pole) sum += power * line(i);
+  line *= 6;
+  line(0) = 6 * sum;
+  for (Eigen::Index i = 1; i < count; ++i) line(i) += pole * line(i - 1);
+  line(count - 1) = pole / (pole * pole - 1) * (line(count - 1) + pole * line(count - 2));
+  for (Eigen::Index i = count - 2; i >= 0; --i) line(i) = pole * (line(i + 1) - line(i));
+}
+
+/// Gives each sample a share of its neighbours; mirrored at both ends.
+template <class Line>
+void smooth(Line line, float share) {
+  const Eigen::Index last = line.size() - 1;
+  float before = line(1);
+  for (Eigen::Index i = 0; i <= last; ++i) {
+    const float own = line(i), after = i < last ? line(i + 1) : before;
+    line(i) = (1 - 2 * share) * own + share * (before + after);
+    before = own;
+  }
+}
+
+/// Weights of four neighbouring coefficients at a share of the way between the middle two.
+struct Weights {
+  float value[4], slope[4];
+
+  explicit Weights(float t) {
+    const float s = 1 - t;
+    value[0] = s * s * s / 6;
+    value[1] = 2.0F / 3 - t * t * (2 - t) / 2;
+    value[2] = 2.0F / 3 - s * s * (2 - s) / 2;
+    value[3] = t * t * t / 6;
+    slope[0] = -s * s / 2;
+    slope[1] = t * (3 * t - 4) / 2;
+    slope[2] = -s * (3 * s - 4) / 2;
+    slope[3] = t * t / 2;
+  }
+};
+
+float dot(const float* coefficients, const float* weights) {
+  return coefficients[0] * weights[0] + coefficients[1] * weights[1] +
+         coefficients[2] * weights[2] + coefficients[3] * weights[3];
+}
+
+}  // namespace
+
+SplinePicture::SplinePicture(const GreyPicture& picture, double smoothing)
+    : smoothing_(smoothing),
+      coefficients_(picture.rows() + 2 * kBorder, picture.cols() + 2 * kBorder) {
+  PLIANT_ASSERT(picture.rows() >= 4 && picture.cols() >= 4, "a picture has pixels around a place");
+  auto inner = coefficients_.block(kBorder, kBorder, picture.rows(), picture.cols());
+  inner = picture;
+  const auto share = static_cast<float>(smoothing);
+  for (Eigen::Index row = 0; row < inner.rows(); ++row) {
+    if (share > 0) smooth(inner.row(row), share);
+    to_coefficients(inner.row(row));
+  }
+  for (Eigen::Index column = 0; column < inner.cols(); ++column) {
+    if (share > 0) smooth(inner.col(column), share);
+    to_coefficients(inner.col(column));
+  }
+  for (Eigen::Index i = 1; i <= kBorder; ++i) {
+    const Eigen::Index left = kBorder, right = kBorder + picture.cols() - 1;
+    coefficients_.col(left - i) = coefficients_.col(left + i);
+    coefficients_.col(right + i) = coefficients_.col(right - i);
+  }
+  for (Eigen::Index i = 1; i <= kBorder; ++i) {
+    const Eigen::Index top = kBorder, bottom = kBorder + picture.rows() - 1;
+    coefficients_.row(top - i) = coefficients_.row(top + i);
+    coefficients_.row(bottom + i) = coefficients_.row(bottom - i);
+  }
+}
+
+float SplinePicture::value(const Eigen::Vector2d& place) const {
+  const double column = std::floor(place.x()), row = std::floor(place.y());
+  const Weights across(static_cast<float>(place.x() - column));
+  const Weights down(static_cast<float>(place.y() - row));
+  const float* corner = &coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
+                                       static_cast<Eigen::Index>(column) + kBorder - 1);
+  const Eigen::Index stride = coefficients_.cols();
+  float result = 0;
+  for (int i = 0; i < 4; ++i) result += down.value[i] * dot(corner + i * stride, across.value);
+  return result;
+}
+
+double SplinePicture::noise_left(const Eigen::Vector2d& place) const {
+  return noise_left_along(place.x()) * noise_left_along(place.y());
+}
+
+double SplinePicture::noise_left_along(double place) const {
+  // A coefficient is the samples around it times factor pole^|distance| [Unser1999, Box 2]; what is
+  // further away than this does not count.
+  constexpr int kReach = 12;
+  const double pole = std::sqrt(3.0) - 2, factor = 6 * pole / (pole * pole - 1);
+  const Weights weights(static_cast<float>(place - std::floor(place)));
+  const auto weight_of = [&](int sample) {
+    double weight = 0;
+    for (int i = 0; i < 4; ++i) weight += weights.value[i] * std::pow(pole, std::abs(sample - i));
+    return factor * weight;
+  };
+  double sum = 0;
+  for (int pixel = -kReach; pixel <= kReach; ++pixel) {
+    const double weight = (1 - 2 * smoothing_) * weight_of(pixel) +
+                          smoothing_ * (weight_of(pixel - 1) + weight_of(pixel + 1));
+    sum += weight * weight;
+  }
+  return sum;
+}
+
+PictureSample SplinePicture::sample(const Eigen::Vector2d& place) const {
+  const double column = std::floor(place.x()), row = std::floor(place.y());
+  const Weights across(static_cast<float>(place.x() - column));
+  const Weights down(static_cast<float>(place.y() - row));
+  const float* corner = &coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
+                                       static_cast<Eigen::Index>(column) + kBorder - 1);
+  const Eigen::Index stride = coefficients_.cols();
+  PictureSample result{0, Eigen::Vector2f::Zero()};
+  for (int i = 0; i < 4; ++i) {
+    const float along = dot(corner + i * stride, across.value);
+    result.value += down.value[i] * along;
+    result.gradient.x() += down.value[i] * dot(corner + i * stride, across.slope);
+    result.gradient.y() += down.slope[i] * along;
+  }
+  return result;
+}
+
+}  // namespace pliant

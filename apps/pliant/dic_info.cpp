@@ -9,21 +9,26 @@ namespace pliant {
 
 FileInfo dic_info(const std::filesystem::path& path) {
   const DicFile dic = read_dic(path);
-  const DicSession made = make_dic_session(dic);
   FileInfo info = begin_info(path, "dic/1");
-  const int frames = made.frame_count();
   info.json["test"] = dic.test;
-  info.json["frames"] = frames;
-  info.json["spacing"] = made.spacing;
-  info.json["point_noise"] = made.point_noise;
   info.lines.push_back(labelled("test", dic.test));
   info.lines.push_back(labelled(
       "sample", fmt::format("{} x {}", format_quantity(dic.sample.width, Dimension::length),
                             format_quantity(dic.sample.height, Dimension::length))));
+  info.lines.push_back(labelled("forces", dic.forces ? "on " + dic.forces->clip : "not known"));
+  if (dic.pictures) {  // to track points in them takes longer than to say what they are
+    info.json["frames"] = dic.pictures->files.size();
+    info.lines.push_back(labelled("pictures", fmt::format("{}", dic.pictures->files.size())));
+    return info;
+  }
+  const DicSession made = make_dic_session(dic);
+  const int frames = made.frame_count();
+  info.json["frames"] = frames;
+  info.json["spacing"] = made.spacing;
+  info.json["point_noise"] = made.point_noise;
   info.lines.push_back(
       labelled("points", fmt::format("{} frames, points {} apart", frames,
                                      format_quantity(made.spacing, Dimension::length, 3))));
-  info.lines.push_back(labelled("forces", dic.forces ? "on " + dic.forces->clip : "not known"));
   if (made.middle) {
     info.json["strain"] = made.middle->strain;
     info.lines.push_back(labelled("strain", fmt::format("{:.2f} % of the middle at the end",

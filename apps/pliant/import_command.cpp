@@ -109,8 +109,10 @@ const std::string& only_file(const ImportArguments& arguments, const char* expec
   throw photo;
 }
 
-ImportedStudy import_files(const ImportArguments& arguments) {
-  if (arguments.dic) return import_dic(only_file(arguments, "one dic/1 file"));
+ImportedStudy import_files(const ImportArguments& arguments, const RunContext& context) {
+  if (arguments.dic) {
+    return import_dic(only_file(arguments, "one dic/1 file"), picture_reader(), context);
+  }
   const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
   if (photos == std::ssize(arguments.files))
     return import_photo_files(arguments.files, arguments.photo);
@@ -118,11 +120,11 @@ ImportedStudy import_files(const ImportArguments& arguments) {
                     import_options(arguments));
 }
 
-ImportedStudy imported(const ImportArguments& arguments, Progress& progress) {
+ImportedStudy imported(const ImportArguments& arguments, const RunContext& context) {
   try {
-    return import_files(arguments);
+    return import_files(arguments, context);
   } catch (const RefusedPhoto& photo) {
-    refuse(photo, arguments.output, progress);
+    refuse(photo, arguments.output, context.progress);
   }
 }
 
@@ -167,7 +169,7 @@ void add_import(CommandRegistry& registry) {
   add_strip_options(command, arguments->photo);
   add_drape_options(command, arguments->photo);
   registry.on(command, [arguments](CommandContext& context) {
-    const ImportedStudy study = imported(*arguments, context.run.progress);
+    const ImportedStudy study = imported(*arguments, context.run);
     ResultDirectory results(arguments->output, "import");
     results.write("study.yaml", study.study_yaml);
     for (const auto& [name, content] : study.files) results.write(name, content);

@@ -10,6 +10,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/experiment/drape/drape_setup.h"
 #include "pliant/imaging/drape_import.h"
+#include "pliant/imaging/photo.h"
 #include "pliant/imaging/photo_import.h"
 
 namespace pliant {
@@ -162,5 +163,7 @@ ImportedStudy import_photo_files(const std::vector<std::string>& files,
   options.name = fabric_name(photos, arguments);
   return import_photos(photos, options);
 }
+
+ReadPicture picture_reader() { return read_photo; }
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/capture/point_source.h"
 #include "pliant/study/imported_study.h"
 
 namespace pliant {
@@ -20,5 +21,8 @@ struct PhotoArguments {
 ///         strip, or no draped specimen
 ImportedStudy import_photo_files(const std::vector<std::string>& files,
                                  const PhotoArguments& arguments);
+
+/// How pictures are read; none where the program was built without.
+ReadPicture picture_reader();
 
 }  // namespace pliant

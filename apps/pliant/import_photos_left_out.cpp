@@ -13,4 +13,6 @@ ImportedStudy import_photo_files(const std::vector<std::string>& files, const Ph
       "a build where they are installed (libopencv-imgproc-dev, libgdk-pixbuf-2.0-dev)");
 }
 
+ReadPicture picture_reader() { return {}; }
+
 }  // namespace pliant

@@ -1,6 +1,9 @@
 // What image correlation sees of a virtual pull, and a tester writes beside it, becomes a session
 // and a strip that give back the cloth's law.
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -12,8 +15,10 @@
 
 #include "pliant/base/random.h"
 #include "pliant/measurement/session.h"
+#include "pliant/render/png.h"
 
 #include "app/run_program.h"
+#include "capture/texture.h"
 
 namespace pliant::test {
 namespace {
@@ -25,13 +30,13 @@ using ::testing::HasSubstr;
 constexpr double kNoise = 5e-6;  // of a coordinate of a point (m)
 
 /// The virtual pull of a sheet of 100 mm x 100 mm between clips that are 5 mm deep.
-Session virtual_pull(const TemporaryFolder& folder) {
+Session virtual_pull(const TemporaryFolder& folder, int cycles, int frames) {
   const auto lab = folder.write(
-      "lab.yaml",
-      "pliant: lab/1\nmaterial: " PLIANT_SOURCE_DIR
-      "/examples/assumed-cloth.json\n"
-      "experiments:\n  - {name: pull, type: session, test: stretch-warp, strain: 8 %, cycles: 2,\n"
-      "     frames: 41, mesh: {nodes: 41x41}}\n");
+      "lab.yaml", "pliant: lab/1\nmaterial: " PLIANT_SOURCE_DIR
+                  "/examples/assumed-cloth.json\n"
+                  "experiments:\n  - {name: pull, type: session, test: stretch-warp, strain: 8 %, "
+                  "mesh: {nodes: 41x41},\n" +
+                      fmt::format("     cycles: {}, frames: {}}}\n", cycles, frames));
   EXPECT_EQ(run_program({"lab", lab.string(), "-o", (folder.path() / "lab").string()}).status, 0);
   return read_session(folder.path() / "lab" / "pull");
 }
@@ -53,33 +58,51 @@ std::string point_table(const Session& session, const Eigen::Matrix3Xd& position
   return text;
 }
 
-/// The tables of the sheet at rest and of each frame, and the tester's log.
-void write_export(const TemporaryFolder& folder, const Session& session) {
-  RandomStream random(3);
-  folder.write("points/000.csv", point_table(session, session.rest.positions, 0, random));
+/// The tester's log of the sheet at rest and of each frame.
+std::string tester_log(const Session& session) {
   std::string log = "force_N,extension_mm\n0,0\n";
-  for (int f = 0; f < session.frame_count(); ++f) {
-    const SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
-    const double lower = frame.poses[0].translation.y(), upper = frame.poses[1].translation.y();
-    folder.write(fmt::format("points/{:03}.csv", f + 1),
-                 point_table(session, frame.positions, lower, random));
+  for (const SessionFrame& frame : session.frames) {
     double force = 0;
     for (const CordForce& cord : frame.cords[1]) force += cord.force.y();
-    log += fmt::format("{},{}\n", force, 1e3 * (upper - lower));
+    const double way = frame.poses[1].translation.y() - frame.poses[0].translation.y();
+    log += fmt::format("{},{}\n", force, 1e3 * way);
   }
-  folder.write("tester.csv", log);
+  return log;
 }
 
-fs::path described(const TemporaryFolder& folder) {
+/// What the lower jaw has moved by in a frame of an export, the first of which is at rest (m).
+double lower_jaw(const Session& session, int frame) {
+  if (frame == 0) return 0;
+  return session.frames[static_cast<std::size_t>(frame - 1)].poses[0].translation.y();
+}
+
+const Eigen::Matrix3Xd& shape(const Session& session, int frame) {
+  if (frame == 0) return session.rest.positions;
+  return session.frames[static_cast<std::size_t>(frame - 1)].positions;
+}
+
+void write_tables(const TemporaryFolder& folder, const Session& session) {
+  RandomStream random(3);
+  for (int f = 0; f <= session.frame_count(); ++f) {
+    folder.write(fmt::format("points/{:03}.csv", f),
+                 point_table(session, shape(session, f), lower_jaw(session, f), random));
+  }
+  folder.write("tester.csv", tester_log(session));
+}
+
+constexpr const char* kPoints =
+    "points: {file: \"points/*.csv\", columns: {x: \"X[mm]\", y: \"Y[mm]\", u: \"U[mm]\", "
+    "v: \"V[mm]\"}}\norigin: [0 mm, 5 mm]\n";
+
+/// @param seen  where the points come from, and where the sample is
+fs::path described(const TemporaryFolder& folder, const std::string& seen = kPoints) {
   return folder.write("pull.yaml",
                       "pliant: dic/1\ntest: stretch-warp\n"
-                      "sample: {width: 100 mm, height: 90 mm, density: 150 g/m^2}\n"
-                      "points: {file: \"points/*.csv\", columns: {x: \"X[mm]\", y: \"Y[mm]\", "
-                      "u: \"U[mm]\", v: \"V[mm]\"}}\n"
-                      "origin: [0 mm, 5 mm]\n"
-                      "clips:\n  - {name: lower, side: bottom, motion: held}\n"
-                      "  - {name: upper, side: top, motion: extension}\n"
-                      "forces: {data: tester.csv, on: upper}\n");
+                      "sample: {width: 100 mm, height: 90 mm, density: 150 g/m^2}\n" +
+                          seen +
+                          "clips:\n  - {name: lower, side: bottom, motion: held}\n"
+                          "  - {name: upper, side: top, motion: extension}\n"
+                          "forces: {data: tester.csv, on: upper}\n");
 }
 
 std::map<std::string, double> parameters_of(const TemporaryFolder& folder, const fs::path& study) {
@@ -104,7 +127,7 @@ void expect_law(const std::map<std::string, double>& found) {
 
 TEST(SlowDicImport, OfAVirtualPullGivesBackItsLaw) {
   const TemporaryFolder folder;
-  write_export(folder, virtual_pull(folder));
+  write_tables(folder, virtual_pull(folder, 2, 41));
   const fs::path out = folder.path() / "imported";
   const ProgramRun run =
       run_program({"import", "--dic", described(folder).string(), "-o", out.string()});
@@ -117,6 +140,91 @@ TEST(SlowDicImport, OfAVirtualPullGivesBackItsLaw) {
   fmt::print("sheet:\n");
   expect_law(parameters_of(folder, out / "study.yaml"));
   EXPECT_THAT(run_program({"info", described(folder).string()}).out, HasSubstr("42 frames"));
+}
+
+/// Draws a sheet with a texture as a camera straight in front of it sees it, 0.25 mm a pixel, with
+/// the noise of its pixels.
+class Drawing {
+ public:
+  static constexpr double kPixel = 0.25e-3;
+  static constexpr int kColumns = 480, kRows = 500;
+
+  static Eigen::Vector2d pixel(const Eigen::Vector2d& place) {
+    return {40 + place.x() / kPixel, kRows - 40 - place.y() / kPixel};
+  }
+
+  explicit Drawing(const Session& session) : session_(session) {}
+
+  std::string png(int frame) const {
+    GreyPicture picture = GreyPicture::Constant(kRows, kColumns, 30);
+    const Eigen::Matrix3Xd& now = shape(session_, frame);
+    const Eigen::Vector2d lower(0, lower_jaw(session_, frame));
+    for (const auto& corners : session_.rest.triangles.colwise()) {
+      Eigen::Matrix<double, 2, 3> rest, moved;
+      for (int k = 0; k < 3; ++k) {
+        rest.col(k) = pixel(session_.rest.positions.col(corners(k)).head<2>());
+        moved.col(k) = pixel(now.col(corners(k)).head<2>() - lower);
+      }
+      draw(rest, moved, picture);
+    }
+    RandomStream random(static_cast<std::uint64_t>(frame));
+    add_noise(picture, 2.55, random);
+    Image image(kColumns, kRows);
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const auto level =
+            static_cast<std::uint8_t>(std::clamp(std::lround(picture(row, column)), 0L, 255L));
+        image.at(column, row) = {level, level, level};
+      }
+    }
+    return png_bytes(image);
+  }
+
+ private:
+  void draw(const Eigen::Matrix<double, 2, 3>& rest, const Eigen::Matrix<double, 2, 3>& moved,
+            GreyPicture& picture) const {
+    Eigen::Matrix2d edges;
+    edges << moved.col(1) - moved.col(0), moved.col(2) - moved.col(0);
+    const Eigen::Matrix2d inverse = edges.inverse();
+    const Eigen::Vector2i least = moved.rowwise().minCoeff().array().floor().cast<int>();
+    const Eigen::Vector2i most = moved.rowwise().maxCoeff().array().ceil().cast<int>();
+    for (int row = std::max(least.y(), 0); row <= std::min(most.y(), kRows - 1); ++row) {
+      for (int column = std::max(least.x(), 0); column <= std::min(most.x(), kColumns - 1);
+           ++column) {
+        const Eigen::Vector2d share = inverse * (Eigen::Vector2d(column, row) - moved.col(0));
+        if (share.minCoeff() < -1e-9 || share.sum() > 1 + 1e-9) continue;
+        const Eigen::Vector2d place = rest.col(0) + share.x() * (rest.col(1) - rest.col(0)) +
+                                      share.y() * (rest.col(2) - rest.col(0));
+        picture(row, column) = static_cast<float>(texture_.at(place));
+      }
+    }
+  }
+
+  const Session& session_;
+  Texture texture_{21};
+};
+
+TEST(SlowDicImport, OfPicturesOfAVirtualPullGivesBackItsLaw) {
+  const TemporaryFolder folder;
+  const Session session = virtual_pull(folder, 1, 25);
+  const Drawing drawing(session);
+  for (int f = 0; f <= session.frame_count(); ++f) {
+    folder.write(fmt::format("pictures/{:03}.png", f), drawing.png(f));
+  }
+  folder.write("tester.csv", tester_log(session));
+  const Eigen::Vector2d corner = Drawing::pixel({0, 5e-3});
+  const fs::path file =
+      described(folder, fmt::format("pictures: pictures/*.png\nscale: 0.25 mm\norigin: [{}, {}]\n",
+                                    corner.x(), corner.y()));
+  const fs::path out = folder.path() / "imported";
+  const ProgramRun run = run_program({"import", "--dic", file.string(), "-o", out.string()});
+  EXPECT_EQ(run.status, 0) << run.err;
+  fmt::print("{}{:.1f} s\n", run.err, run.seconds);
+  EXPECT_THAT(run.err, HasSubstr("26 frames of points 2.5 mm apart"));
+  fmt::print("strip:\n");
+  expect_law(parameters_of(folder, out / "strip.yaml"));
+  fmt::print("sheet:\n");
+  expect_law(parameters_of(folder, out / "study.yaml"));
 }
 
 TEST(DicImportCommand, LeavesNothingWhereTheSessionCannotBeUsed) {

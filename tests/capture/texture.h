@@ -16,7 +16,7 @@ class Texture {
  public:
   explicit Texture(std::uint64_t seed) {
     RandomStream random(seed);
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 40; ++i) {
       const double length = random.uniform(6, 25), angle = random.uniform(0, std::numbers::pi);
       const double wave = 2 * std::numbers::pi / length;
       waves_.push_back({{wave * std::cos(angle), wave * std::sin(angle)},

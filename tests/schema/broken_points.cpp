@@ -3,7 +3,8 @@
 namespace pliant::test {
 
 std::vector<NamedDocument> broken_points() {
-  const SchemaCase dic = full_documents().back().document;
+  const std::vector<NamedDocument> full = full_documents();
+  const SchemaCase &dic = full.back().document, &pictures = full[full.size() - 2].document;
   return {
       changed("a test without name", dic, "/test", ""),
       changed("a sample without unit", dic, "/sample/width", 100),
@@ -26,6 +27,13 @@ std::vector<NamedDocument> broken_points() {
       without("a clip without side", dic, "/clips/0/side"),
       without("forces on nothing", dic, "/forces/on"),
       without("an extension that nobody tells", dic, "/forces"),
+      changed("points and pictures", dic, "/pictures", "pictures/*.png"),
+      changed("an even patch", pictures, "/pictures/patch", 20),
+      changed("a small patch", pictures, "/pictures/patch", 7),
+      changed("no step", pictures, "/pictures/step", 0),
+      without("neither points nor pictures", pictures, "/pictures"),
+      without("pictures without scale", pictures, "/scale"),
+      without("pictures of a sample anywhere", pictures, "/origin"),
   };
 }
 

@@ -126,6 +126,7 @@ DocumentFolder::DocumentFolder() {
   // Readers of scenes and sessions ask whether such files are there, and no more.
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"})
     write(name, "");
+  write("pictures/1.png", "");
   write("export/1.csv", "x,y,u,v\n0,0,0,0\n");
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));

@@ -26,6 +26,7 @@ std::vector<NamedDocument> full_documents() {
       Full{"material of a sampled solid", "phantom.json"},
       Full{"material of a sampled cloth", "sampled_cloth.json"},
       Full{"study of a sampled sheet", "sampled_sheet_study.yaml"},
+      Full{"pictures of a flat sample", "pictures_dic.yaml"},
       Full{"points of image correlation", "full_dic.yaml"},
   };
   const std::filesystem::path folder =

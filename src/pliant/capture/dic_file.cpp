@@ -46,6 +46,25 @@ DicClip read_clip(const Value& value, std::set<std::string>& taken, std::set<Sam
   return clip;
 }
 
+DicPictures read_pictures(const Value& value) {
+  constexpr int kLeast = 9, kMost = 201;
+  DicPictures pictures;
+  if (!value.is_mapping()) {
+    pictures.files = read_data_source(value).files;
+    return pictures;
+  }
+  Fields fields = value.fields();
+  pictures.files = read_data_source(fields.require("files")).files;
+  if (auto v = fields.optional("patch")) {
+    pictures.patch = v->integer(kLeast, kMost);
+    if (pictures.patch % 2 == 0)
+      v->fail("is even", "an odd number of pixels: a patch has a middle");
+  }
+  if (auto v = fields.optional("step")) pictures.step = v->integer(1, kMost);
+  fields.finish();
+  return pictures;
+}
+
 DicForces read_forces(const Value& value) {
   Fields fields = value.fields();
   DicForces forces;
@@ -100,16 +119,27 @@ DicFile dic_of(const Document& document) {
   dic.info = fields.texts("info");
   dic.sample = read_session_sample(fields.require("sample"), SessionKind::sheet);
   if (auto v = fields.optional("scale")) dic.scale = v->positive_quantity(Dimension::length);
-  dic.points = read_data_source(fields.require("points"));
+  const auto pictures = fields.optional("pictures");
+  if (pictures) {
+    dic.pictures = read_pictures(*pictures);
+  } else {
+    dic.points = read_data_source(fields.require("points"));
+  }
   if (auto v = fields.optional("origin")) dic.origin = read_origin(*v, dic.scale);
   if (auto v = fields.optional("weft")) dic.weft = read_axis(*v);
-  dic.warp = {1 - dic.weft.axis, 1};
+  // Rows of pictures count downwards.
+  dic.warp = {1 - dic.weft.axis, pictures && dic.weft.axis == 0 ? -1.0 : 1.0};
   if (auto v = fields.optional("warp")) {
     dic.warp = read_axis(*v);
     if (dic.warp.axis == dic.weft.axis) v->fail("lies along the weft", "the other axis");
   }
   if (auto v = fields.optional("mesh")) dic.mesh = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("gravity")) dic.gravity = read_vector(*v);
+  if (pictures) {
+    if (fields.optional("points")) pictures->fail("stands beside `points`", "one of them");
+    if (!dic.scale) pictures->fail("has no `scale`", "the length of a pixel at the sample");
+    if (!dic.origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
+  }
   const Value list = fields.require("clips");
   std::set<std::string> taken;
   std::set<SampleSide> sides;

@@ -50,6 +50,13 @@ struct DicForces {
       rate;  ///< of the frames (1/s), from the log's time zero; none: a row a frame
 };
 
+/// Pictures of a flat sample by one camera, in which points are tracked.
+struct DicPictures {
+  std::vector<std::filesystem::path> files;  ///< one a frame, the first at rest
+  int patch = 21;                            ///< pixels of a patch's side, odd
+  int step = 10;                             ///< pixels from patch to patch
+};
+
 /// What a dic/1 file says of the export of a system for digital image correlation
 /// (docs/formats/dic.md). SI units.
 struct DicFile {
@@ -57,7 +64,8 @@ struct DicFile {
   std::string test;
   std::map<std::string, std::string> info;
   SessionSample sample;
-  DataSource points;            ///< a file a frame
+  DataSource points;  ///< a file a frame; none where there are pictures
+  std::optional<DicPictures> pictures;
   std::optional<double> scale;  ///< m of one unit of columns that tell none: of a pixel
   std::optional<Eigen::Vector2d>
       origin;  ///< of the sample's corner of least u and v in the points'

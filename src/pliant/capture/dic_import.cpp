@@ -147,9 +147,14 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
 
 }  // namespace
 
-ImportedStudy import_dic(const std::filesystem::path& file) {
+ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
+                         const RunContext& context) {
   const DicFile dic = read_dic(file);
-  const DicSession made = make_dic_session(dic);
+  if (dic.pictures && !read_picture) {
+    throw InputError({dic.file, 0, "pictures"},
+                     "cannot be read: this program was built without them", "tables of `points`");
+  }
+  const DicSession made = make_dic_session(dic, read_picture, context);
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(dic, name);

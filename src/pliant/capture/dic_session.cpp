@@ -12,7 +12,8 @@
 #include "pliant/capture/clip_motion.h"
 #include "pliant/capture/force_log.h"
 #include "pliant/capture/local_motion.h"
-#include "pliant/capture/point_frames.h"
+#include "pliant/capture/median.h"
+#include "pliant/capture/point_source.h"
 #include "pliant/capture/sample_axes.h"
 #include "pliant/geometry/regular_grid.h"
 
@@ -29,25 +30,18 @@ int nodes_along(double size, double edge) {
   return std::max(static_cast<int>(std::lround(size / edge)), 2) + 1;
 }
 
-/// The middle of numbers; 0 of none.
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// Follows the sheet from frame to frame.
 class SheetFollower {
  public:
-  explicit SheetFollower(const DicFile& dic) : dic_(dic), points_(dic) {
-    const PointFrame first = points_.read(0);
+  SheetFollower(const DicFile& dic, const ReadPicture& read_picture, const RunContext& context)
+      : dic_(dic), context_(context), points_(point_source(dic, read_picture, context)) {
+    const PointFrame first = read(0);
     axes_ = sample_axes(dic, first.rest);
     result_.off_plane = axes_.off_plane;
     result_.spacing = point_spacing(axes_.of(first.rest).topRows<2>());
     make_rest();
     require_pulled_clip();
-    if (dic.forces) log_ = read_force_log(*dic.forces, points_.count());
+    if (dic.forces) log_ = read_force_log(*dic.forces, points_->count());
     result_.force = log_.force;
     result_.time = log_.time;
     begin_middle();
@@ -57,7 +51,12 @@ class SheetFollower {
   }
 
   DicSession followed() && {
-    for (int f = 0; f < points_.count(); ++f) follow(f);
+    ProgressTask task(context_.progress, "frames", points_->count());
+    for (int f = 0; f < points_->count(); ++f) {
+      context_.stop.throw_if_requested();
+      follow(f);
+      task.advance(f + 1);
+    }
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
       const double leverage = leverage_ / static_cast<double>(residuals_.size());
@@ -67,6 +66,15 @@ class SheetFollower {
   }
 
  private:
+  PointFrame read(int f) {
+    constexpr int kFewestPoints = 10;
+    PointFrame points = points_->read(f);
+    if (points.count() >= kFewestPoints) return points;
+    throw InputError({points_->file(f)},
+                     fmt::format("frame {} has {} points that were seen", f, points.count()),
+                     fmt::format("at least {}", kFewestPoints));
+  }
+
   void make_rest() {
     Session& session = result_.session;
     session.test = dic_.test;
@@ -113,7 +121,7 @@ class SheetFollower {
   }
 
   void follow(int f) {
-    const PointFrame points = points_.read(f);
+    const PointFrame points = read(f);
     const Eigen::Matrix2Xd rest = axes_.of(points.rest).topRows<2>();
     const Eigen::Matrix3Xd moved = axes_.of(points.moved);
     const Session& session = result_.session;
@@ -145,7 +153,7 @@ class SheetFollower {
   bool is_slack(int f) const {
     // Of the largest force; and of the sample's weight, which still bends it noticeably then.
     constexpr double kNothing = 0.005, kWeights = 4;
-    if (f == 0 || points_.in_space() || !result_.middle || log_.force.empty()) return false;
+    if (f == 0 || points_->in_space() || !result_.middle || log_.force.empty()) return false;
     const double peak = *std::ranges::max_element(log_.force);
     const double weight = sample_mass(dic_.sample) * kStandardGravity;
     return log_.force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
@@ -161,7 +169,7 @@ class SheetFollower {
       positions.col(v) = moved->position;
       if (f == 0) continue;  // it is where displacements are counted from
       // Of a flat test the third coordinate misses nothing.
-      residuals_.push_back(moved->residual * (points_.in_space() ? 1 : 1.5));
+      residuals_.push_back(moved->residual * (points_->in_space() ? 1 : 1.5));
       leverage_ += moved->leverage;
     }
     return positions;
@@ -175,7 +183,7 @@ class SheetFollower {
     if (clip.motion == ClipMotion::points) {
       if (by_points) return *by_points;
       throw InputError(
-          {dic_.points.files[static_cast<std::size_t>(f)].string()},
+          {points_->file(f)},
           fmt::format("frame {}: no points within {} of the clip {}", f,
                       format_quantity(kFar * result_.spacing, Dimension::length, 3), clip.name),
           "points beside it; or `motion: held` or `extension`, where it is known");
@@ -219,7 +227,7 @@ class SheetFollower {
     }
     const auto motion = affine_motion(rest(Eigen::all, inside), moved(Eigen::all, inside));
     if (!motion) {
-      throw InputError({dic_.points.files[static_cast<std::size_t>(f)].string()},
+      throw InputError({points_->file(f)},
                        fmt::format("frame {}: no points in the middle of the sample", f),
                        "at least five that do not lie in a line");
     }
@@ -234,7 +242,8 @@ class SheetFollower {
   }
 
   const DicFile& dic_;
-  PointFrames points_;
+  RunContext context_;
+  std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
   FrameLog log_;
   DicSession result_;
@@ -247,6 +256,9 @@ class SheetFollower {
 
 }  // namespace
 
-DicSession make_dic_session(const DicFile& dic) { return SheetFollower(dic).followed(); }
+DicSession make_dic_session(const DicFile& dic, const ReadPicture& read_picture,
+                            const RunContext& context) {
+  return SheetFollower(dic, read_picture, context).followed();
+}
 
 }  // namespace pliant

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/capture/dic_file.h"
+#include "pliant/capture/point_source.h"
 #include "pliant/measurement/session.h"
 
 namespace pliant {
@@ -43,7 +44,9 @@ struct DicSession {
 /// Follows a grid on the sample through the frames: each vertex goes where the points around it
 /// say, by an affine motion of the points within two spacings; where there is none it is unseen.
 /// Clips move as the file tells.
+/// @param read_picture  needed where the file names pictures
 /// @throws InputError
-DicSession make_dic_session(const DicFile& dic);
+DicSession make_dic_session(const DicFile& dic, const ReadPicture& read_picture = {},
+                            const RunContext& context = {});
 
 }  // namespace pliant

@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "pliant/capture/median.h"
+
 namespace pliant {
 namespace {
 
@@ -97,9 +99,7 @@ double point_spacing(const Eigen::Matrix2Xd& rest) {
     distance(i) = INFINITY;
     nearest.push_back(distance.minCoeff());
   }
-  const auto middle = nearest.begin() + std::ssize(nearest) / 2;
-  std::ranges::nth_element(nearest, middle);
-  return *middle;
+  return median(std::move(nearest));
 }
 
 }  // namespace pliant

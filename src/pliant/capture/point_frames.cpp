@@ -16,7 +16,6 @@ namespace pliant {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr int kFewestPoints = 10;
 constexpr std::array<const char*, 3> kPlaces{"x", "y", "z"};
 constexpr std::array<const char*, 3> kDisplacements{"u", "v", "w"};
 
@@ -185,19 +184,17 @@ PointFrame PointFrames::by_number(const Table& table) const {
   return frame;
 }
 
-PointFrame PointFrames::read(int frame) const {
+std::string PointFrames::file(int frame) const {
+  return dic_.points.files[static_cast<std::size_t>(frame)].string();
+}
+
+PointFrame PointFrames::read(int frame) {
   const Table table = read_table(frame);
   if (table.place[2].has_value() != in_space_) {
     throw InputError({table.file}, "has another number of coordinates than the first file",
                      "x, y in all files, or x, y, z in all");
   }
-  const PointFrame points = rest_.empty() ? by_displacement(table) : by_number(table);
-  if (points.count() < kFewestPoints) {
-    throw InputError({table.file},
-                     fmt::format("frame {} has {} points that were seen", frame, points.count()),
-                     fmt::format("at least {}", kFewestPoints));
-  }
-  return points;
+  return rest_.empty() ? by_displacement(table) : by_number(table);
 }
 
 }  // namespace pliant

@@ -4,32 +4,23 @@
 
 #include <Eigen/Core>
 
-#include "pliant/capture/dic_file.h"
+#include "pliant/capture/point_source.h"
 
 namespace pliant {
-
-/// The points of a sheet that were seen in a frame: where they are at rest, and where by now.
-struct PointFrame {
-  Eigen::Matrix3Xd rest;   ///< m, one column a point
-  Eigen::Matrix3Xd moved;  ///< m
-  int lost = 0;            ///< points of the file that were not found
-
-  int count() const { return static_cast<int>(rest.cols()); }
-};
 
 /// Reads the files of points, one a frame, the first of them at rest. Columns are `x, y` and, with
 /// stereo, `z`: with the displacements `u, v, w` of points that stand at x, y, z at rest, or with
 /// the `id` of points that stand there in the frame. A point without numbers, or with a negative
 /// `sigma`, was lost.
 /// @throws InputError for columns that are missing, and frames of fewer than ten points
-class PointFrames {
+class PointFrames : public PointSource {
  public:
   explicit PointFrames(const DicFile& dic);
 
-  int count() const { return static_cast<int>(dic_.points.files.size()); }
-  /// Whether points have three coordinates.
-  bool in_space() const { return in_space_; }
-  PointFrame read(int frame) const;
+  int count() const override { return static_cast<int>(dic_.points.files.size()); }
+  bool in_space() const override { return in_space_; }
+  std::string file(int frame) const override;
+  PointFrame read(int frame) override;
 
  private:
   struct Table;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include <Eigen/Core>
+
+#include "pliant/base/run_context.h"
+#include "pliant/capture/dic_file.h"
+#include "pliant/capture/spline_picture.h"
+
+namespace pliant {
+
+/// The points of a sheet that were seen in a frame: where they are at rest, and where by now.
+struct PointFrame {
+  Eigen::Matrix3Xd rest;   ///< m, one column a point
+  Eigen::Matrix3Xd moved;  ///< m
+  int lost = 0;            ///< points that were not found
+
+  int count() const { return static_cast<int>(rest.cols()); }
+};
+
+/// Where the points of each frame come from. The first frame is at rest.
+class PointSource {
+ public:
+  virtual ~PointSource() = default;
+  virtual int count() const = 0;
+  /// Whether points have three coordinates.
+  virtual bool in_space() const = 0;
+  /// The file of a frame, for messages.
+  virtual std::string file(int frame) const = 0;
+  /// @param frame  that of the call before, or the one after it
+  /// @throws InputError
+  virtual PointFrame read(int frame) = 0;
+};
+
+/// Reads a picture as brightness, 0 to 1.
+using ReadPicture = std::function<GreyPicture(const std::filesystem::path&)>;
+
+/// The tables of a dic/1 file, or the points that are tracked in its pictures.
+/// @param dic  outlives the source
+/// @throws InputError
+std::unique_ptr<PointSource> point_source(const DicFile& dic, const ReadPicture& read_picture,
+                                          const RunContext& context);
+
+}  // namespace pliant

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pliant/capture/point_source.h"
+#include "pliant/capture/reference_patch.h"
+
+namespace pliant {
+
+/// Points of a flat sample that one camera has seen from straight in front: each is a patch of the
+/// first picture that is found again in every other one. It is always the first picture that is
+/// matched, so that nothing adds up from frame to frame.
+///
+/// A patch is looked for where it was in the frame before, and if it is not there where the patches
+/// around it have gone; where most are lost, a few are searched for far around, and lead the
+/// others. One that has gone elsewhere than those around it counts as lost.
+class TrackedPoints : public PointSource {
+ public:
+  /// @throws InputError where the sample does not lie in the first picture, or most of it has no
+  ///         texture
+  TrackedPoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context);
+
+  int count() const override { return static_cast<int>(dic_.pictures->files.size()); }
+  bool in_space() const override { return false; }
+  std::string file(int frame) const override;
+  PointFrame read(int frame) override;
+
+ private:
+  struct Tracked {
+    Eigen::Vector2d place;  // pixels
+    ReferencePatch patch;
+    PatchMotion motion;      // when it was seen last
+    double correlation = 1;  // then
+    bool is_seen = true;
+  };
+
+  void place_patches(const SplinePicture& rest);
+  GreyPicture picture(int frame) const;
+  void track(int frame);
+  void match_where_they_were(const SplinePicture& now);
+  bool match_beside_found(const SplinePicture& now, double steps);
+  void search_far(const GreyPicture& now);
+  void look_for(Tracked& point, const SplinePicture& now, const PatchMotion& start) const;
+  void leave_out_strays();
+  int seen() const;
+  PointFrame points() const;
+
+  const DicFile& dic_;
+  ReadPicture read_picture_;
+  RunContext context_;
+  GreyPicture rest_;
+  std::vector<Tracked> tracked_;
+  int without_texture_ = 0;
+  int frame_ = 0;
+};
+
+/// A picture whose pixels are the means of squares of `factor` x `factor`.
+GreyPicture reduced(const GreyPicture& picture, int factor);
+
+/// Where a patch has gone by whole pixels: the largest correlation within `reach`.
+/// @return nothing where it leaves the picture everywhere, or nowhere correlates by a half
+std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
+                                            const Eigen::Vector2i& place, int radius, int reach);
+
+}  // namespace pliant

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "pliant/base/quantity.h"
 #include "pliant/capture/dic_session.h"
@@ -12,14 +11,10 @@
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/io/csv_writer.h"
+#include "pliant/io/yaml_text.h"
 
 namespace pliant {
 namespace {
-
-// A text as YAML reads it back, whatever is in it.
-std::string yaml_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 std::string millimetres(double metres) { return format_quantity(metres, Dimension::length, 3); }
 

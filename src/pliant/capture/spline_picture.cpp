@@ -87,15 +87,27 @@ SplinePicture::SplinePicture(const GreyPicture& picture, double smoothing)
   }
 }
 
-float SplinePicture::value(const Eigen::Vector2d& place) const {
+/// The coefficients around a place, and what they count there.
+struct SplinePicture::Neighbourhood {
+  const float* corner;
+  Eigen::Index stride;  // from row to row
+  Weights across, down;
+
+  const float* row(int i) const { return corner + i * stride; }
+};
+
+inline SplinePicture::Neighbourhood SplinePicture::around(const Eigen::Vector2d& place) const {
   const double column = std::floor(place.x()), row = std::floor(place.y());
-  const Weights across(static_cast<float>(place.x() - column));
-  const Weights down(static_cast<float>(place.y() - row));
-  const float* corner = &coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
-                                       static_cast<Eigen::Index>(column) + kBorder - 1);
-  const Eigen::Index stride = coefficients_.cols();
+  return {&coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
+                         static_cast<Eigen::Index>(column) + kBorder - 1),
+          coefficients_.cols(), Weights(static_cast<float>(place.x() - column)),
+          Weights(static_cast<float>(place.y() - row))};
+}
+
+float SplinePicture::value(const Eigen::Vector2d& place) const {
+  const Neighbourhood near = around(place);
   float result = 0;
-  for (int i = 0; i < 4; ++i) result += down.value[i] * dot(corner + i * stride, across.value);
+  for (int i = 0; i < 4; ++i) result += near.down.value[i] * dot(near.row(i), near.across.value);
   return result;
 }
 
@@ -124,18 +136,13 @@ double SplinePicture::noise_left_along(double place) const {
 }
 
 PictureSample SplinePicture::sample(const Eigen::Vector2d& place) const {
-  const double column = std::floor(place.x()), row = std::floor(place.y());
-  const Weights across(static_cast<float>(place.x() - column));
-  const Weights down(static_cast<float>(place.y() - row));
-  const float* corner = &coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
-                                       static_cast<Eigen::Index>(column) + kBorder - 1);
-  const Eigen::Index stride = coefficients_.cols();
+  const Neighbourhood near = around(place);
   PictureSample result{0, Eigen::Vector2f::Zero()};
   for (int i = 0; i < 4; ++i) {
-    const float along = dot(corner + i * stride, across.value);
-    result.value += down.value[i] * along;
-    result.gradient.x() += down.value[i] * dot(corner + i * stride, across.slope);
-    result.gradient.y() += down.slope[i] * along;
+    const float along = dot(near.row(i), near.across.value);
+    result.value += near.down.value[i] * along;
+    result.gradient.x() += near.down.value[i] * dot(near.row(i), near.across.slope);
+    result.gradient.y() += near.down.slope[i] * along;
   }
   return result;
 }

@@ -41,6 +41,9 @@ class SplinePicture {
  private:
   static constexpr Eigen::Index kBorder = 2;
 
+  struct Neighbourhood;
+
+  Neighbourhood around(const Eigen::Vector2d& place) const;
   double noise_left_along(double place) const;
 
   double smoothing_;

@@ -4,19 +4,14 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "pliant/base/parallel.h"
 #include "pliant/experiment/test_type.h"
+#include "pliant/io/yaml_text.h"
 #include "pliant/material/material.h"
 
 namespace pliant {
 namespace {
-
-// A text as YAML reads it back, whatever is in it: JSON's quotes are YAML's.
-std::string yaml_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 std::string specimen_name(const VirtualLab& lab, const VirtualTest& test, int number) {
   return lab.specimens == 1 ? test.name : fmt::format("{}-{:02}", test.name, number);

@@ -65,12 +65,7 @@ void add_bending_length(const Material& material, const std::string& name,
     lines.push_back(labelled("bending length", "not known without the density", 1));
     return;
   }
-  const ComponentLaw law = *law_of(material, name);
-  if (law.addends_remember()) {
-    lines.push_back(labelled("bending length", "not told of laws with addends that remember", 1));
-    return;
-  }
-  const auto length = bending_length(law, material.density);
+  const auto length = bending_length(*law_of(material, name), material.density);
   if (!length) {
     lines.push_back(labelled("bending length", "no overhang below 10 m dips by 41.5 degrees", 1));
     return;

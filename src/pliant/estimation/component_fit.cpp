@@ -185,34 +185,15 @@ void refuse_addends(const FitSettings& settings,
   if (plan.form().flows()) {
     for (const ComponentExperiment* experiment : experiments) require_times(*experiment, where);
   }
-  if (!plan.form().addends_remember()) return;
-  for (const ComponentExperiment* experiment : experiments) {
-    if (!experiment->info().test.needs_density) continue;
-    throw InputError(where,
-                     "bent strips are followed with friction of one branch, not with addends that "
-                     "remember, and " +
-                         quoted_value(experiment->info().name) + " is one",
-                     "stiffness and friction, or a test that imposes the strain");
-  }
 }
 
-/// How many branches of friction there may be; of strips that bend under their weight one.
-void plan_branches(const FrictionModel& asked, const FitSettings& settings,
-                   const std::vector<const ComponentExperiment*>& experiments, ComponentPlan& plan,
-                   std::vector<std::string>& notes) {
+/// How many branches of friction there may be.
+void plan_branches(const FrictionModel& asked, const FitSettings& settings, ComponentPlan& plan) {
   constexpr int kMostBranches = 4;
   if (plan.friction == FrictionLaw::none || asked.branches == 1) return;
   if (settings.fit.estimator == EstimatorKind::anchor) {
     throw InputError({settings.file, 0, "model.friction"},
                      "the published estimator knows one branch of friction", "dahl");
-  }
-  for (const ComponentExperiment* experiment : experiments) {
-    if (!experiment->info().test.needs_density) continue;
-    notes.push_back(fmt::format(
-        "further branches of friction of {}: strips that bend under their weight, as {}, are "
-        "followed with one",
-        experiment->info().component, quoted_value(experiment->info().name)));
-    return;
   }
   plan.branches_stated = asked.branches > 0;
   plan.branches = plan.branches_stated ? asked.branches : kMostBranches;
@@ -292,7 +273,7 @@ ComponentPlan plan_component(const FitSettings& settings,
                     ": the data only loads; friction shows when it unloads");
     if (choice == FrictionChoice::automatic) plan.friction = FrictionLaw::none;
   }
-  plan_branches(asked, settings, experiments, plan, notes);
+  plan_branches(asked, settings, plan);
   for (const AddendKind* kind : plan.addends) {
     if (data_unloads || kind->flows || !remembers(*kind)) continue;
     notes.push_back(

@@ -136,7 +136,7 @@ int snapping_strips(const ComponentWork& work, const StrainInterval& snapping) {
 // Where a strip jumps to is not the law's alone to say.
 void warn_of_snapping(const ComponentWork& work, StudyResult& result) {
   const ComponentLaw& law = work.fit.fit.law;
-  if (law.friction_law != FrictionLaw::dahl) return;
+  if (law.friction_law != FrictionLaw::dahl || law.addends_remember()) return;
   for (const StrainInterval& snapping : snapping_strains(law, 1, work.problem->largest_strain())) {
     const int strips = snapping_strips(work, snapping);
     if (strips == 0) continue;

@@ -198,9 +198,7 @@ void add_membrane(const Material& material, const std::string& component, Figure
 }
 
 std::optional<double> flexural_rigidity(const MaterialComponent& component, double density) {
-  const ComponentLaw law = law_of(component);
-  if (law.addends_remember()) return std::nullopt;
-  const auto length = bending_length(law, density);
+  const auto length = bending_length(law_of(component), density);
   return length ? std::optional(length->flexural_rigidity) : std::nullopt;
 }
 

@@ -80,12 +80,6 @@ void VirtualTable::require(const Material& material) const {
         "a direction that was measured or assumed");
   }
   refuse_laws_of_sheets(material, component_of_test(facts, direction), where);
-  if (facts.needs_density && law->addends_remember()) {
-    throw InputError(where,
-                     "bent strips are followed with friction of one branch, and the material " +
-                         quoted_value(material.name) + " has addends that remember",
-                     "a test that imposes the strain, or a material without them");
-  }
   if (facts.needs_density && !(material.density > 0)) {
     throw InputError(where,
                      "needs the density of the material " + quoted_value(material.name) +

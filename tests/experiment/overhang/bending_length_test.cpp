@@ -91,11 +91,13 @@ TEST(BendingLengthSpread, OfOneReadingIsUnknown) {
   EXPECT_FALSE(spread->rigidity_variation);
 }
 
-// A strip that bends under its weight is followed with friction alone (elastica.h).
-TEST(BendingLength, IsNoneOfALawWithAddendsThatRemember) {
+// Before it yields, a plastic range is elasticity.
+TEST(BendingLength, OfALawWithAPlasticRangeIsLonger) {
   ComponentLaw law = elastic(2e-6);
-  law.addends = {{*find_addend_kind("plastic"), Eigen::Vector2d(2e-6, 30)}};
-  EXPECT_FALSE(bending_length(law, 0.2));
+  law.addends = {{*find_addend_kind("plastic"), Eigen::Vector2d(2e-6, 1e4)}};
+  const auto length = bending_length(law, 0.2), stiff = bending_length(elastic(4e-6), 0.2);
+  ASSERT_TRUE(length && stiff);
+  EXPECT_NEAR(length->length, stiff->length, 1e-6);
 }
 
 TEST(BendingLength, IsNoneForASheetThatNeverDips) {

@@ -41,7 +41,6 @@ double read_overhang_angle(Fields& fields) {
 std::optional<BendingLength> bending_length(const ComponentLaw& law, double area_density,
                                             double angle) {
   PLIANT_ASSERT(area_density > 0, "its own weight bends the strip");
-  if (law.addends_remember()) return std::nullopt;  // no strip is followed with these
   const double weight = area_density * kStandardGravity;
   const auto strip = dipping_strip(law, weight, angle);
   if (!strip) return std::nullopt;

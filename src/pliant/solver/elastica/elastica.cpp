@@ -8,8 +8,7 @@
 #include <Eigen/QR>
 
 #include "pliant/base/assert.h"
-#include "pliant/base/errors.h"
-#include "pliant/material/bending_strain.h"
+#include "pliant/solver/elastica/point_moment.h"
 
 namespace pliant {
 namespace {
@@ -35,46 +34,6 @@ void add_loads(const StripEnds& ends, const Eigen::VectorXd& change, StripShape&
   if (ends.far_y) shape.far_load.y() += change(next++);
 }
 
-// Work per width and length since the history at `strain`: of the moment on the curvature.
-double bending_work(const ComponentLaw& law, double strain, const FrictionState& from) {
-  double work = law.elastic_energy(strain) - law.elastic_energy(from.strain);
-  if (law.friction_law == FrictionLaw::dahl) {
-    const DahlParameters dahl{law.friction[0], law.friction[1], law.friction[2]};
-    work += friction_work({dahl, dahl}, strain, from);
-  }
-  return work / kStrainPerCurvature;
-}
-
-FrictionState state_at(const StripHistory& history, Eigen::Index i) {
-  return {kStrainPerCurvature * history.curvature(i), history.friction(i)};
-}
-
-// At every point of a shape that was reached in one stretch.
-std::vector<FrictionStress> friction_of(const ComponentLaw& law, const StripHistory& history,
-                                        const StripShape& shape) {
-  std::vector<FrictionStress> friction;
-  for (Eigen::Index i = 0; i < shape.curvature.size(); ++i) {
-    friction.push_back(
-        law.friction_stress(kStrainPerCurvature * shape.curvature(i), state_at(history, i)));
-  }
-  return friction;
-}
-
-// d friction stress / d parameters at fixed curvature, the history's part included; a row a point.
-Eigen::MatrixXd friction_by_parameter(const ComponentLaw& law, const StripHistory& history,
-                                      const std::vector<FrictionStress>& friction) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(friction.size()), law.parameter_count() + 1);
-  for (Eigen::Index i = 0; i < result.rows(); ++i) {
-    const FrictionStress& here = friction[static_cast<size_t>(i)];
-    result.row(i) = here.from_strain * kStrainPerCurvature * history.curvature_by_parameter.row(i) +
-                    here.from_stress * history.friction_by_parameter.row(i);
-    for (int k = 0; k < law.friction_count(); ++k) {
-      result(i, law.stiffness.size() + k) += here.parameters[static_cast<size_t>(k)];
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 /// The strip at some curvatures: energy and its first derivatives, and how far the far end is from
@@ -97,22 +56,21 @@ StripHistory Elastica::rested(const ComponentLaw& law) const { return rolled(law
 
 StripHistory Elastica::rolled(const ComponentLaw& law, double curvature) const {
   PLIANT_ASSERT(law.friction_law != FrictionLaw::constant_slope, "no energy is known of this law");
-  if (law.addends_remember()) {
-    throw InputError({}, "the law of a bent strip has addends that remember",
-                     "stiffness, friction and addends without memory");
-  }
-  const FrictionStress friction = law.friction_stress(kStrainPerCurvature * curvature, {});
   const int parameters = law.parameter_count() + 1;
-  StripHistory history;
-  history.curvature = Eigen::VectorXd::Constant(line_.size(), curvature);
-  history.friction = Eigen::VectorXd::Constant(line_.size(), friction.stress);
-  history.curvature_by_parameter = Eigen::MatrixXd::Zero(line_.size(), parameters);
-  history.friction_by_parameter = Eigen::MatrixXd::Zero(line_.size(), parameters);
-  for (int i = 0; i < law.friction_count(); ++i) {
-    history.friction_by_parameter.col(law.stiffness.size() + i)
-        .setConstant(friction.parameters[static_cast<size_t>(i)]);
-  }
-  return history;
+  Eigen::Index numbers = 0;
+  for (const Addend& addend : law.addends) numbers += addend.history_size();
+  StripHistory flat;
+  flat.curvature = Eigen::VectorXd::Zero(line_.size());
+  flat.friction = flat.curvature;
+  flat.curvature_by_parameter = Eigen::MatrixXd::Zero(line_.size(), parameters);
+  flat.friction_by_parameter = flat.curvature_by_parameter;
+  flat.memory = Eigen::MatrixXd::Zero(line_.size(), numbers);
+  flat.memory_by_parameter.assign(static_cast<size_t>(line_.size()),
+                                  Eigen::MatrixXd::Zero(numbers, parameters));
+  StripShape round;
+  round.curvature = Eigen::VectorXd::Constant(line_.size(), curvature);
+  round.curvature_by_parameter = flat.curvature_by_parameter;
+  return remembered(law, flat, round);
 }
 
 Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, const StripEnds& ends,
@@ -129,12 +87,10 @@ Elastica::Balance Elastica::balance(const ComponentLaw& law, double weight, cons
     const double angle = turned(i) + ends.clamp_angle;
     b.cosine(i) = std::cos(angle);  // beside each other they cost one call
     b.sine(i) = std::sin(angle);
-    const double strain = kStrainPerCurvature * shape.curvature(i);
-    const FrictionState from = state_at(history, i);
-    const FrictionStress friction = law.friction_stress(strain, from);
-    b.moment(i) = law.elastic_stress(strain) + friction.stress;
-    b.tangent(i) = kStrainPerCurvature * (law.elastic_tangent(strain) + friction.slope);
-    b.energy += w(i) * bending_work(law, strain, from);
+    const PointMoment point = point_moment(law, history, i, shape.curvature(i), false);
+    b.moment(i) = point.moment;
+    b.tangent(i) = point.tangent;
+    b.energy += w(i) * point.work;
   }
   const Eigen::VectorXd hanging = weight * (line_.length() - line_.places().array());
   b.energy += w.dot(hanging.cwiseProduct(b.sine));
@@ -308,11 +264,8 @@ void Elastica::differentiate(const ComponentLaw& law, double weight, const Strip
   const Eigen::VectorXd& w = line_.weights();
   const Eigen::Index n = line_.size(), parameters = law.parameter_count() + 1;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + b.gap.size(), parameters);
-  right.topRows(n) =
-      -(w.asDiagonal() * friction_by_parameter(law, history, friction_of(law, history, shape)));
   for (int i = 0; i < n; ++i) {
-    const double strain = kStrainPerCurvature * shape.curvature(i);
-    right.row(i).head(law.parameter_count()) -= w(i) * law.elastic_gradient(strain).transpose();
+    right.row(i) = -w(i) * point_moment(law, history, i, shape.curvature(i), true).by_parameter;
   }
   right.col(parameters - 1).head(n) -= line_.transposed_integrals(
       w.cwiseProduct((line_.length() - line_.places().array()).matrix().cwiseProduct(b.cosine)));
@@ -360,20 +313,7 @@ Eigen::MatrixXd Elastica::response_to_turns(const ComponentLaw& law, double weig
 
 StripHistory Elastica::accepted(const ComponentLaw& law, const StripHistory& history,
                                 const StripShape& shape) const {
-  StripHistory next;
-  next.curvature = shape.curvature;
-  next.friction.resize(line_.size());
-  Eigen::VectorXd slope(line_.size());
-  const std::vector<FrictionStress> friction = friction_of(law, history, shape);
-  for (int i = 0; i < line_.size(); ++i) {
-    next.friction(i) = friction[static_cast<size_t>(i)].stress;
-    slope(i) = kStrainPerCurvature * friction[static_cast<size_t>(i)].slope;
-  }
-  if (shape.curvature_by_parameter.size() == 0) return next;
-  next.curvature_by_parameter = shape.curvature_by_parameter;
-  next.friction_by_parameter = friction_by_parameter(law, history, friction) +
-                               slope.asDiagonal() * shape.curvature_by_parameter;
-  return next;
+  return remembered(law, history, shape);
 }
 
 StripProfile Elastica::profile(const StripEnds& ends, const StripShape& shape) const {

@@ -28,6 +28,9 @@ struct StripHistory {
   Eigen::VectorXd friction;   ///< friction stress (N)
   Eigen::MatrixXd curvature_by_parameter;
   Eigen::MatrixXd friction_by_parameter;
+  /// What the law's addends remember, a row a point, one after the other; no columns: nothing.
+  Eigen::MatrixXd memory;
+  std::vector<Eigen::MatrixXd> memory_by_parameter;  ///< of each point, a row a number
 };
 
 /// An equilibrium of a strip. Its derivatives are empty unless asked for.

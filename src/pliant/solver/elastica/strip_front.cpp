@@ -10,6 +10,7 @@
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/snapping_strains.h"
 #include "pliant/math/root.h"
+#include "pliant/solver/elastica/point_moment.h"
 
 namespace pliant {
 namespace {
@@ -25,38 +26,16 @@ struct Front {
   double between = 0;  ///< the same as a share of the way from `first` to the next point
 };
 
-/// The moment of a point that was reached in one stretch.
-struct PointMoment {
-  double moment = 0;                // N
-  double tangent = 0;               // by curvature
-  Eigen::RowVectorXd by_parameter;  // at this curvature; empty where the history has none
-};
-
 PointMoment moment_at(const ComponentLaw& law, const StripHistory& history, Index i,
                       double curvature) {
-  const double strain = kStrainPerCurvature * curvature;
-  const FrictionStress friction = law.friction_stress(
-      strain, {kStrainPerCurvature * history.curvature(i), history.friction(i)});
-  PointMoment point;
-  point.moment = law.elastic_stress(strain) + friction.stress;
-  point.tangent = kStrainPerCurvature * (law.elastic_tangent(strain) + friction.slope);
-  if (history.curvature_by_parameter.size() == 0) return point;
-  point.by_parameter =
-      friction.from_strain * kStrainPerCurvature * history.curvature_by_parameter.row(i) +
-      friction.from_stress * history.friction_by_parameter.row(i);
-  const int stiffness = law.stiffness.size();
-  point.by_parameter.head(law.parameter_count()) += law.elastic_gradient(strain).transpose();
-  for (int k = 0; k < law.friction_count(); ++k) {
-    point.by_parameter(stiffness + k) += friction.parameters[static_cast<size_t>(k)];
-  }
-  return point;
+  return point_moment(law, history, i, curvature, history.curvature_by_parameter.size() > 0);
 }
 
 // The curvature on the way back from the start below which a point snaps.
 std::optional<double> snapping_curvature(const ComponentLaw& law, const StripHistory& start) {
   constexpr int kSamples = 64;
   const double from = start.curvature(0);
-  if (law.friction_law != FrictionLaw::dahl || from == 0 ||
+  if (law.friction_law != FrictionLaw::dahl || law.addends_remember() || from == 0 ||
       snapping_strains(law, from > 0 ? 1 : -1, kStrainPerCurvature * from).empty()) {
     return std::nullopt;
   }

@@ -60,7 +60,7 @@ class Release {
     return follow(from, middle, half, halvings - 1) && follow(middle, to, at(to), halvings - 1);
   }
 
-  bool remembers() const { return law_.friction_law != FrictionLaw::none; }
+  bool remembers() const { return law_.remembers(); }
 
   MaybeShape at(double share) { return at(share, shape_, history_); }
 
@@ -97,7 +97,7 @@ std::optional<StripShape> released(const Elastica& strip, const ComponentLaw& la
                                    const StripEnds& ends, bool with_derivatives,
                                    StripHistory& history, double accuracy) {
   Release release(strip, law, weight, ends, history, with_derivatives, accuracy);
-  const int steps = law.friction_law == FrictionLaw::none ? kElasticSteps : kFirstSteps;
+  const int steps = law.remembers() ? kFirstSteps : kElasticSteps;
   for (int step = 0; step < steps; ++step) {
     const double from = 1 - static_cast<double>(step) / steps;
     if (!release.follow(from, from - 1.0 / steps)) return std::nullopt;

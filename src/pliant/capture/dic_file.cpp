@@ -102,10 +102,6 @@ void require_clips_for_motion(const DicFile& dic, const Value& list) {
 
 }  // namespace
 
-double sample_mass(const SessionSample& sample) {
-  return sample.density ? *sample.density * sample.width * sample.height : *sample.mass;
-}
-
 DicFile read_dic(const std::filesystem::path& path) { return dic_of(read_yaml(path)); }
 
 DicFile dic_of(const Document& document) {

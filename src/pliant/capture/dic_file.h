@@ -24,9 +24,6 @@ enum class ClipMotion {
   extension,  ///< away from the sample by the extension in the log of forces
 };
 
-/// Mass of a sample (kg), of which mass or density is known.
-double sample_mass(const SessionSample& sample);
-
 /// A clip, or a jaw, that holds a whole side of the sample.
 struct DicClip {
   std::string name;

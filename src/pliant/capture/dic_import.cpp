@@ -12,22 +12,23 @@
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/io/yaml_text.h"
+#include "pliant/measurement/session/balance.h"
 
 namespace pliant {
 namespace {
 
 std::string millimetres(double metres) { return format_quantity(metres, Dimension::length, 3); }
 
-std::string study_head(const DicFile& dic, const std::string& name) {
+std::string study_head(const DicSession& made, const std::string& name) {
   std::string text = fmt::format("pliant: study/1\nname: {}\n", yaml_text(name));
-  const double density = sample_mass(dic.sample) / (dic.sample.width * dic.sample.height);
+  const double density = area_density(made.session);
   return text + fmt::format("density: {}\n", exact_quantity(density, Dimension::area_density));
 }
 
-std::string sheet_study(const DicFile& dic, const std::string& name) {
-  return study_head(dic, name) + fmt::format("experiments:\n  - {{name: {}, type: {}, data: {}}}\n",
-                                             yaml_text(name), session_type().name,
-                                             kDicSessionFolder);
+std::string sheet_study(const DicSession& made, const std::string& name) {
+  return study_head(made, name) +
+         fmt::format("experiments:\n  - {{name: {}, type: {}, data: {}}}\n", yaml_text(name),
+                     session_type().name, kDicSessionFolder);
 }
 
 double largest(const std::vector<double>& numbers) {
@@ -42,7 +43,8 @@ bool narrows(const MiddleRecord& middle) {
   return largest(middle.lateral_strain) > std::max(kShare * largest(middle.strain), kSmallest);
 }
 
-std::string strip_study(const DicFile& dic, const std::string& name, const MiddleRecord& middle) {
+std::string strip_study(const DicSession& made, const std::string& name) {
+  const MiddleRecord& middle = *made.middle;
   const auto entry = [&](const char* suffix, const TestType& type) {
     return fmt::format(
         "  - name: {}\n    type: {}\n    direction: {}\n    data: middle.csv\n"
@@ -51,7 +53,7 @@ std::string strip_study(const DicFile& dic, const std::string& name, const Middl
         exact_quantity(middle.length, Dimension::length),
         exact_quantity(middle.width, Dimension::length));
   };
-  return study_head(dic, name) +
+  return study_head(made, name) +
          "# The middle third of the sample: no clamp hinders it, and none lets go of it.\n"
          "experiments:\n" +
          entry("", tensile_cycles_type()) +
@@ -76,14 +78,11 @@ std::string middle_table(const DicSession& dic) {
 /// The frame with the largest of some numbers, NaN left out.
 template <class Number>
 std::size_t worst_frame(const std::vector<Number>& numbers) {
-  std::size_t worst = 0;
-  for (std::size_t f = 1; f < numbers.size(); ++f) {
-    if (!(std::abs(static_cast<double>(numbers[f])) <=
-          std::abs(static_cast<double>(numbers[worst])))) {
-      worst = f;
-    }
-  }
-  return worst;
+  const auto size = [](Number number) {
+    const double value = std::abs(static_cast<double>(number));
+    return std::isnan(value) ? -1 : value;
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(numbers, {}, size) - numbers.begin());
 }
 
 std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
@@ -122,7 +121,9 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
   }
   for (const ClipSlip& slip : made.slips) {
     const std::size_t f = worst_frame(slip.slip);
-    notes.push_back(std::isfinite(slip.slip[f])
+    const bool is_seen =
+        std::ranges::none_of(slip.slip, [](double value) { return std::isnan(value); });
+    notes.push_back(is_seen
                         ? fmt::format("cloth has left the clip {} by {} at most (frame {}), what "
                                       "the points beside it say",
                                       slip.clip, millimetres(slip.slip[f]), f)
@@ -152,13 +153,13 @@ ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& r
   const DicSession made = make_dic_session(dic, read_picture, context);
   const std::string name = file.stem().string();
   ImportedStudy study;
-  study.study_yaml = sheet_study(dic, name);
+  study.study_yaml = sheet_study(made, name);
   for (auto& [path, content] : session_files(made.session)) {
     study.files.emplace_back(fmt::format("{}/{}", kDicSessionFolder, path), std::move(content));
   }
   if (made.middle && !made.force.empty()) {
     study.files.emplace_back("middle.csv", middle_table(made));
-    study.files.emplace_back("strip.yaml", strip_study(dic, name, *made.middle));
+    study.files.emplace_back("strip.yaml", strip_study(made, name));
   }
   if (!dic.forces) {
     study.warnings.emplace_back(

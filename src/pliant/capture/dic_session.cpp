@@ -16,6 +16,7 @@
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/sample_axes.h"
 #include "pliant/geometry/regular_grid.h"
+#include "pliant/measurement/session/balance.h"
 
 namespace pliant {
 namespace {
@@ -155,7 +156,8 @@ class SheetFollower {
     constexpr double kNothing = 0.005, kWeights = 4;
     if (f == 0 || points_->in_space() || !result_.middle || log_.force.empty()) return false;
     const double peak = *std::ranges::max_element(log_.force);
-    const double weight = sample_mass(dic_.sample) * kStandardGravity;
+    const double weight =
+        area_density(result_.session) * rest_area(result_.session.rest) * kStandardGravity;
     return log_.force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
   }
 

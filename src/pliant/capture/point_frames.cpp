@@ -73,6 +73,23 @@ std::optional<std::vector<double>> coordinate(const CsvTable& table, const char*
   return numbers_of(table, *header, *factor);
 }
 
+/// Where points are at rest, and by now.
+using Places = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
+
+/// @param all  how many points there are, lost ones too
+PointFrame frame_of(const Places& places, std::size_t all) {
+  PointFrame frame;
+  frame.rest.resize(3, std::ssize(places));
+  frame.moved.resize(3, std::ssize(places));
+  for (Eigen::Index i = 0; i < frame.rest.cols(); ++i) {
+    const auto& [rest, moved] = places[static_cast<std::size_t>(i)];
+    frame.rest.col(i) = rest;
+    frame.moved.col(i) = moved;
+  }
+  frame.lost = static_cast<int>(all - places.size());
+  return frame;
+}
+
 }  // namespace
 
 /// The columns of a frame's file; NaN where a point was lost.
@@ -143,22 +160,13 @@ PointFrames::Table PointFrames::read_table(int frame) const {
 }
 
 PointFrame PointFrames::by_displacement(const Table& table) const {
-  std::vector<Eigen::Vector3d> rest, moved;
+  Places places;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Eigen::Vector3d place = table.place_of(row), by = table.displacement_of(row);
     if (table.is_lost(row) || !place.allFinite() || !by.allFinite()) continue;
-    rest.push_back(place);
-    moved.push_back(place + by);
+    places.emplace_back(place, place + by);
   }
-  PointFrame frame;
-  frame.rest.resize(3, static_cast<Eigen::Index>(rest.size()));
-  frame.moved.resize(3, static_cast<Eigen::Index>(rest.size()));
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    frame.rest.col(static_cast<Eigen::Index>(i)) = rest[i];
-    frame.moved.col(static_cast<Eigen::Index>(i)) = moved[i];
-  }
-  frame.lost = static_cast<int>(table.rows() - rest.size());
-  return frame;
+  return frame_of(places, table.rows());
 }
 
 PointFrame PointFrames::by_number(const Table& table) const {
@@ -168,20 +176,12 @@ PointFrame PointFrames::by_number(const Table& table) const {
     if (table.is_lost(row) || !table.place_of(row).allFinite()) continue;
     seen.emplace((*table.id)[row], table.place_of(row));
   }
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
+  Places places;
   for (const auto& [id, place] : rest_) {
     const auto now = seen.find(id);
-    if (now != seen.end()) pairs.emplace_back(place, now->second);
+    if (now != seen.end()) places.emplace_back(place, now->second);
   }
-  PointFrame frame;
-  frame.rest.resize(3, static_cast<Eigen::Index>(pairs.size()));
-  frame.moved.resize(3, static_cast<Eigen::Index>(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    frame.rest.col(static_cast<Eigen::Index>(i)) = pairs[i].first;
-    frame.moved.col(static_cast<Eigen::Index>(i)) = pairs[i].second;
-  }
-  frame.lost = static_cast<int>(rest_.size() - pairs.size());
-  return frame;
+  return frame_of(places, rest_.size());
 }
 
 std::string PointFrames::file(int frame) const {

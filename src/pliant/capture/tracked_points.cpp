@@ -8,18 +8,14 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
-#include "pliant/capture/local_motion.h"
 #include "pliant/capture/median.h"
 
 namespace pliant {
 namespace {
 
 constexpr double kAlike = 0.75;           // correlation of a patch that was found
+constexpr int kFewestFound = 5;           // that say where others have gone
 constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
-
-int count_of(const std::vector<bool>& flags) {
-  return static_cast<int>(std::ranges::count(flags, true));
-}
 
 /// The rectangle of the sample in the first picture: corners of least and of largest column and
 /// row.
@@ -144,7 +140,7 @@ void TrackedPoints::track(int frame) {
   const GreyPicture grey = picture(frame);
   const SplinePicture now(grey, kMatchSmoothing);
   match_where_they_were(now);
-  if (2 * seen() < static_cast<int>(tracked_.size())) search_far(grey);
+  if (2 * seen() < static_cast<int>(tracked_.size())) search_far(grey, now);
   while (match_beside_found(now, kNear) || match_beside_found(now, kWide)) {
   }
   leave_out_strays();
@@ -168,14 +164,17 @@ void TrackedPoints::match_where_they_were(const SplinePicture& now) {
   });
 }
 
+LocalMotion TrackedPoints::motion_of_found(double reach) const {
+  const PointFrame found = points();
+  return {found.rest.topRows<2>() / *dic_.scale, found.moved / *dic_.scale, reach};
+}
+
 // Looks for what is lost where the patches around it say; whether more was found.
 bool TrackedPoints::match_beside_found(const SplinePicture& now, double steps) {
   const double reach = steps * dic_.pictures->step;
-  const PointFrame found = points();
-  if (found.count() < 5 || seen() == static_cast<int>(tracked_.size())) return false;
-  const LocalMotion around(found.rest.topRows<2>() / *dic_.scale, found.moved / *dic_.scale, reach);
-  std::vector<bool> before(tracked_.size());
-  for (std::size_t i = 0; i < tracked_.size(); ++i) before[i] = tracked_[i].is_seen;
+  const int before = seen();
+  if (before < kFewestFound || before == static_cast<int>(tracked_.size())) return false;
+  const LocalMotion around = motion_of_found(reach);
   with_threads(context_.threads, [&] {
     parallel_for(static_cast<int>(tracked_.size()), [&](int i) {
       Tracked& point = tracked_[static_cast<std::size_t>(i)];
@@ -187,15 +186,15 @@ bool TrackedPoints::match_beside_found(const SplinePicture& now, double steps) {
       look_for(point, now, start);
     });
   });
-  return seen() > count_of(before);
+  return seen() > before;
 }
 
 // Searches for some patches in reduced pictures; what is found there is refined in them, and then
 // in the pictures themselves.
-void TrackedPoints::search_far(const GreyPicture& now) {
+void TrackedPoints::search_far(const GreyPicture& grey, const SplinePicture& now) {
   constexpr int kFactor = 4, kRadius = 8, kReach = 40, kSeeds = 40;
-  const GreyPicture rest = reduced(rest_, kFactor), moved = reduced(now, kFactor);
-  const SplinePicture rest_spline(rest), moved_spline(moved), fine(now, kMatchSmoothing);
+  const GreyPicture rest = reduced(rest_, kFactor), moved = reduced(grey, kFactor);
+  const SplinePicture rest_spline(rest), moved_spline(moved);
   for (Tracked& point : tracked_) point.is_seen = false;  // what was found may be anything
   const std::size_t every = std::max<std::size_t>(tracked_.size() / kSeeds, 1);
   with_threads(context_.threads, [&] {
@@ -209,7 +208,7 @@ void TrackedPoints::search_far(const GreyPicture& now) {
       if (!patch || !shift) return;
       const auto coarse = patch->match(moved_spline, {.shift = shift->cast<double>()});
       if (!coarse || coarse->correlation < kAlike) return;
-      look_for(point, fine,
+      look_for(point, now,
                {.shift = kFactor * coarse->motion.shift, .slope = coarse->motion.slope});
     });
   });
@@ -219,9 +218,8 @@ void TrackedPoints::leave_out_strays() {
   constexpr double kTimes = 8;                    // the median
   constexpr double kLeast = 0.1, kUnlike = 0.02;  // pixels; of what two patches do not share
   const double reach = kNear * dic_.pictures->step;
-  const PointFrame found = points();
-  if (found.count() < 5) return;
-  const LocalMotion around(found.rest.topRows<2>() / *dic_.scale, found.moved / *dic_.scale, reach);
+  if (seen() < kFewestFound) return;
+  const LocalMotion around = motion_of_found(reach);
   std::vector<double> off, unlike;  // of the points that were seen
   for (const Tracked& point : tracked_) {
     if (!point.is_seen) continue;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "pliant/capture/local_motion.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/reference_patch.h"
 
@@ -40,7 +41,9 @@ class TrackedPoints : public PointSource {
   void track(int frame);
   void match_where_they_were(const SplinePicture& now);
   bool match_beside_found(const SplinePicture& now, double steps);
-  void search_far(const GreyPicture& now);
+  void search_far(const GreyPicture& grey, const SplinePicture& now);
+  /// Of the points that were found (pixels).
+  LocalMotion motion_of_found(double reach) const;
   void look_for(Tracked& point, const SplinePicture& now, const PatchMotion& start) const;
   void leave_out_strays();
   int seen() const;

@@ -70,7 +70,11 @@ test::MeasuredFiles measured(std::uint64_t seed) {
 /// The five experiments as files, each sheet on the mesh that it was measured on.
 class JointStudy {
  public:
-  explicit JointStudy(std::uint64_t seed = 0) : folder_(measured(seed)) {}
+  /// @param others  files in place of those that were measured
+  explicit JointStudy(std::uint64_t seed = 0, const test::MeasuredFiles& others = {})
+      : folder_(measured(seed)) {
+    for (const auto& [name, content] : others) folder_.write(name, content);
+  }
 
   StudyResult fit(const std::string& text, const RunContext& context = on_two_threads()) const {
     return fit_study(read_study(folder_.write("asked.yaml", text)), {}, context);
@@ -151,6 +155,77 @@ TEST(SlowJointFit, LeavesFrictionOutThatStripsDoNotShow) {
   EXPECT_TRUE(result.material.components.at("stretch.warp").friction);
   EXPECT_THAT(result.undetermined,
               ::testing::Contains(::testing::HasSubstr("friction of bend.warp")));
+}
+
+/// A cloth whose threads rub where it bends, rolled along warp and pushed over an edge.
+constexpr const char* kRubbingCloth = R"({
+  "pliant": "material/1", "name": "cloth", "kind": "cloth", "density": 0.15, "membrane": "stvk",
+  "bending": "discrete-shells", "bending_of": "sheet",
+  "components": {
+    "stretch.weft": {"stiffness": {"curve": "constant", "value": 136}, "status": "assumed"},
+    "stretch.warp": {"stiffness": {"curve": "constant", "value": 136}, "status": "assumed"},
+    "shear": {"stiffness": {"curve": "constant", "value": 20}, "status": "assumed"},
+    "bend.weft": {"stiffness": {"curve": "constant", "value": 8e-6},
+                  "friction": {"law": "dahl", "a": 2e-4, "b": 0, "tau": 10}, "status": "assumed"},
+    "bend.warp": {"stiffness": {"curve": "constant", "value": 8e-6},
+                  "friction": {"law": "dahl", "a": 2e-4, "b": 0, "tau": 10}, "status": "assumed"},
+    "bend.diagonal": {"stiffness": {"curve": "constant", "value": 6e-6},
+                      "friction": {"law": "dahl", "a": 1e-4, "b": 0, "tau": 20}, "status": "assumed"}
+  }
+})";
+constexpr const char* kRubbingLab = R"(pliant: lab/1
+name: joint
+material: cloth.json
+experiments:
+  - {name: edge, type: session, test: bend-warp, overhang: 70 mm, frames: 12, mesh: {nodes: 13x13}, noise: {position: 0.05 mm}}
+  - {name: rolls, type: rolled-strip, direction: warp, length: 80 mm, width: 25 mm, radii: [6 mm, 10 mm, 16 mm, 25 mm],
+     points: 20, noise: {position: 0.1 mm}}
+)";
+constexpr const char* kRubbingStudy = R"(pliant: study/1
+name: joint
+density: 0.15 kg/m^2
+experiments:
+  - {name: edge, type: session, data: edge}
+  - {name: rolls, type: rolled-strip, data: rolls.csv, direction: warp, width: 25 mm, length: 80 mm}
+model: {mesh: measured}
+)";
+
+TEST(SlowJointFit, FindsTheFrictionOfTheDiagonalBesideRolledStrips) {
+  const test::TemporaryFolder lab;
+  lab.write("cloth.json", kRubbingCloth);
+  const test::LabFolder folder(
+      test::measurements_of(read_lab(lab.write("lab.yaml", kRubbingLab)), 1));
+  RunContext context;
+  context.threads = 2;
+  const StudyResult result =
+      fit_study(read_study(folder.write("study.yaml", kRubbingStudy)), {}, context);
+  // A tenth above the noise at most, which is in space for the sheet.
+  EXPECT_LT(result.experiments[0].rms, 1.1 * 0.1e-3);
+  EXPECT_LT(result.experiments[1].rms, 1.1 * std::sqrt(3) * 0.05e-3);
+  for (const std::string& warning : result.warnings) {
+    EXPECT_THAT(warning, ::testing::Not(::testing::HasSubstr("fitted together")));
+  }
+  for (const auto& [name, truth] :
+       std::map<std::string, double>{{"bend.warp.k1", 8e-6}, {"bend.warp.friction.a", 2e-4}}) {
+    const ParameterEstimate& estimate = named(result, name);
+    std::printf("%s %.4g +- %.2g\n", name.c_str(), estimate.value, *estimate.std_error);
+    EXPECT_NEAR(estimate.value, truth, 3 * *estimate.std_error) << name;
+    EXPECT_LT(*estimate.std_error, 0.05 * truth);
+  }
+}
+
+TEST(SlowJointFit, SaysThatStripsDoNotFollowTheLawOfTheSheets) {
+  std::string stiffer = kCloth;
+  stiffer.replace(stiffer.find("8e-6"), 4, "2.4e-5");
+  const test::TemporaryFolder lab;
+  lab.write("cloth.json", stiffer);
+  const test::MeasuredFiles strips =
+      test::measurements_of(read_lab(lab.write("lab.yaml", kLab)), 0);
+  const JointStudy study(
+      0, {*std::ranges::find(strips, "bending.csv", &test::MeasuredFiles::value_type::first)});
+  const StudyResult result = study.fit(
+      std::string(kExperiments) + "  - {name: overhang, type: session, data: overhang}\n" + kModel);
+  EXPECT_THAT(result.warnings, ::testing::Contains(::testing::HasSubstr("do not follow one law")));
 }
 
 TEST(SlowJointFit, GoesOnToTheSameBits) {

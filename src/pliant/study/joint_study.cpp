@@ -13,6 +13,7 @@
 #include "pliant/estimation/joint_fit.h"
 #include "pliant/estimation/monotone_stress.h"
 #include "pliant/estimation/sampled_numbers.h"
+#include "pliant/estimation/sheet/independent_rows.h"
 #include "pliant/estimation/sheet/sheet_options.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/estimation/statistics/model_growth.h"
@@ -139,6 +140,39 @@ void take(const JointFit& joint, const Share& share, ComponentFit& component) {
   }
 }
 
+/// Names the experiments of a component that scatter more about what everything together says than
+/// about what they say alone.
+/// @param alone  their noise at the component's own fit
+void warn_of_misfit(const std::vector<ExperimentNoise>& alone, const ComponentWork& work,
+                    StudyResult& result) {
+  constexpr double kClear = 1.3;  // more than sheets of the same law ask of strips
+  const std::vector<ExperimentNoise>& together = work.fit.uncertainty.noise.of;
+  for (std::size_t e = 0; e < together.size(); ++e) {
+    const double times = together[e].sd / alone[e].sd;
+    if (times < kClear) continue;
+    result.warnings.push_back(
+        fmt::format("{}: fitted together with the sheets its errors are {:.2g} times those alone: "
+                    "strips and sheets do not follow one law, or there is a better fit",
+                    work.fitted[e]->info().name, times));
+  }
+}
+
+/// Names sheets over a table whose shapes miss the measured ones all in one way, where strips tell
+/// how they bend.
+void warn_of_misfit(const SheetTest& test, const Eigen::VectorXd& predicted, StudyResult& result) {
+  constexpr double kClear = 2;      // times the scatter of the points
+  constexpr double kShare = 0.003;  // of the sample, which meshes may cost
+  if (test.objective() != SheetObjective::positions) return;
+  const Eigen::VectorXd missed = predicted - test.measured();
+  const double rms = std::sqrt(missed.squaredNorm() / static_cast<double>(missed.size()));
+  const double scatter = own_scatter(test, missed);
+  if (rms < kClear * scatter || rms < kShare * test.reference()) return;
+  result.warnings.push_back(fmt::format(
+      "{}: fitted together with the strips its points are {:.2g} mm off, and scatter by "
+      "{:.2g} mm: strips and sheets do not follow one law, or there is a better fit",
+      test.name(), 1e3 * rms, 1e3 * scatter));
+}
+
 /// Gives the fit of sheets what the joint one found of it.
 SheetUncertainty take(const JointFit& joint, const Share& share,
                       const std::vector<Unknown>& unknowns, SheetFit& sheets) {
@@ -230,6 +264,21 @@ KnownComponents known_components(const Study& study, const std::vector<Component
   return known;
 }
 
+/// Threads that rub where strips bend do so in all directions: friction of those that sheets alone
+/// tell is then left to the data, where the study says nothing of it.
+FitSettings with_bending_friction(FitSettings settings, const KnownComponents& known) {
+  const bool rubs = std::ranges::any_of(known, [](const auto& component) {
+    return is_bending(component.first) && component.second.friction;
+  });
+  if (!rubs) return settings;
+  for (const char* name : {"bend.weft", "bend.warp", "bend.diagonal"}) {
+    if (known.contains(name)) continue;
+    std::optional<FrictionModel>& friction = settings.model.components[name].friction;
+    if (!friction) friction.emplace();
+  }
+  return settings;
+}
+
 std::vector<std::string> names_of(const KnownComponents& known) {
   std::vector<std::string> names;
   for (const auto& [name, component] : known) names.push_back(name);
@@ -269,15 +318,24 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
       fit_components(settings_of(study), strips, options, context, result);
   leave_out_unseen_friction(study, works, result);
   const KnownComponents known = known_components(study, works);
-  const std::vector<SheetStage> plan = sheet_plan(study, tests_to_fit(data), names_of(known));
-  SheetFit sheets = fit_sheets(settings_of(study), plan, context, nullptr, known);
+  const FitSettings settings = with_bending_friction(settings_of(study), known);
+  const std::vector<SheetStage> plan = sheet_plan(settings, tests_to_fit(data), names_of(known));
+  SheetFit sheets = fit_sheets(settings, plan, context, nullptr, known);
   std::erase_if(sheets.groups,
                 [&](const ComponentGroup& group) { return known.contains(group.front()); });
 
   const JointLayout layout = layout_of(study, works, sheets);
   const JointFit joint = fit_jointly(layout.problem, context);
   for (std::size_t w = 0; w < works.size(); ++w) {
-    if (works[w].problem) take(joint, layout.strips[w], works[w].fit);
+    if (!works[w].problem) continue;
+    const std::vector<ExperimentNoise> alone = works[w].fit.uncertainty.noise.of;
+    take(joint, layout.strips[w], works[w].fit);
+    warn_of_misfit(alone, works[w], result);
+  }
+  for (const std::size_t part : layout.sheets.parts) {
+    if (!fits_strips(study)) break;
+    warn_of_misfit(dynamic_cast<const SheetTest&>(*layout.problem.experiments[part]),
+                   joint.uncertainty.noise.rows[part].value, result);
   }
   const SheetUncertainty uncertainty = take(joint, layout.sheets, layout.problem.unknowns, sheets);
   set_status(study, sheets);

@@ -11,6 +11,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/estimation/limit_energies.h"
+#include "pliant/estimation/sheet/independent_rows.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/experiment/session/loop_evidence.h"
 
@@ -67,6 +68,16 @@ bool has_loop(const SheetStage& stage, const SheetProblem& problem) {
     evidence += loop_evidence(*stage.tests[t], rows->value);
   }
   return evidence.shows_loop();
+}
+
+double independent_rows_of(const SheetStage& stage, const SheetProblem& problem) {
+  double count = 0;
+  for (std::size_t t = 0; t < stage.tests.size(); ++t) {
+    const auto rows = problem.rows().predict(t, problem.start(), /*derivatives=*/false);
+    if (!rows) return 0;
+    count += independent_rows(*stage.tests[t], rows->value - stage.tests[t]->measured());
+  }
+  return count;
 }
 
 }  // namespace
@@ -169,6 +180,11 @@ double StageSearch::largest_energy(const SheetStage& stage, SheetProblem& proble
 bool StageSearch::shows_loop(const SheetStage& stage, SheetProblem& problem) {
   const auto loop = [&] { return Numbers{has_loop(stage, problem) ? 1.0 : 0.0}; };
   return ask("loop", stage, problem, loop).front() > 0;
+}
+
+double StageSearch::independent_rows(const SheetStage& stage, SheetProblem& problem) {
+  const auto count = [&] { return Numbers{independent_rows_of(stage, problem)}; };
+  return ask("independent rows", stage, problem, count).front();
 }
 
 std::vector<std::vector<int>> StageSearch::lost_frames(const SheetStage& stage,

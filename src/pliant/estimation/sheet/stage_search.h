@@ -61,6 +61,10 @@ class StageSearch {
   /// while they return, by more than chance.
   bool shows_loop(const SheetStage& stage, SheetProblem& problem);
 
+  /// How many of the positions of a stage are independent, by the differences where a search would
+  /// begin (`pliant::independent_rows`); 0 where those are not known.
+  double independent_rows(const SheetStage& stage, SheetProblem& problem);
+
   /// The frames of each test of a stage that have no equilibrium where a search would begin.
   std::vector<std::vector<int>> lost_frames(const SheetStage& stage, SheetProblem& problem);
 

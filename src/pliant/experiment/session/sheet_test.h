@@ -61,6 +61,11 @@ class SheetTest : public Experiment {
   /// Clips or nodes that are compared in a frame; each has one row or three.
   int compared(int frame) const { return rows(frame) / (compares_one_axis() ? 1 : 3); }
 
+  /// The nodes whose positions are compared in a frame, three rows each; none where forces are.
+  const std::vector<int>& compared_nodes(int frame) const {
+    return compared_[static_cast<std::size_t>(frame)].nodes;
+  }
+
   Eigen::VectorXd measured(int frame) const;
   Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;
   /// What each row counts in a fit: 0 where nobody knows which way an unknown cord of the clip

@@ -14,6 +14,7 @@ find_package(CLI11 QUIET)
 find_package(PNG QUIET)
 find_package(ZLIB QUIET)
 find_package(embree 3 QUIET)
+find_package(apriltag QUIET)
 
 # Ceres' own module for SuiteSparse lists every library it finds, QUIET or not.
 block(SCOPE_FOR VARIABLES)
@@ -27,11 +28,11 @@ block(SCOPE_FOR VARIABLES)
   find_package(CGAL QUIET)
 endblock()
 
-# By name: Debian's OpenCVConfig.cmake comes with all of OpenCV (libopencv-dev), of which two modules
-# are wanted here.
+# By name: Debian's OpenCVConfig.cmake comes with all of OpenCV (libopencv-dev), of which three
+# modules are wanted here; calib3d is optional within src/pliant/capture.
 find_path(OPENCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
 mark_as_advanced(OPENCV_INCLUDE_DIR)
-foreach(module IN ITEMS core imgproc)
+foreach(module IN ITEMS core imgproc calib3d)
   find_library(OPENCV_${module}_LIBRARY opencv_${module})
   mark_as_advanced(OPENCV_${module}_LIBRARY)
   if(OPENCV_INCLUDE_DIR AND OPENCV_${module}_LIBRARY)
@@ -41,6 +42,9 @@ foreach(module IN ITEMS core imgproc)
     target_include_directories(opencv_${module} SYSTEM INTERFACE "${OPENCV_INCLUDE_DIR}")
   endif()
 endforeach()
+if(TARGET opencv_calib3d AND TARGET opencv_imgproc)
+  target_link_libraries(opencv_calib3d INTERFACE opencv_imgproc opencv_core)
+endif()
 
 # By pkg-config: Debian's libzip-config.cmake refuses to load without the zipcmp, zipmerge and
 # ziptool programs, which are separate packages that a library user has no need for.

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/geometry/stroke_font.h"
 #include "pliant/render/annotations.h"
-#include "pliant/render/stroke_font.h"
 
 #include "render/small_scenes.h"
 

@@ -433,6 +433,7 @@ std::vector<NamedDocument> broken_documents() {
   for (NamedDocument& scene : broken_scenes()) documents.push_back(std::move(scene));
   for (NamedDocument& session : broken_sessions()) documents.push_back(std::move(session));
   for (NamedDocument& points : broken_points()) documents.push_back(std::move(points));
+  for (NamedDocument& pattern : broken_patterns()) documents.push_back(std::move(pattern));
   return documents;
 }
 

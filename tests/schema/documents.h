@@ -47,6 +47,9 @@ std::vector<NamedDocument> written_documents();
 /// Documents of points of image correlation that every reader must refuse.
 std::vector<NamedDocument> broken_points();
 
+/// Documents of printed patterns that every reader must refuse.
+std::vector<NamedDocument> broken_patterns();
+
 /// Documents that every reader must refuse, with what is wrong with them as a name.
 std::vector<NamedDocument> broken_documents();
 

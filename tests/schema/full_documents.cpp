@@ -26,6 +26,10 @@ std::vector<NamedDocument> full_documents() {
       Full{"material of a sampled solid", "phantom.json"},
       Full{"material of a sampled cloth", "sampled_cloth.json"},
       Full{"study of a sampled sheet", "sampled_sheet_study.yaml"},
+      Full{"board of tags", "board_pattern.yaml"},
+      Full{"chessboard", "chessboard_pattern.yaml"},
+      Full{"labels of clips", "clips_pattern.yaml"},
+      Full{"texture of cloth", "cloth_pattern.yaml"},
       Full{"pictures of a flat sample", "pictures_dic.yaml"},
       Full{"points of image correlation", "full_dic.yaml"},
   };

@@ -7,6 +7,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/capture/dic_file.h"
+#include "pliant/capture/pattern.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/material/material_file.h"
 #include "pliant/measurement/session/document.h"
@@ -44,6 +45,8 @@ void read_as(const std::string& type, const Document& document) {
     scene_of(document);
   } else if (type == "dic") {
     dic_of(document);
+  } else if (type == "pattern") {
+    pattern_of(document);
   } else if (type == "session") {
     session_document_of(document);
   } else {

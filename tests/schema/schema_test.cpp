@@ -83,6 +83,7 @@ std::vector<std::string> folders_of_readers(const std::string& type) {
   if (type == "scene") return {"scene", "io"};
   if (type == "session") return {"measurement", "io"};
   if (type == "dic") return {"capture", "measurement", "io"};
+  if (type == "pattern") return {"capture", "io"};
   if (type == "material") return {"material", "io"};
   return {"study", "experiment", "measurement", "io"};
 }
@@ -149,9 +150,9 @@ NamedDocument mutated(const SchemaCase& document, const Json::json_pointer& obje
 
 TEST(SchemaText, IsTheTextInDocs) {
   const std::vector<std::string> types = schema_types();
-  EXPECT_EQ(types,
-            (std::vector<std::string>{"dic", "evaluation", "fit", "fits-of-models", "lab",
-                                      "material", "scene", "session", "simulation", "study"}));
+  EXPECT_EQ(types, (std::vector<std::string>{"dic", "evaluation", "fit", "fits-of-models", "lab",
+                                             "material", "pattern", "scene", "session",
+                                             "simulation", "study"}));
   for (const std::string& type : types) {
     EXPECT_EQ(schema_text(type),
               read_text_file(kSource / "docs" / "schema" / (type + ".schema.json")));

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "pliant/geometry/stroke_font.h"
 #include "pliant/render/number_scale.h"
-#include "pliant/render/stroke_font.h"
 
 namespace pliant {
 namespace {

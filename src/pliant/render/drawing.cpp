@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "pliant/render/stroke_font.h"
+#include "pliant/geometry/stroke_font.h"
 
 namespace pliant {
 namespace {

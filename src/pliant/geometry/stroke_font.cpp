@@ -1,4 +1,4 @@
-#include "pliant/render/stroke_font.h"
+#include "pliant/geometry/stroke_font.h"
 
 #include <algorithm>
 #include <array>

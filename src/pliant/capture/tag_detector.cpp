@@ -1,0 +1,90 @@
+#include "pliant/capture/tag_detector.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+
+#include "pliant/base/assert.h"
+#include "pliant/capture/tag_edges.h"
+
+namespace pliant {
+namespace {
+
+using TagFamily = std::unique_ptr<apriltag_family_t, decltype(&tag36h11_destroy)>;
+using TagFinder = std::unique_ptr<apriltag_detector_t, decltype(&apriltag_detector_destroy)>;
+using TagImage = std::unique_ptr<image_u8_t, decltype(&image_u8_destroy)>;
+using TagList = std::unique_ptr<zarray_t, decltype(&apriltag_detections_destroy)>;
+
+// The library's places count from the corner of the first pixel.
+constexpr double kLibraryOffset = 0.5;
+
+TagFamily tag_family() { return {tag36h11_create(), tag36h11_destroy}; }
+
+TagImage tag_image(const GreyPicture& picture) {
+  TagImage image(
+      image_u8_create(static_cast<unsigned>(picture.cols()), static_cast<unsigned>(picture.rows())),
+      image_u8_destroy);
+  for (Eigen::Index row = 0; row < picture.rows(); ++row) {
+    for (Eigen::Index column = 0; column < picture.cols(); ++column) {
+      const float level = std::clamp(picture(row, column), 0.0f, 1.0f) * 255.0f + 0.5f;
+      image->buf[row * image->stride + column] = static_cast<std::uint8_t>(level);
+    }
+  }
+  return image;
+}
+
+DetectedTag detected_tag(const apriltag_detection_t& found) {
+  DetectedTag tag;
+  tag.code = found.id;
+  tag.margin = found.decision_margin;
+  tag.wrong_cells = found.hamming;
+  for (int i = 0; i < 4; ++i) {
+    tag.corners.col(i) = Eigen::Vector2d(found.p[i][0], found.p[i][1]).array() - kLibraryOffset;
+  }
+  return tag;
+}
+
+}  // namespace
+
+std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
+                                     const TagDetectorOptions& options) {
+  const TagFamily family = tag_family();
+  const TagFinder finder(apriltag_detector_create(), apriltag_detector_destroy);
+  finder->quad_decimate = 1;
+  apriltag_detector_add_family_bits(finder.get(), family.get(), options.most_wrong_cells);
+  const TagImage image = tag_image(picture);
+  const TagList found(apriltag_detector_detect(finder.get(), image.get()),
+                      apriltag_detections_destroy);
+  std::vector<DetectedTag> tags;
+  for (int i = 0; i < zarray_size(found.get()); ++i) {
+    apriltag_detection_t* detection = nullptr;
+    zarray_get(found.get(), i, &detection);
+    if (detection->decision_margin < options.least_margin) continue;
+    tags.push_back(detected_tag(*detection));
+  }
+  if (tags.empty()) return tags;
+  const SplinePicture between(picture);
+  for (DetectedTag& tag : tags) tag.corners = corners_by_edges(between, tag.corners);
+  std::ranges::stable_sort(tags, {}, &DetectedTag::code);
+  return tags;
+}
+
+GreyPicture tag_cells(int code) {
+  PLIANT_ASSERT(code >= 0 && code < kTagCodes, "a code of the family");
+  const TagFamily family = tag_family();
+  const TagImage image(apriltag_to_image(family.get(), code), image_u8_destroy);
+  const int border = (family->total_width - family->width_at_border) / 2;
+  GreyPicture cells(family->width_at_border, family->width_at_border);
+  for (int row = 0; row < cells.rows(); ++row) {
+    for (int column = 0; column < cells.cols(); ++column) {
+      const auto place = (row + border) * image->stride + column + border;
+      cells(row, column) = image->buf[place] > 0 ? 1.0f : 0.0f;
+    }
+  }
+  return cells;
+}
+
+}  // namespace pliant

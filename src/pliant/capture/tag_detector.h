@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/capture/spline_picture.h"
+
+namespace pliant {
+
+/// A coded tag (AprilTag, family tag36h11) that was found in a picture.
+struct DetectedTag {
+  int code = 0;  ///< 0 to 586
+  /// Corners of its black square, pixels (column, row), the middle of the first pixel being (0, 0).
+  /// Seen upright: lower left, lower right, upper right, upper left.
+  Eigen::Matrix<double, 2, 4> corners;
+  /// Grey levels of 255 by which its cells lie from the threshold of black and white, on average.
+  double margin = 0;
+  int wrong_cells = 0;  ///< that were corrected
+
+  Eigen::Vector2d middle() const { return corners.rowwise().mean(); }
+};
+
+/// What counts as a tag.
+///
+/// Two codes of tag36h11 differ in at least 11 of 36 cells, in any turn. Of random squares one in
+/// 29 million shows one of its 587 codes, one in 790,000 with a wrong cell, one in 44,000 with
+/// two: one wrong cell is taken, so that a scratch hides no tag. What texture shows by chance has,
+/// besides, cells that are neither black nor white.
+struct TagDetectorOptions {
+  int most_wrong_cells = 1;
+  double least_margin = 20;  ///< grey levels of 255: a tenth of the contrast of a print
+};
+
+/// The tags in a picture, by their codes. A code may come more than once; a mirrored tag is none.
+/// Corners are where lines through the edges of the black square meet, which lie where the
+/// brightness changes most.
+/// @param picture  brightness, 0 to 1
+std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
+                                     const TagDetectorOptions& options = {});
+
+/// The cells of a tag as it is printed, without the white cells around it: 8 x 8, row 0 uppermost,
+/// 1 where white; the outermost cells are black.
+/// @param code  0 to 586
+GreyPicture tag_cells(int code);
+
+/// Codes of the family.
+inline constexpr int kTagCodes = 587;
+
+}  // namespace pliant

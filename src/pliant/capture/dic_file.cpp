@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/capture/pattern.h"
+#include "pliant/capture/tag_detector.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
@@ -33,14 +35,43 @@ ClipMotion read_motion(const Value& value) {
   return name == "extension" ? ClipMotion::extension : ClipMotion::points;
 }
 
-DicClip read_clip(const Value& value, std::set<std::string>& taken, std::set<SampleSide>& sides) {
+/// What clips may not share.
+struct TakenByClips {
+  std::set<std::string> names;
+  std::set<SampleSide> sides;
+  std::set<int> codes;
+};
+
+std::vector<int> read_codes(const Value& value, std::set<int>& taken) {
+  std::vector<int> codes;
+  for (const Value& item : value.items()) {
+    codes.push_back(item.integer(0, kTagCodes - 1));
+    if (!taken.insert(codes.back()).second) {
+      item.fail(fmt::format("{} stands here twice", codes.back()), "a code for each label");
+    }
+  }
+  if (codes.empty()) value.fail("names no code", "the codes of the labels on the clip");
+  return codes;
+}
+
+DicClip read_clip(const Value& value, TakenByClips& taken) {
   Fields fields = value.fields();
   DicClip clip;
-  clip.name = read_result_name(fields.require("name"), "a clip", taken);
+  clip.name = read_result_name(fields.require("name"), "a clip", taken.names);
   const Value side = fields.require("side");
   clip.side = read_side(side);
-  if (!sides.insert(clip.side).second) side.fail("is held by another clip", "a side for each clip");
-  if (auto v = fields.optional("motion")) clip.motion = read_motion(*v);
+  if (!taken.sides.insert(clip.side).second) {
+    side.fail("is held by another clip", "a side for each clip");
+  }
+  if (auto v = fields.optional("labels")) {
+    clip.labels = read_codes(*v, taken.codes);
+    clip.motion = ClipMotion::labels;
+    if (auto motion = fields.optional("motion")) {
+      motion->fail("stands beside `labels`", "one of them: labels show how the clip moves");
+    }
+  } else if (auto motion = fields.optional("motion")) {
+    clip.motion = read_motion(*motion);
+  }
   if (auto v = fields.optional("mass")) clip.mass = v->quantity_from_zero(Dimension::mass);
   fields.finish();
   return clip;
@@ -63,6 +94,31 @@ DicPictures read_pictures(const Value& value) {
   if (auto v = fields.optional("step")) pictures.step = v->integer(1, kMost);
   fields.finish();
   return pictures;
+}
+
+/// A pattern/1 file of labels, or their sizes.
+DicLabels read_labels(const Value& value) {
+  DicLabels labels;
+  if (value.is_mapping()) {
+    Fields fields = value.fields();
+    labels.tag = fields.require("tag").positive_quantity(Dimension::length);
+    const Value edge = fields.require("edge");
+    labels.edge = edge.positive_quantity(Dimension::length);
+    if (labels.edge < labels.tag / 2) {
+      edge.fail("is within the tag", "at least half of `tag`: from the tag's middle");
+    }
+    fields.finish();
+    return labels;
+  }
+  const std::filesystem::path folder =
+      std::filesystem::path(value.location().file).parent_path();
+  const Pattern pattern =
+      read_pattern(folder / value.text("a pattern/1 file of labels, or {tag, edge}"));
+  const auto* codes = std::get_if<ClipCodes>(&pattern.kind);
+  if (!codes) value.fail("is no pattern of labels", "what `pliant pattern clips` has written");
+  labels.tag = codes->tag;
+  labels.edge = codes->edge;
+  return labels;
 }
 
 DicForces read_forces(const Value& value) {
@@ -89,6 +145,43 @@ Eigen::Vector2d read_origin(const Value& value, const std::optional<double>& sca
   const std::vector<Value> items = value.items();
   if (items.size() != 2) value.fail("is no place", "[x, y] of the sample's corner");
   return {read_coordinate(items[0], scale), read_coordinate(items[1], scale)};
+}
+
+Eigen::Vector2d read_pixel(const Value& value) {
+  const std::vector<Value> items = value.items();
+  if (items.size() != 2) value.fail("is no place", "[column, row] of the sample's corner");
+  return {items[0].number(), items[1].number()};
+}
+
+/// Where the sample lies in pictures: `scale` and `origin` say it, or the labels.
+void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& dic) {
+  const auto origin = fields.optional("origin");
+  if (const auto labels = fields.optional("labels")) {
+    dic.labels = read_labels(*labels);
+    if (!pictures) labels->fail("stand in no picture", "`pictures`, or no labels");
+    for (const char* other : {"scale", "weft", "warp"}) {
+      if (auto v = fields.optional(other)) v->fail("stands beside `labels`, which tell it", "one");
+    }
+    if (origin) dic.labels->corner = read_pixel(*origin);
+    dic.origin = Eigen::Vector2d::Zero();
+    return;
+  }
+  if (origin) dic.origin = read_origin(*origin, dic.scale);
+  if (!pictures) return;
+  if (!dic.scale) pictures->fail("has no `scale`", "the length of a pixel at the sample, or `labels`");
+  if (!origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
+}
+
+void require_labels(const DicFile& dic, const Value& list) {
+  const auto carriers = std::ranges::count_if(
+      dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
+  if (!dic.labels && carriers > 0) {
+    list.fail("has clips with labels of unknown size", "`labels`, their pattern/1 file");
+  }
+  if (dic.labels && carriers < 2) {
+    list.fail(fmt::format("has {} clip{} with labels", carriers, carriers == 1 ? "" : "s"),
+              "labels on two clips at least, which tell how the plane of the sample is tilted");
+  }
 }
 
 void require_clips_for_motion(const DicFile& dic, const Value& list) {
@@ -121,28 +214,24 @@ DicFile dic_of(const Document& document) {
   } else {
     dic.points = read_data_source(fields.require("points"));
   }
-  if (auto v = fields.optional("origin")) dic.origin = read_origin(*v, dic.scale);
+  read_place(fields, pictures, dic);
   if (auto v = fields.optional("weft")) dic.weft = read_axis(*v);
   // Rows of pictures count downwards.
-  dic.warp = {1 - dic.weft.axis, pictures && dic.weft.axis == 0 ? -1.0 : 1.0};
+  dic.warp = {1 - dic.weft.axis, pictures && !dic.labels && dic.weft.axis == 0 ? -1.0 : 1.0};
   if (auto v = fields.optional("warp")) {
     dic.warp = read_axis(*v);
     if (dic.warp.axis == dic.weft.axis) v->fail("lies along the weft", "the other axis");
   }
   if (auto v = fields.optional("mesh")) dic.mesh = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("gravity")) dic.gravity = read_vector(*v);
-  if (pictures) {
-    if (fields.optional("points")) pictures->fail("stands beside `points`", "one of them");
-    if (!dic.scale) pictures->fail("has no `scale`", "the length of a pixel at the sample");
-    if (!dic.origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
-  }
+  if (pictures && fields.optional("points")) pictures->fail("stands beside `points`", "one of them");
   const Value list = fields.require("clips");
-  std::set<std::string> taken;
-  std::set<SampleSide> sides;
-  for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken, sides));
+  TakenByClips taken;
+  for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken));
   if (dic.clips.empty()) list.fail("names no clip", "what holds the sample");
   if (auto v = fields.optional("forces")) dic.forces = read_forces(*v);
   require_clips_for_motion(dic, list);
+  require_labels(dic, list);
   fields.finish();
   return dic;
 }

@@ -22,6 +22,7 @@ enum class ClipMotion {
   points,     ///< with the cloth at its edge, as the points beside it move
   held,       ///< not at all
   extension,  ///< away from the sample by the extension in the log of forces
+  labels,     ///< as the labels on it show
 };
 
 /// A clip, or a jaw, that holds a whole side of the sample.
@@ -29,7 +30,8 @@ struct DicClip {
   std::string name;
   SampleSide side = SampleSide::bottom;
   ClipMotion motion = ClipMotion::points;
-  double mass = 0;  ///< kg
+  double mass = 0;          ///< kg
+  std::vector<int> labels;  ///< codes of those on it
 };
 
 /// A direction of the points' coordinates: axis 0, 1 or 2, along it (1) or against it (-1).
@@ -54,6 +56,14 @@ struct DicPictures {
   int step = 10;                             ///< pixels from patch to patch
 };
 
+/// The labels on clips, as they were printed, in the plane of the sample.
+struct DicLabels {
+  double tag = 0;                         ///< side of the black square (m)
+  double edge = 0;                        ///< from its middle to the line at the clip's edge (m)
+  std::optional<Eigen::Vector2d> corner;  ///< of the sample's least u and v, in the first picture
+                                          ///< (pixels); none: as the labels say
+};
+
 /// What a dic/1 file says of the export of a system for digital image correlation
 /// (docs/formats/dic.md). SI units.
 struct DicFile {
@@ -63,7 +73,8 @@ struct DicFile {
   SessionSample sample;
   DataSource points;  ///< a file a frame; none where there are pictures
   std::optional<DicPictures> pictures;
-  std::optional<double> scale;  ///< m of one unit of columns that tell none: of a pixel
+  std::optional<DicLabels> labels;  ///< of clips in pictures; they tell scale and origin
+  std::optional<double> scale;      ///< m of one unit of columns that tell none: of a pixel
   std::optional<Eigen::Vector2d>
       origin;  ///< of the sample's corner of least u and v in the points'
                ///< first two coordinates (m); none: it is centred on them

@@ -33,7 +33,9 @@ std::string sheet_study(const DicSession& made, const std::string& name) {
 
 double largest(const std::vector<double>& numbers) {
   double most = 0;
-  for (const double number : numbers) most = std::max(most, std::abs(number));
+  for (const double number : numbers) {
+    if (!std::isnan(number)) most = std::max(most, std::abs(number));
+  }
   return most;
 }
 
@@ -67,6 +69,7 @@ std::string middle_table(const DicSession& dic) {
   if (!dic.time.empty()) header.emplace_back("time_s");
   CsvWriter csv(header);
   for (std::size_t f = 0; f < middle.strain.size(); ++f) {
+    if (std::isnan(middle.strain[f])) continue;
     csv.cell(dic.force[f]).cell(100 * middle.strain[f]).cell(100 * middle.lateral_strain[f]);
     for (const ClipSlip& slip : dic.slips) csv.cell(1e3 * slip.slip[f]);
     if (!dic.time.empty()) csv.cell(dic.time[f]);
@@ -92,6 +95,19 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
                               made.frame_count(), millimetres(made.spacing),
                               session.rest.vertex_count(), millimetres(dic.sample.width),
                               millimetres(dic.sample.height)));
+  notes.insert(notes.end(), made.notes.begin(), made.notes.end());
+  if (dic.labels) {
+    const std::size_t f = worst_frame(made.nearer);
+    notes.push_back(fmt::format(
+        "against the camera the sample tilts as if a clip came {:.2g} % of its distance {} (frame "
+        "{}), which counts as no strain",
+        100 * std::abs(made.nearer[f]), made.nearer[f] > 0 ? "nearer" : "further away", f));
+  }
+  if (!made.left_out.empty()) {
+    notes.push_back(fmt::format("{} frames are left out: frame {} {}{}", made.left_out.size(),
+                                made.left_out.front().frame, made.left_out.front().why,
+                                made.left_out.size() > 1 ? ", ..." : ""));
+  }
   if (!dic.origin)
     notes.emplace_back("the sample is centred on the points (`origin` says otherwise)");
   if (made.off_plane > 0) {
@@ -121,8 +137,9 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
   }
   for (const ClipSlip& slip : made.slips) {
     const std::size_t f = worst_frame(slip.slip);
-    const bool is_seen =
-        std::ranges::none_of(slip.slip, [](double value) { return std::isnan(value); });
+    const auto unknown =
+        std::ranges::count_if(slip.slip, [](double value) { return std::isnan(value); });
+    const bool is_seen = unknown <= std::ssize(made.left_out);
     notes.push_back(is_seen
                         ? fmt::format("cloth has left the clip {} by {} at most (frame {}), what "
                                       "the points beside it say",

@@ -58,6 +58,7 @@ class SheetFollower {
       follow(f);
       task.advance(f + 1);
     }
+    result_.notes = points_->notes();
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
       const double leverage = leverage_ / static_cast<double>(residuals_.size());
@@ -70,7 +71,7 @@ class SheetFollower {
   PointFrame read(int f) {
     constexpr int kFewestPoints = 10;
     PointFrame points = points_->read(f);
-    if (points.count() >= kFewestPoints) return points;
+    if (!points.left_out.empty() || points.count() >= kFewestPoints) return points;
     throw InputError({points_->file(f)},
                      fmt::format("frame {} has {} points that were seen", f, points.count()),
                      fmt::format("at least {}", kFewestPoints));
@@ -123,6 +124,7 @@ class SheetFollower {
 
   void follow(int f) {
     const PointFrame points = read(f);
+    if (!points.left_out.empty()) return leave_out(f, points.left_out);
     const Eigen::Matrix2Xd rest = axes_.of(points.rest).topRows<2>();
     const Eigen::Matrix3Xd moved = axes_.of(points.moved);
     const Session& session = result_.session;
@@ -132,7 +134,7 @@ class SheetFollower {
     const LocalMotion around(rest, moved, kFar * result_.spacing);
     std::size_t slip = 0;
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
-      frame.poses.push_back(pose_of(c, f, around, slip));
+      frame.poses.push_back(pose_of(c, f, points, around, slip));
       for (const int vertex : session.clips[c].clamped) {
         frame.positions.col(vertex) = frame.poses[c].apply(session.rest.positions.col(vertex));
       }
@@ -140,6 +142,7 @@ class SheetFollower {
     frame.cords.resize(session.clips.size());
     if (dic_.forces) pull(f, frame);
     if (result_.middle) add_middle(rest, moved, f);
+    result_.nearer.push_back(points.nearer);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
     if (is_slack(f)) {
@@ -147,6 +150,18 @@ class SheetFollower {
       return;
     }
     result_.session.frames.push_back(std::move(frame));
+  }
+
+  void leave_out(int f, const std::string& why) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    result_.left_out.push_back({f, why});
+    result_.lost.push_back(0);
+    result_.unseen.push_back(0);
+    result_.nearer.push_back(kNone);
+    for (ClipSlip& slip : result_.slips) slip.slip.push_back(kNone);
+    if (!result_.middle) return;
+    result_.middle->strain.push_back(kNone);
+    result_.middle->lateral_strain.push_back(kNone);
   }
 
   /// Whether a sample that lies in a plane carries nothing after it was pulled: it has buckled out
@@ -177,7 +192,8 @@ class SheetFollower {
     return positions;
   }
 
-  Pose pose_of(std::size_t c, int f, const LocalMotion& around, std::size_t& slip) {
+  Pose pose_of(std::size_t c, int f, const PointFrame& points, const LocalMotion& around,
+               std::size_t& slip) {
     const DicClip& clip = dic_.clips[c];
     const HeldSide& side = sides_[c];
     const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.vertices);
@@ -191,6 +207,7 @@ class SheetFollower {
           "points beside it; or `motion: held` or `extension`, where it is known");
     }
     Pose pose;
+    if (clip.motion == ClipMotion::labels) pose = *points.clips[c];
     if (clip.motion == ClipMotion::extension) {
       if (log_.extension.empty()) {
         throw InputError(dic_.forces->data.where, "has no column of the extension",

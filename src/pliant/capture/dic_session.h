@@ -24,17 +24,27 @@ struct ClipSlip {
   std::vector<double> slip;
 };
 
+/// A frame that cannot be used, and why.
+struct LeftOutFrame {
+  int frame = 0;
+  std::string why;
+};
+
 /// A session that was made from measured points.
 struct DicSession {
   Session session;
   double spacing = 0;       ///< of the points (m)
   double off_plane = 0;     ///< root mean square at rest (m)
   double point_noise = 0;   ///< by which a coordinate of a point misses an affine motion around it
-  std::vector<int> lost;    ///< points of each frame
-  std::vector<int> unseen;  ///< vertices of each frame
+  std::vector<int> lost;    ///< points of each frame; 0 of one that is left out
+  std::vector<int> unseen;  ///< vertices of each frame; likewise
+  std::vector<LeftOutFrame> left_out;  ///< not in the session; not a number in the records
   std::vector<int> slack;   ///< frames that the session leaves out: of a flat test, without force
   std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
   std::vector<ClipSlip> slips;
+  std::vector<double> nearer;        ///< of each frame, by what share of its distance a clip has
+                                     ///< come nearer to the camera against the other
+  std::vector<std::string> notes;    ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
 
   /// Of the files; the session may have fewer.

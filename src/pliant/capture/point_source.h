@@ -3,12 +3,16 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "pliant/base/run_context.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/spline_picture.h"
+#include "pliant/geometry/pose.h"
 
 namespace pliant {
 
@@ -17,6 +21,10 @@ struct PointFrame {
   Eigen::Matrix3Xd rest;   ///< m, one column a point
   Eigen::Matrix3Xd moved;  ///< m
   int lost = 0;            ///< points that were not found
+  /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
+  std::vector<std::optional<Pose>> clips;
+  double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView
+  std::string left_out;             ///< why the frame cannot be used; it has no points then
 
   int count() const { return static_cast<int>(rest.cols()); }
 };
@@ -33,6 +41,8 @@ class PointSource {
   /// @param frame  that of the call before, or the one after it
   /// @throws InputError
   virtual PointFrame read(int frame) = 0;
+  /// What is worth telling of how the points were found, a sentence each.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 /// Reads a picture as brightness, 0 to 1.

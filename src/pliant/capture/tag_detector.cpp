@@ -66,8 +66,7 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
     tags.push_back(detected_tag(*detection));
   }
   if (tags.empty()) return tags;
-  const SplinePicture between(picture);
-  for (DetectedTag& tag : tags) tag.corners = corners_by_edges(between, tag.corners);
+  for (DetectedTag& tag : tags) tag.corners = corners_by_edges(picture, tag.corners);
   std::ranges::stable_sort(tags, {}, &DetectedTag::code);
   return tags;
 }

@@ -8,23 +8,45 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
+#include "pliant/base/quantity.h"
 #include "pliant/capture/median.h"
 
 namespace pliant {
 namespace {
 
 constexpr double kAlike = 0.75;           // correlation of a patch that was found
+constexpr double kRounding = 1e-6;        // of a pixel
 constexpr int kFewestFound = 5;           // that say where others have gone
 constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
 
-/// The rectangle of the sample in the first picture: corners of least and of largest column and
-/// row.
-std::pair<Eigen::Vector2d, Eigen::Vector2d> sample_in_picture(const DicFile& dic) {
-  const Eigen::Vector2d corner = *dic.origin / *dic.scale;
-  Eigen::Vector2d opposite = corner;
-  opposite(dic.weft.axis) += dic.weft.sign * dic.sample.width / *dic.scale;
-  opposite(dic.warp.axis) += dic.warp.sign * dic.sample.height / *dic.scale;
-  return {corner.cwiseMin(opposite), corner.cwiseMax(opposite)};
+/// The sample's corners in the plane that pictures show (m), one after the other.
+Eigen::Matrix<double, 2, 4> sample_corners(const DicFile& dic) {
+  const auto along = [](const PointAxis& axis, double size) -> Eigen::Vector2d {
+    return axis.sign * size * Eigen::Vector2d::Unit(axis.axis);
+  };
+  const Eigen::Vector2d weft = along(dic.weft, dic.sample.width);
+  const Eigen::Vector2d warp = along(dic.warp, dic.sample.height);
+  Eigen::Matrix<double, 2, 4> corners;
+  corners << Eigen::Vector2d::Zero(), weft, weft + warp, warp;
+  return corners.colwise() + *dic.origin;
+}
+
+/// Whether a place lies on the sample with a margin around it.
+/// @param corners  of the sample (pixels), one after the other
+bool is_inside(const Eigen::Matrix<double, 2, 4>& corners, const Eigen::Vector2d& place,
+               double margin) {
+  const auto left_of = [&](int k) {  // how far the place is left of a side
+    const Eigen::Vector2d side = corners.col((k + 1) % 4) - corners.col(k);
+    const Eigen::Vector2d way = place - corners.col(k);
+    return (side.x() * way.y() - side.y() * way.x()) / side.norm();
+  };
+  double least = INFINITY, most = -INFINITY;
+  for (int k = 0; k < 4; ++k) {
+    least = std::min(least, left_of(k));
+    most = std::max(most, left_of(k));
+  }
+  // All on one side, whichever way round the corners go.
+  return least >= margin || most <= -margin;
 }
 
 }  // namespace
@@ -75,6 +97,13 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
                              const RunContext& context)
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   rest_ = picture(0);
+  if (dic_.labels) {
+    labels_ = std::make_unique<LabelViews>(dic_, rest_);
+    first_ = labels_->first();
+  } else {
+    first_ = straight_view(*dic_.scale);
+  }
+  now_ = first_;
   place_patches(SplinePicture(rest_, kMatchSmoothing));
 }
 
@@ -95,22 +124,26 @@ GreyPicture TrackedPoints::picture(int frame) const {
 
 void TrackedPoints::place_patches(const SplinePicture& rest) {
   const int radius = dic_.pictures->patch / 2, step = dic_.pictures->step;
-  const auto [least, most] = sample_in_picture(dic_);
+  const Eigen::Matrix<double, 2, 4> corners = first_.in_picture(sample_corners(dic_));
+  const Eigen::Vector2d least = corners.rowwise().minCoeff(), most = corners.rowwise().maxCoeff();
   if (!rest.contains(least) || !rest.contains(most)) {
     throw InputError(
         {dic_.file, 0, "sample"},
         fmt::format("lies at columns {:.0f} to {:.0f} and rows {:.0f} to {:.0f} of a "
                     "picture of {} x {}",
                     least.x(), most.x(), least.y(), most.y(), rest.columns(), rest.rows()),
-        "a sample within the first picture: its size, `origin`, `scale`, `weft` and "
-        "`warp` tell where it is");
+        dic_.labels ? "a sample within the first picture: its size and the labels tell where it is"
+                    : "a sample within the first picture: its size, `origin`, `scale`, `weft` and "
+                      "`warp` tell where it is");
   }
   int places = 0;
   const Eigen::Vector2i from = (least.array() + radius + 1).ceil().cast<int>();
   const Eigen::Vector2i to = (most.array() - radius - 1).floor().cast<int>();
   for (int y = from.y(); y <= to.y(); y += step) {
-    for (int x = from.x(); x <= to.x(); x += step, ++places) {
+    for (int x = from.x(); x <= to.x(); x += step) {
       const Eigen::Vector2d place(x, y);
+      if (!is_inside(corners, place, radius + 1 - kRounding)) continue;
+      ++places;
       if (auto patch = ReferencePatch::of(rest, place, radius)) {
         tracked_.push_back({place, *std::move(patch), {}});
       }
@@ -125,25 +158,61 @@ void TrackedPoints::place_patches(const SplinePicture& rest) {
   }
 }
 
+std::vector<std::string> TrackedPoints::notes() const {
+  if (!labels_) return {};
+  std::vector<std::string> notes;
+  const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
+  for (const std::size_t axis : {0U, 1U}) {
+    if (!labels_->lengths()[axis]) continue;
+    notes.push_back(fmt::format(
+        "the labels say that the clips' edges are {} apart at rest, where the sample is said to be "
+        "{} {}",
+        format_quantity(*labels_->lengths()[axis], Dimension::length, 4),
+        format_quantity(size(static_cast<Eigen::Index>(axis)), Dimension::length, 4),
+        axis == 0 ? "wide" : "high"));
+  }
+  if (views_ > 0) {
+    notes.push_back(fmt::format("corners of labels miss the view of a plane by {:.2g} pixels",
+                                std::sqrt(label_squares_ / views_)));
+  }
+  return notes;
+}
+
 int TrackedPoints::seen() const {
   return static_cast<int>(std::ranges::count_if(tracked_, &Tracked::is_seen));
 }
 
 PointFrame TrackedPoints::read(int frame) {
-  if (frame != frame_) track(frame);
-  frame_ = frame;
+  if (frame != frame_) {
+    frame_ = frame;
+    std::string missing = track(frame);
+    if (!missing.empty()) {
+      PointFrame none;
+      none.left_out = std::move(missing);
+      return none;
+    }
+  }
   return points();
 }
 
-void TrackedPoints::track(int frame) {
+// Says what the picture lacks, or nothing.
+std::string TrackedPoints::track(int frame) {
   context_.stop.throw_if_requested();
   const GreyPicture grey = picture(frame);
+  if (labels_) {
+    SeenLabels seen = labels_->of(grey);
+    if (!seen.view) return seen.missing;
+    now_ = *std::move(seen.view);
+    label_squares_ += now_.miss * now_.miss;
+    ++views_;
+  }
   const SplinePicture now(grey, kMatchSmoothing);
   match_where_they_were(now);
   if (2 * seen() < static_cast<int>(tracked_.size())) search_far(grey, now);
   while (match_beside_found(now, kNear) || match_beside_found(now, kWide)) {
   }
   leave_out_strays();
+  return "";
 }
 
 void TrackedPoints::look_for(Tracked& point, const SplinePicture& now,
@@ -164,9 +233,22 @@ void TrackedPoints::match_where_they_were(const SplinePicture& now) {
   });
 }
 
+TrackedPoints::Found TrackedPoints::found() const {
+  Found found{Eigen::Matrix2Xd(2, seen()), Eigen::Matrix2Xd(2, seen())};
+  Eigen::Index next = 0;
+  for (const Tracked& point : tracked_) {
+    if (!point.is_seen) continue;
+    found.rest.col(next) = point.place;
+    found.now.col(next++) = point.place + point.motion.shift;
+  }
+  return found;
+}
+
 LocalMotion TrackedPoints::motion_of_found(double reach) const {
-  const PointFrame found = points();
-  return {found.rest.topRows<2>() / *dic_.scale, found.moved / *dic_.scale, reach};
+  const Found places = found();
+  Eigen::Matrix3Xd now = Eigen::Matrix3Xd::Zero(3, places.now.cols());
+  now.topRows<2>() = places.now;
+  return {places.rest, now, reach};
 }
 
 // Looks for what is lost where the patches around it say; whether more was found.
@@ -239,16 +321,15 @@ void TrackedPoints::leave_out_strays() {
 }
 
 PointFrame TrackedPoints::points() const {
+  const Found places = found();
   PointFrame frame;
-  frame.rest = Eigen::Matrix3Xd::Zero(3, seen());
+  frame.rest = Eigen::Matrix3Xd::Zero(3, places.rest.cols());
   frame.moved = frame.rest;
-  Eigen::Index next = 0;
-  for (const Tracked& point : tracked_) {
-    if (!point.is_seen) continue;
-    frame.rest.col(next).head<2>() = *dic_.scale * point.place;
-    frame.moved.col(next++).head<2>() = *dic_.scale * (point.place + point.motion.shift);
-  }
+  frame.rest.topRows<2>() = first_.on_plane(places.rest);
+  frame.moved.topRows<2>() = now_.on_plane(places.now);
   frame.lost = static_cast<int>(tracked_.size()) - seen() + without_texture_;
+  frame.clips = now_.clips;
+  frame.nearer = now_.nearer;
   return frame;
 }
 

@@ -1,0 +1,107 @@
+// Labels on jaws tell a single camera where it looks, and how the jaws move.
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/capture/dic_session.h"
+#include "pliant/capture/label_views.h"
+
+#include "capture/labelled_camera.h"
+#include "io/input_error_of.h"
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::LabelledPull;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// Pictures of pulls, written as empty files that the reader knows by their numbers.
+class SlowLabelledCamera : public ::testing::Test {
+ protected:
+  DicFile describe(const std::vector<LabelledPull>& pulls, const std::string& codes = "[7]") {
+    pulls_ = pulls;
+    for (std::size_t f = 0; f < pulls.size(); ++f) folder_.write(fmt::format("p/{:03}.png", f), "");
+    return read_dic(folder_.write(
+        "d.yaml", "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\n"
+                  "labels: {tag: 15 mm, edge: 15 mm}\n"
+                  "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
+                  "clips: [{name: lower, side: bottom, labels: [3]}, {name: upper, side: top, labels: " +
+                      codes + "}]\n"));
+  }
+
+  ReadPicture reader() const {
+    return [this](const std::filesystem::path& file) {
+      const auto frame = static_cast<std::size_t>(std::stoi(file.stem().string()));
+      return pulls_[frame].picture(frame);
+    };
+  }
+
+  TemporaryFolder folder_;
+  std::vector<LabelledPull> pulls_;
+};
+
+TEST_F(SlowLabelledCamera, KnowsThePlaneItLooksAt) {
+  const LabelledPull pull{.turned = 0.05, .tilted = 0.1};
+  const DicFile dic = describe({pull});
+  const LabelViews views(dic, pull.picture(0));
+  EXPECT_NEAR(*views.lengths()[1], LabelledPull::kHeight, 3e-5);
+  EXPECT_FALSE(views.lengths()[0]);
+  Eigen::Matrix<double, 2, 4> corners;
+  corners << 0, 0.03, 0.03, 0, 0, 0, 0.09, 0.09;
+  const Eigen::Matrix2Xd seen =
+      (pull.to_picture() * corners.colwise().homogeneous()).colwise().hnormalized();
+  EXPECT_LT((views.first().on_plane(seen) - corners).cwiseAbs().maxCoeff(), 5e-5);
+  EXPECT_LT((views.first().in_picture(corners) - seen).cwiseAbs().maxCoeff(), 0.5);
+  EXPECT_LT(views.first().miss, 0.1);
+}
+
+TEST_F(SlowLabelledCamera, SeesAJawTurnAndComeNearer) {
+  const LabelledPull rest, now{.strain = 0.05, .nearer = 1e-3, .jaw_turned = 0.02};
+  const DicFile dic = describe({rest, now});
+  const LabelViews views(dic, rest.picture(0));
+  const PlaneView view = *views.of(now.picture(1)).view;
+  const Eigen::Vector3d way = view.clips[1]->apply({0.015, 0.09, 0}) - Eigen::Vector3d(0.015, 0.09, 0);
+  EXPECT_NEAR(way.y(), 0.05 * 0.09, 1e-5);
+  EXPECT_NEAR(way.x(), 0, 1e-5);
+  EXPECT_NEAR(2 * std::asin(view.clips[1]->rotation.z()), 0.02, 1e-3);
+  EXPECT_NEAR(view.nearer, 0.002, 3e-4);
+}
+
+TEST_F(SlowLabelledCamera, IsNotDeceivedByAJawThatComesNearer) {
+  const std::vector<LabelledPull> pulls{{},
+                                        {.strain = 0.05, .slip = 1e-4, .nearer = 1e-3},
+                                        {.strain = 0.05, .slip = 1e-4, .turned = 0.03, .tilted = 0.05},
+                                        {.hidden = true},
+                                        {.strain = 0.02, .nearer = -1e-3}};
+  const DicFile dic = describe(pulls);
+  const DicSession made = make_dic_session(dic, reader());
+  ASSERT_EQ(made.left_out.size(), 1u);
+  EXPECT_EQ(made.left_out[0].frame, 3);
+  EXPECT_THAT(made.left_out[0].why, HasSubstr("no label of the clip lower"));
+  EXPECT_EQ(made.session.frame_count(), 4);
+  ASSERT_EQ(made.slips.size(), 2u);
+  for (const std::size_t f : {0U, 1U, 2U, 4U}) {
+    fmt::print("strain {:.4f} % ({}), slip {:.4f} and {:.4f} mm ({}), nearer by {:.3f} %\n",
+               100 * made.middle->strain[f], 100 * pulls[f].strain, 1e3 * made.slips[0].slip[f],
+               1e3 * made.slips[1].slip[f], 1e3 * pulls[f].slip, 100 * made.nearer[f]);
+    EXPECT_NEAR(made.middle->strain[f], pulls[f].strain, 5e-4);
+    EXPECT_NEAR(made.middle->lateral_strain[f], pulls[f].narrowing(), 5e-4);
+    EXPECT_NEAR(made.slips[0].slip[f], 0, 2e-5);
+    EXPECT_NEAR(made.slips[1].slip[f], pulls[f].slip, 2e-5);
+  }
+  EXPECT_NEAR(made.nearer[1], 0.002, 3e-4);
+}
+
+TEST_F(SlowLabelledCamera, RefusesAFirstPictureWithoutALabel) {
+  const DicFile dic = describe({{}}, "[8]");
+  const InputError error = test::input_error_of([&] { make_dic_session(dic, reader()); });
+  EXPECT_THAT(error.what(), HasSubstr("shows the label 8 of the clip upper not at all (labels found: 3, 7)"));
+}
+
+}  // namespace
+}  // namespace pliant

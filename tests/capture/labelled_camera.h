@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "pliant/base/random.h"
+#include "pliant/capture/spline_picture.h"
+#include "pliant/capture/tag_detector.h"
+
+#include "capture/texture.h"
+
+namespace pliant::test {
+
+/// A flat strip between two jaws with labels, as a pinhole camera sees it: 30 mm x 90 mm, labels of
+/// 15 mm whose middles are 15 mm outside of its ends. Plane coordinates are those of the sample.
+struct LabelledPull {
+  static constexpr double kWidth = 0.030, kHeight = 0.090, kTag = 0.015, kEdge = 0.015;
+  static constexpr int kColumns = 360, kRows = 1040;
+
+  double strain = 0;      ///< of the cloth, along warp; across it narrows by a tenth of it
+  double slip = 0;        ///< by which it has left the upper jaw (m)
+  double nearer = 0;      ///< of the upper jaw to the camera (m)
+  double turned = 0;      ///< of the camera, about its axis (rad)
+  double tilted = 0;      ///< of the camera, about its rows (rad)
+  double jaw_turned = 0;  ///< of the upper jaw in the plane (rad)
+  bool hidden = false;    ///< whether something is in front of the lower label
+
+  /// Where the upper end of the cloth would be without slip (m).
+  double jaw() const { return kHeight * (1 + strain) + slip; }
+  double narrowing() const { return -0.1 * strain; }
+
+  /// From the plane to pixels: a camera 500 mm away, 0.15 mm a pixel.
+  Eigen::Matrix3d to_picture() const {
+    constexpr double kDistance = 0.5, kFocal = 5000 / 1.5;
+    const double slope = std::asin(nearer / (jaw() + 2 * kEdge));
+    const Eigen::Matrix3d sheet =
+        Eigen::AngleAxisd(slope, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    Eigen::Matrix3d camera;  // columns, rows downwards, away
+    camera = Eigen::AngleAxisd(tilted, Eigen::Vector3d::UnitX()) *
+             Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()) *
+             Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+    const Eigen::Vector3d seen(kWidth / 2, kHeight / 2, 0), foot(0, -kEdge, 0);
+    Eigen::Matrix3d plane;  // columns: u, v, origin in the camera's axes
+    plane.col(0) = camera * sheet.col(0);
+    plane.col(1) = camera * sheet.col(1);
+    plane.col(2) = camera * (foot - sheet * foot - seen) + kDistance * Eigen::Vector3d::UnitZ();
+    Eigen::Matrix3d k;
+    k << kFocal, 0, kColumns / 2.0, 0, kFocal, kRows / 2.0, 0, 0, 1;
+    return k * plane;
+  }
+
+  /// Brightness of a place of the plane (0 to 1).
+  double at(const Eigen::Vector2d& place, const Texture& texture) const {
+    static const GreyPicture lower = tag_cells(3), upper = tag_cells(7);
+    const Eigen::Vector2d middle(kWidth / 2, 0);
+    const Eigen::Rotation2Dd back(-jaw_turned);
+    const Eigen::Vector2d on_jaw = back * (place - middle - Eigen::Vector2d(0, jaw()));
+    // The lower label stands on its head: its edge is towards the cloth.
+    const double label = std::max(in_label(lower, -(place - middle + Eigen::Vector2d(0, kEdge))),
+                                  in_label(upper, on_jaw - Eigen::Vector2d(0, kEdge)));
+    if (hidden && place.y() < 0) return 0.5;
+    if (label >= 0) return label;
+    const Eigen::Vector2d rest((place.x() - kWidth / 2) / (1 + narrowing()) + kWidth / 2,
+                               place.y() / (1 + strain));
+    if (rest.x() < 0 || rest.x() > kWidth || rest.y() < -0.002 || rest.y() > kHeight + 0.002) {
+      return 0.9;
+    }
+    return texture.at(rest / 1.5e-4) / 255;
+  }
+
+  GreyPicture picture(std::uint64_t seed) const {
+    const Eigen::Matrix3d to_plane = to_picture().inverse();
+    const Texture texture(5);
+    GreyPicture picture(kRows, kColumns);
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const Eigen::Vector2d pixel(column, row);
+        // The edges of a label are where its corners are found: finer there, and cloth is smooth.
+        const double v = (to_plane * pixel.homogeneous()).hnormalized().y();
+        const int samples = v < 0 || v > jaw() ? 64 : 4;
+        double sum = 0;
+        for (int sample = 0; sample < samples; ++sample) {
+          // No two in a row or column: edges along them would move in steps.
+          const Eigen::Vector2d within((sample + 0.5) / samples,
+                                       reversed_bits(sample) + 0.5 / samples);
+          const Eigen::Vector2d place = pixel + within.unaryExpr(&LabelledPull::blurred);
+          sum += at((to_plane * place.homogeneous()).hnormalized(), texture);
+        }
+        picture(row, column) = static_cast<float>(0.1 + 0.8 * sum / samples);
+      }
+    }
+    RandomStream random(seed);
+    add_noise(picture, 0.01, random);
+    return picture;
+  }
+
+ private:
+  /// Pixels from the middle of a pixel at which it sees a share of its light on one side: a square
+  /// pixel behind a lens that blurs by as much.
+  static double blurred(double share) {
+    return share < 0.5 ? std::sqrt(2 * share) - 1 : 1 - std::sqrt(2 * (1 - share));
+  }
+
+  /// The binary digits of a number behind the point.
+  static double reversed_bits(int number) {
+    double value = 0;
+    for (double digit = 0.5; number > 0; number /= 2, digit /= 2) value += digit * (number % 2);
+    return value;
+  }
+
+  /// Brightness within a label and the white around it, -1 outside.
+  static double in_label(const GreyPicture& cells, const Eigen::Vector2d& place) {
+    constexpr int kCells = 8;
+    const double cell = kTag / kCells, around = kTag / 2 + cell;
+    if (std::abs(place.x()) > around || std::abs(place.y()) > around) return -1;
+    if (std::abs(place.x()) >= kTag / 2 || std::abs(place.y()) >= kTag / 2) return 1;
+    const int column = static_cast<int>((place.x() + kTag / 2) / cell);
+    const int row = kCells - 1 - static_cast<int>((place.y() + kTag / 2) / cell);
+    return static_cast<double>(cells(row, column));
+  }
+};
+
+}  // namespace pliant::test

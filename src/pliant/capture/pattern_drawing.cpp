@@ -78,7 +78,7 @@ void draw_label(const ClipCodes& clips, int code, double left, double top, Sheet
   const std::string note = "edge of the clip";
   const bool room = clips.edge - clips.tag / 2 - label.white > kNoteRoom &&
                     width_of(note, kNoteHeight) < label.width - 2 * label.white;
-  if (room) canvas.text(note, {left + label.white, bottom - kNoteHeight / 2}, kNoteHeight);
+  if (room) canvas.text(note, {left + label.white, bottom - 0.8 * kNoteHeight}, kNoteHeight);
 }
 
 void draw(const ClipCodes& clips, const PrintLayout& layout, SheetCanvas& canvas) {

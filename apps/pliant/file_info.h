@@ -43,6 +43,8 @@ FileInfo scene_info(const std::filesystem::path& path);
 FileInfo session_info(const std::filesystem::path& path);
 FileInfo dic_info(const std::filesystem::path& path);
 FileInfo pattern_info(const std::filesystem::path& path);
+FileInfo rig_info(const std::filesystem::path& path);
+FileInfo calibration_info(const std::filesystem::path& path);
 FileInfo material_info(const std::filesystem::path& path);
 FileInfo csv_info(const std::filesystem::path& path, const CsvOptions& reading = {});
 FileInfo u3m_file_info(const std::filesystem::path& path);

@@ -16,9 +16,11 @@ class VirtualRig {
   double tilt = 0.6;       ///< largest, of the board (rad)
   double print_scale = 1;  ///< of the board, against what its file says
 
-  explicit VirtualRig(int count) {
+  double bend = 0;  ///< of the board out of its plane at its left and right edges (m)
+
+  explicit VirtualRig(int count, const TagBoard& board = {4, 6, 0.018, 0.0045, 0}) {
     rig.file = "rig.yaml";
-    rig.boards = {{"board.yaml", TagBoard{6, 8, 0.012, 0.003, 0}}};
+    rig.boards = {{"board.yaml", board}};
     rig.where_boards = {{"rig.yaml", 4, "calibration.boards"}};
     for (int c = 0; c < count; ++c) {
       const std::string name = std::string("camera") + std::to_string(c);
@@ -34,12 +36,35 @@ class VirtualRig {
       int shots, RandomStream random,
       const std::function<bool(int, int)>& sees = [](int, int) { return true; }) const {
     std::vector<RigPicture> result;
-    const Eigen::Matrix3Xd corners = print_scale * rig.boards[0].corners();
+    Eigen::Matrix3Xd corners = print_scale * rig.boards[0].corners();
+    const Eigen::RowVectorXd along =
+        2 * corners.row(0).array() / corners.row(0).maxCoeff() - 1;  // -1 to 1
+    corners.row(2) = bend * along.cwiseAbs2();
     const Eigen::Vector3d middle = corners.rowwise().mean();
     for (int shot = 0; shot < shots; ++shot) {
-      const RigidMotion pose = placement(random, middle);
+      const RigidMotion pose = placement_of(shot, random, middle);
       for (int c = 0; c < std::ssize(cameras); ++c) {
         if (sees(c, shot)) result.push_back(picture(c, shot, pose, corners, random));
+      }
+    }
+    return result;
+  }
+
+  /// The same with two tags, 100 and 101, in the board's plane below it.
+  /// @param length  between their middles (m)
+  std::vector<RigPicture> pictures_with_ruler(int shots, double length, RandomStream random) const {
+    std::vector<RigPicture> result = pictures(shots, random);
+    const Eigen::Vector3d middle = (print_scale * rig.boards[0].corners()).rowwise().mean();
+    RandomStream noises = random.split("ruler");
+    for (int shot = 0; shot < shots; ++shot) {
+      // The placements are drawn again, as `pictures` drew them.
+      const auto pose = placement_of(shot, random, middle);
+      for (RigPicture& picture : result) {
+        if (picture.shot != shot) continue;
+        for (int k = 0; k < 2; ++k) {
+          picture.findings.other_tags.push_back(
+              ruler_tag(picture.camera, 100 + k, pose, {k * length, -0.02, 0}, noises));
+        }
       }
     }
     return result;
@@ -66,6 +91,26 @@ class VirtualRig {
     const RigidMotion shift{Eigen::Vector3d::Zero(), {any(0.07), any(0.05), any(0.06)}};
     const RigidMotion to_middle{Eigen::Vector3d::Zero(), -middle};
     return origin_in_rig() * shift * turn * face * to_middle;
+  }
+
+  RigidMotion placement_of(int shot, const RandomStream& random,
+                           const Eigen::Vector3d& middle) const {
+    RandomStream own = random.split("shot" + std::to_string(shot));
+    return placement(own, middle);
+  }
+
+  DetectedTag ruler_tag(int camera, int code, const RigidMotion& pose, const Eigen::Vector3d& at,
+                        RandomStream& random) const {
+    constexpr double kSide = 0.01;
+    constexpr double kX[] = {-1, 1, 1, -1}, kY[] = {-1, -1, 1, 1};
+    DetectedTag tag;
+    tag.code = code;
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector3d corner = at + kSide / 2 * Eigen::Vector3d(kX[i], kY[i], 0);
+      tag.corners.col(i) = *cameras[camera].project(pose * corner) +
+                           noise * Eigen::Vector2d(random.normal(), random.normal());
+    }
+    return tag;
   }
 
   // The point that all cameras look at, with the axes of the middle of their arc.

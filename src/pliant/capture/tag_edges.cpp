@@ -21,6 +21,8 @@ constexpr double kLeftOut = 0.08;
 constexpr int kFewestPlaces = 6;
 // With fewer, a parabola follows noise rather than the lens.
 constexpr int kFewestForParabola = 40;
+// In smaller cells the blur of both of their edges is one.
+constexpr double kLeastDepth = 2;  // pixels
 constexpr double kFurthest = 2.5;  // pixels that a corner may move
 
 // One edge: from a corner along `along` (unit) for `length` pixels; it lies `offset(t)` pixels
@@ -98,6 +100,7 @@ std::optional<TagEdge> edge_between(const SplinePicture& picture, const Eigen::V
   if (edge.across.dot(from - middle) < 0) edge.across = -edge.across;
   // Half of what a foreshortened cell measures, at most: beyond it are the cells of the code.
   const double depth = std::abs(edge.across.dot(from - middle)) * 2 / kCells;
+  if (depth < kLeastDepth) return std::nullopt;
   const double reach = std::clamp(0.5 * depth, 1.0, 3.0);
   const int count = static_cast<int>(edge.length * (1 - 2 * kLeftOut));
   std::vector<Eigen::Vector2d> places;

@@ -50,6 +50,7 @@ endif()
 # ziptool programs, which are separate packages that a library user has no need for.
 if(PkgConfig_FOUND)
   pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
+  pkg_check_modules(cairo QUIET IMPORTED_TARGET cairo)
   pkg_check_modules(gdk_pixbuf QUIET IMPORTED_TARGET gdk-pixbuf-2.0)
   pkg_check_modules(orcus QUIET IMPORTED_TARGET liborcus-0.17) # optional within src/pliant/io
   if(TARGET PkgConfig::gdk_pixbuf) # its -pthread would keep precompiled headers out

@@ -62,6 +62,8 @@ void add_report(CommandRegistry& registry);
 void add_render(CommandRegistry& registry);
 void add_compare(CommandRegistry& registry);
 void add_convert(CommandRegistry& registry);
+void add_pattern(CommandRegistry& registry);
+void add_calibrate(CommandRegistry& registry);
 void add_info(CommandRegistry& registry);
 
 }  // namespace pliant

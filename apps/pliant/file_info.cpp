@@ -46,7 +46,9 @@ Syntax syntax_of(const fs::path& path) {
 
 FileInfo document_info(const fs::path& path, const Document& document) {
   const std::string expected =
-      "study/1, lab/1, scene/1, session/1, dic/1, material/1, fit/1, evaluation/1 or simulation/1";
+      "study/1, lab/1, scene/1, session/1, dic/1, pattern/1, rig/1, calibration/1, material/1, "
+      "fit/1, "
+      "evaluation/1 or simulation/1";
   const std::optional<std::string> type = document_type(document);
   const auto foreign = type ? std::nullopt : kind_of_foreign_document(document);
   if (foreign) throw InputError({document.file}, "is " + foreign->what, foreign->way_in);
@@ -61,6 +63,9 @@ FileInfo document_info(const fs::path& path, const Document& document) {
   if (name == "scene") return scene_info(path);
   if (name == "session") return session_info(path);
   if (name == "dic") return dic_info(path);
+  if (name == "pattern") return pattern_info(path);
+  if (name == "rig") return rig_info(path);
+  if (name == "calibration") return calibration_info(path);
   if (name == "material") return material_info(path);
   if (name == "fit" || name == "evaluation") return results_file_info(path);
   if (name == "simulation") return simulation_info(path);

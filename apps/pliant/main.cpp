@@ -82,6 +82,8 @@ int parse_and_run(int argc, char** argv) {
   pliant::add_simulate(registry);
   pliant::add_report(registry);
   pliant::add_render(registry);
+  pliant::add_pattern(registry);
+  pliant::add_calibrate(registry);
   pliant::add_compare(registry);
   pliant::add_convert(registry);
   pliant::add_info(registry);

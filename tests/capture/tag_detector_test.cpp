@@ -45,5 +45,17 @@ TEST(TagDetector, TakesNoMirroredTag) {
   EXPECT_TRUE(detect_tags(picture.rowwise().reverse()).empty());
 }
 
+// Noise of speckles of one to seven pixels, as of cloth.
+TEST(SlowTagDetector, SeesNoCodesInNoise) {
+  for (int seed = 0; seed < 200; ++seed) {
+    RandomStream random(seed);
+    GreyPicture picture = GreyPicture::Zero(480, 640);
+    test::add_noise(picture, 1, random);
+    picture = test::blurred(picture, random.uniform(0.8, 3.3));
+    picture = 0.5f + 0.2f * picture / std::sqrt(picture.square().mean());
+    EXPECT_TRUE(detect_tags(picture).empty()) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace pliant

@@ -4,7 +4,8 @@ namespace pliant::test {
 
 std::vector<NamedDocument> broken_points() {
   const std::vector<NamedDocument> full = full_documents();
-  const SchemaCase &dic = full.back().document, &pictures = full[full.size() - 2].document;
+  const SchemaCase &dic = full.back().document, &pictures = full[full.size() - 2].document,
+                   &labelled = full[full.size() - 3].document;
   return {
       changed("a test without name", dic, "/test", ""),
       changed("a sample without unit", dic, "/sample/width", 100),
@@ -34,6 +35,15 @@ std::vector<NamedDocument> broken_points() {
       without("neither points nor pictures", pictures, "/pictures"),
       without("pictures without scale", pictures, "/scale"),
       without("pictures of a sample anywhere", pictures, "/origin"),
+      without("labels of unknown size", labelled, "/labels"),
+      without("labels whose clip's edge nobody knows", labelled, "/labels/edge"),
+      changed("labels beside a scale", labelled, "/scale", "0.1 mm"),
+      changed("labels beside an axis", labelled, "/weft", "x"),
+      changed("lengths of a pixel", labelled, "/origin/0", "1 mm"),
+      changed("no labels on a clip", labelled, "/clips/0/labels", json::array()),
+      changed("a code that no label has", labelled, "/clips/0/labels/0", 587),
+      changed("labels that move as the log says", labelled, "/clips/0/motion", "extension"),
+      changed("labels in tables", dic, "/labels", "labels.yaml"),
   };
 }
 

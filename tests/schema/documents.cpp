@@ -434,6 +434,7 @@ std::vector<NamedDocument> broken_documents() {
   for (NamedDocument& session : broken_sessions()) documents.push_back(std::move(session));
   for (NamedDocument& points : broken_points()) documents.push_back(std::move(points));
   for (NamedDocument& pattern : broken_patterns()) documents.push_back(std::move(pattern));
+  for (NamedDocument& rig : broken_rigs()) documents.push_back(std::move(rig));
   return documents;
 }
 

@@ -50,6 +50,9 @@ std::vector<NamedDocument> broken_points();
 /// Documents of printed patterns that every reader must refuse.
 std::vector<NamedDocument> broken_patterns();
 
+/// Documents of cameras that every reader must refuse.
+std::vector<NamedDocument> broken_rigs();
+
 /// Documents that every reader must refuse, with what is wrong with them as a name.
 std::vector<NamedDocument> broken_documents();
 

@@ -30,6 +30,9 @@ std::vector<NamedDocument> full_documents() {
       Full{"chessboard", "chessboard_pattern.yaml"},
       Full{"labels of clips", "clips_pattern.yaml"},
       Full{"texture of cloth", "cloth_pattern.yaml"},
+      Full{"rig of two cameras", "full_rig.yaml"},
+      Full{"rig with a plumb line", "plumb_rig.yaml"},
+      Full{"pictures of clips with labels", "labelled_dic.yaml"},
       Full{"pictures of a flat sample", "pictures_dic.yaml"},
       Full{"points of image correlation", "full_dic.yaml"},
   };

@@ -8,6 +8,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/pattern.h"
+#include "pliant/capture/rig_file.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/material/material_file.h"
 #include "pliant/measurement/session/document.h"
@@ -47,6 +48,8 @@ void read_as(const std::string& type, const Document& document) {
     dic_of(document);
   } else if (type == "pattern") {
     pattern_of(document);
+  } else if (type == "rig") {
+    rig_of(document);
   } else if (type == "session") {
     session_document_of(document);
   } else {

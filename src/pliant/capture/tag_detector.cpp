@@ -54,6 +54,7 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
   const TagFamily family = tag_family();
   const TagFinder finder(apriltag_detector_create(), apriltag_detector_destroy);
   finder->quad_decimate = 1;
+  finder->refine_edges = false;  // our own edges are nearer, and small tags are read better so
   apriltag_detector_add_family_bits(finder.get(), family.get(), options.most_wrong_cells);
   const TagImage image = tag_image(picture);
   const TagList found(apriltag_detector_detect(finder.get(), image.get()),
@@ -62,7 +63,9 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
   for (int i = 0; i < zarray_size(found.get()); ++i) {
     apriltag_detection_t* detection = nullptr;
     zarray_get(found.get(), i, &detection);
-    if (detection->decision_margin < options.least_margin) continue;
+    const double least =
+        detection->hamming < 2 ? options.least_margin : options.least_margin_of_two;
+    if (detection->decision_margin < least) continue;
     tags.push_back(detected_tag(*detection));
   }
   if (tags.empty()) return tags;

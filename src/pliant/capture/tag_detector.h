@@ -25,11 +25,12 @@ struct DetectedTag {
 ///
 /// Two codes of tag36h11 differ in at least 11 of 36 cells, in any turn. Of random squares one in
 /// 29 million shows one of its 587 codes, one in 790,000 with a wrong cell, one in 44,000 with
-/// two: one wrong cell is taken, so that a scratch hides no tag. What texture shows by chance has,
-/// besides, cells that are neither black nor white.
+/// two. Small tags in photographs have such cells, so both are taken; but what texture shows by
+/// chance has cells that are neither black nor white, and with two wrong cells tags must be clear.
 struct TagDetectorOptions {
-  int most_wrong_cells = 1;
-  double least_margin = 20;  ///< grey levels of 255: a tenth of the contrast of a print
+  int most_wrong_cells = 2;
+  double least_margin = 20;         ///< grey levels of 255: a tenth of the contrast of a print
+  double least_margin_of_two = 50;  ///< with two wrong cells
 };
 
 /// The tags in a picture, by their codes. A code may come more than once; a mirrored tag is none.

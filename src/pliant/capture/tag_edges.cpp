@@ -24,6 +24,8 @@ constexpr int kFewestPlaces = 6;
 constexpr double kClearBend = 3;
 constexpr int kFewestForBend = 40;  // places; short edges are straight
 constexpr double kLeast = 1, kWidest = 3;  // pixels across an edge that are looked at
+// In smaller cells the blur of both of their edges is one.
+constexpr double kLeastDepth = 2;  // pixels
 constexpr double kFurthest = 2.5;  // pixels that a corner may move
 
 // One edge: from a corner along `along` (unit) for `length` pixels; it lies `offset(t)` pixels
@@ -186,6 +188,7 @@ std::optional<TagEdge> edge_between(const EdgePicture& picture, const Eigen::Vec
   if (edge.across.dot(from - middle) < 0) edge.across = -edge.across;
   // Half of what a foreshortened cell measures, at most: beyond it are the cells of the code.
   const double depth = std::abs(edge.across.dot(from - middle)) * 2 / kCells;
+  if (depth < kLeastDepth) return std::nullopt;
   const double reach = std::clamp(0.5 * depth, kLeast, kWidest);
   const auto width = find_edge(picture, edge, reach);
   if (!width) return std::nullopt;

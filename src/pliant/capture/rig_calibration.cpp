@@ -1,0 +1,143 @@
+#include "pliant/capture/rig_calibration.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "pliant/base/quantity.h"
+#include "pliant/capture/rig_start.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+// What boards that lie nearly alike tell of a focal length is what their noise and bend make of it.
+constexpr double kLeastTilt = 10 * kDegree;
+// A rig of which a focal length is known worse measures lengths and depths no better.
+constexpr double kWorstFocalLength = 0.02, kDoubtfulFocalLength = 0.003;
+constexpr double kDoubtfulLength = 3;  // errors apart
+
+// Pictures most of whose corners were left out tell of another board, or of a moved one.
+bool leave_out_bad_views(RigCalibration& result) {
+  Bundle& bundle = result.bundle;
+  bool any = false;
+  for (const CornerView& view : bundle.views) {
+    if (2 * view.used() >= std::ssize(view.corners)) continue;
+    result.pictures[view.picture].left_out = "shows corners that do not fit the other pictures";
+    any = true;
+  }
+  std::erase_if(bundle.views,
+                [&](const CornerView& view) { return 2 * view.used() < std::ssize(view.corners); });
+  return any;
+}
+
+void require_tilts(const RigFile& rig, const RigCalibration& result) {
+  for (int c = 0; c < std::ssize(rig.cameras); ++c) {
+    const double focal_length = result.bundle.cameras[c].intrinsics(0);
+    const double error = result.covariance.is_determined ? result.error(c, 0) / focal_length : 1;
+    const double tilt = result.cameras[c].widest_tilt / kDegree;
+    if (error < kWorstFocalLength && tilt * kDegree > kLeastTilt) continue;
+    if (!result.covariance.is_determined && tilt * kDegree > kLeastTilt) continue;
+    throw InputError(
+        rig.cameras[c].where,
+        fmt::format(
+            "its pictures do not tell its focal length: the boards differ in tilt by {:.1f} "
+            "degrees",
+            tilt),
+        "pictures of the board tilted by 20 to 45 degrees to the left, right, up and down");
+  }
+  if (result.covariance.is_determined) return;
+  throw InputError({rig.file, 0, "calibration.pictures"}, "do not tell all of the cameras",
+                   "more pictures, with boards in several tilts all over each picture; or fewer "
+                   "numbers of `distortion`");
+}
+
+void warn_of_tilts(const RigFile& rig, RigCalibration& result) {
+  for (int c = 0; c < std::ssize(rig.cameras); ++c) {
+    const double share = result.error(c, 0) / result.bundle.cameras[c].intrinsics(0);
+    if (share < kDoubtfulFocalLength) continue;
+    result.warnings.push_back(fmt::format(
+        "{}: its focal length is known to {:.1f} % only: more pictures with the board tilted by 20 "
+        "to 45 degrees tell more",
+        rig.cameras[c].name, 100 * share));
+  }
+}
+
+void warn_of_regions(const RigFile& rig, RigCalibration& result) {
+  for (int c = 0; c < std::ssize(rig.cameras); ++c) {
+    const auto& regions = result.cameras[c].regions;
+    const auto empty =
+        std::ranges::count(regions, false, [](const auto& rms) { return rms.has_value(); });
+    if (empty == 0) continue;
+    result.warnings.push_back(
+        fmt::format("{}: no corner of a board was seen in {} of 9 regions of its picture: its "
+                    "distortion there is a guess",
+                    rig.cameras[c].name, empty));
+  }
+}
+
+void warn_of_length(const RigFile& rig, RigCalibration& result) {
+  if (!rig.second_length) {
+    result.warnings.emplace_back(
+        "no second known length (`second_length`): if the board was printed larger or smaller than "
+        "it says, every measure is wrong by that, and nothing here can show it");
+    return;
+  }
+  const LengthCheck& length = *result.length;
+  if (std::abs(length.errors_apart()) < kDoubtfulLength) return;
+  result.warnings.push_back(
+      fmt::format("SCALE: the second length is stated as {} and comes out as {}, {:+.2f} %, {:.0f} "
+                  "errors apart: "
+                  "the board or the length is not what its file says",
+                  format_quantity(length.stated, Dimension::length, 5),
+                  format_quantity(length.measured, Dimension::length, 5),
+                  100 * (length.measured / length.stated - 1), std::abs(length.errors_apart())));
+}
+
+void warn_of_pictures(RigCalibration& result) {
+  for (const RigPicture& picture : result.pictures) {
+    if (picture.left_out.empty()) continue;
+    result.warnings.push_back(fmt::format("{} is left out: {}", picture.file, picture.left_out));
+  }
+}
+
+}  // namespace
+
+double RigCalibration::error(int camera, int number) const {
+  const auto i = kCameraNumbers * camera + number;
+  return std::sqrt(covariance.cameras(i, i));
+}
+
+RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> pictures,
+                             const RunContext& context) {
+  constexpr int kSteps = 4;
+  ProgressTask task(context.progress, "adjustment of the cameras", kSteps);
+  const BundleOptions options{.warp = rig.warp, .threads = context.threads, .stop = context.stop};
+  RigCalibration result;
+  for (const RigCameraFile& camera : rig.cameras) result.names.push_back(camera.name);
+  result.pictures = std::move(pictures);
+  result.bundle = start_of_rig(rig, result.pictures, options);
+  task.advance(1);
+  adjust(result.bundle, options);
+  if (leave_out_bad_views(result)) adjust(result.bundle, options);
+  task.advance(2);
+  result.covariance = covariance_of(result.bundle, options);
+  result.cameras = camera_residuals(result.bundle);
+  require_tilts(rig, result);
+  result.pairs = epipolar_residuals(result.bundle);
+  task.advance(3);
+  result.held_out = held_out_boards(result.bundle, options);
+  if (rig.second_length) {
+    result.length =
+        check_length(*rig.second_length, result.bundle, result.pictures, result.covariance);
+  }
+  result.gravity = gravity_of(rig.gravity, result.bundle, result.pictures, result.covariance);
+  warn_of_pictures(result);
+  warn_of_tilts(rig, result);
+  warn_of_regions(rig, result);
+  warn_of_length(rig, result);
+  return result;
+}
+
+}  // namespace pliant

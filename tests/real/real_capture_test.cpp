@@ -1,0 +1,146 @@
+// Pictures of boards and tags by real cameras; skipped where PLIANT_TEST_DATA does not hold them.
+// The lines they print are those of the documentation.
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "pliant/capture/chessboard_corners.h"
+#include "pliant/capture/rig_calibration.h"
+#include "pliant/imaging/photo.h"
+
+#include "io/temporary_folder.h"
+#include "real/real_fit.h"
+
+namespace pliant::test {
+namespace {
+
+GreyPicture read_grey(const std::filesystem::path& file) { return read_photo(file); }
+
+RigCalibration calibrated(const std::string& board, const std::string& cameras,
+                          const std::string& pictures) {
+  const TemporaryFolder folder;
+  folder.write("board.yaml", "pliant: pattern/1\nchessboard: " + board + "\n");
+  const auto file = folder.write("rig.yaml", "pliant: rig/1\ncameras: " + cameras +
+                                                 "\ncalibration:\n  boards: board.yaml\n"
+                                                 "  pictures: " +
+                                                 pictures + "\n");
+  const RigFile rig = read_rig(file);
+  RunContext context;
+  context.threads = 2;
+  return calibrate_rig(rig, find_boards_in_pictures(rig, read_grey, context), context);
+}
+
+int left_out_pictures(const RigCalibration& found) {
+  return static_cast<int>(std::ranges::count_if(
+      found.pictures, [](const RigPicture& picture) { return !picture.left_out.empty(); }));
+}
+
+// Asked for are a stereo RMS of 0.28 pixels, 0.15 from epipolar lines, and held-out boards that are
+// rigid to 0.026 squares, with all nine pairs.
+TEST(RealCapture, StereoChessboardIsMetWithAllNinePairs) {
+  const auto folder = measurement("stereo_chessboard");
+  SKIP_WITHOUT(folder);
+  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
+  const RigCalibration found =
+      calibrated("{columns: 9, rows: 6, square: 1 m}", "{left: , right: }",
+                 fmt::format("{{left: {0}/left*.jpg, right: {0}/right*.jpg}}", folder.string()));
+  EXPECT_EQ(left_out_pictures(found), 0);
+  double squares = 0, all_squares = 0;
+  int corners = 0, all = 0;
+  for (const CameraResiduals& camera : found.cameras) {
+    squares += camera.rms * camera.rms * camera.corners;
+    corners += camera.corners;
+    all += camera.corners + camera.left_out;
+    all_squares += camera.rms_all * camera.rms_all * (camera.corners + camera.left_out);
+  }
+  ASSERT_EQ(found.pairs.size(), 1u);
+  ASSERT_TRUE(found.held_out);
+  fmt::print(
+      "stereo RMS {:.3f} px of {} corners, {:.3f} px of all {}; {:.3f} px from epipolar "
+      "lines; {} boards held out, rigid to {:.4f} squares\n",
+      std::sqrt(squares / corners), corners, std::sqrt(all_squares / all), all, found.pairs[0].rms,
+      found.held_out->boards, found.held_out->rms);
+  EXPECT_LT(std::sqrt(squares / corners), 0.28);
+  EXPECT_GT(corners, 0.95 * all);
+  EXPECT_LT(found.pairs[0].rms, 0.15);
+  EXPECT_EQ(found.held_out->boards, 9);
+  EXPECT_LT(found.held_out->rms, 0.026);
+}
+
+TEST(RealCapture, CamerasOfTheCylinderAreCalibrated) {
+  const auto folder = measurement("stereo_dic_cylinder");
+  SKIP_WITHOUT(folder);
+  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
+  for (const char* name : {"201", "202"}) {
+    const RigCalibration found =
+        calibrated("{columns: 19, rows: 14, square: 10 mm}", fmt::format("{{c{}: }}", name),
+                   fmt::format("{{c{0}: {1}/board_{0}_*.jpg}}", name, folder.string()));
+    const CameraResiduals& camera = found.cameras[0];
+    fmt::print(
+        "camera {}: {} pictures, RMS {:.3f} px of {} corners, {:.3f} px of all {}; focal "
+        "length {:.1f} +- {:.1f} px\n",
+        name, camera.pictures, camera.rms, camera.corners, camera.rms_all,
+        camera.corners + camera.left_out, found.bundle.cameras[0].intrinsics(0), found.error(0, 0));
+    EXPECT_EQ(left_out_pictures(found), 0);
+    EXPECT_LT(camera.rms, 0.6);
+  }
+}
+
+struct ListedTag {
+  int code = 0;
+  Eigen::Matrix<double, 2, 4> corners;
+};
+
+// `code, (x y), (x y), (x y), (x y)`, the corner of the first pixel being (0, 0).
+std::vector<ListedTag> listed_tags(const std::filesystem::path& file) {
+  std::vector<ListedTag> tags;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    for (char& c : line) {
+      if (c == ',' || c == '(' || c == ')') c = ' ';
+    }
+    std::istringstream numbers(line);
+    ListedTag tag;
+    numbers >> tag.code;
+    for (int i = 0; i < 4; ++i) numbers >> tag.corners(0, i) >> tag.corners(1, i);
+    if (!numbers) continue;
+    tag.corners.array() -= 0.5;
+    tags.push_back(tag);
+  }
+  return tags;
+}
+
+TEST(RealCapture, TagsOfPhotographsAreFound) {
+  const auto folder = measurement("apriltag_photos");
+  SKIP_WITHOUT(folder);
+  for (const char* name : {"33369213973_9d9bb4cc96_c", "34085369442_304b6bafd9_c"}) {
+    const std::vector<ListedTag> listed = listed_tags(folder / (std::string(name) + ".txt"));
+    const std::vector<DetectedTag> tags =
+        detect_tags(read_photo(folder / (std::string(name) + ".jpg")));
+    int found = 0;
+    double squares = 0;
+    for (const ListedTag& expected : listed) {
+      double nearest = 1e9;
+      for (const DetectedTag& tag : tags) {
+        if (tag.code != expected.code) continue;
+        nearest = std::min(nearest, (tag.corners - expected.corners).squaredNorm() / 4);
+      }
+      if (nearest > 9) continue;
+      ++found;
+      squares += nearest;
+    }
+    fmt::print("{}: {} of {} codes ({} seen), corners within {:.3f} px RMS of the list\n", name,
+               found, listed.size(), tags.size(), std::sqrt(squares / found));
+    EXPECT_EQ(found, std::ssize(listed));
+    EXPECT_EQ(tags.size(), listed.size());
+    EXPECT_LT(std::sqrt(squares / found), 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -40,7 +40,7 @@ std::vector<NamedDocument> broken_points() {
       changed("labels beside a scale", labelled, "/scale", "0.1 mm"),
       changed("labels beside an axis", labelled, "/weft", "x"),
       changed("lengths of a pixel", labelled, "/origin/0", "1 mm"),
-      changed("no labels on a clip", labelled, "/clips/0/labels", json::array()),
+      changed("no labels on a clip", labelled, "/clips/0/labels", nlohmann::json::array()),
       changed("a code that no label has", labelled, "/clips/0/labels/0", 587),
       changed("labels that move as the log says", labelled, "/clips/0/motion", "extension"),
       changed("labels in tables", dic, "/labels", "labels.yaml"),

@@ -92,7 +92,7 @@ void add_pattern(CommandRegistry& registry) {
       "  pliant pattern clips -o clips.pdf --codes 1-8\n"
       "  pliant pattern cloth -o cloth.pdf --camera \"0.25 mm\" --size \"200 mm x 280 mm\" --seed "
       "1\n"
-      "Exit status: 0 done, 1 stopped, 2 bad usage or bad input.");
+      "Exit status: 0 done, 1 the work failed, 2 bad usage or bad input.");
   registry.on(command, [arguments, app = &command](CommandContext& context) {
     draw(context, *arguments, *app);
   });

@@ -172,22 +172,24 @@ ClothPattern cloth_of(const PatternArguments& arguments, std::uint64_t seed) {
   return cloth;
 }
 
-/// On A4, upright where that holds it, where no sheet was asked for.
+bool is_held(const Pattern& pattern) {
+  try {
+    layout_of(pattern);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Where no sheet was asked for: A4, lying where only that holds the pattern.
+/// @throws InputError where the sheet does not hold it
 void choose_sheet(const std::string& size, Pattern& pattern) {
-  if (size.empty()) {
-    try {
-      layout_of(pattern);
-    } catch (const InputError&) {
-      Pattern lying = pattern;
-      lying.sheet = lying.sheet.reverse().eval();
-      try {
-        layout_of(lying);
-        pattern = lying;
-      } catch (const InputError&) {  // the upright sheet is what is complained of
-      }
-    }
-  } else {
+  if (!size.empty()) {
     pattern.sheet = size_of(size);
+  } else if (!is_held(pattern)) {
+    Pattern lying = pattern;
+    lying.sheet.reverseInPlace();
+    if (is_held(lying)) pattern = lying;
   }
   pattern.ruler = ruler_of_sheet(pattern.sheet);
   layout_of(pattern);

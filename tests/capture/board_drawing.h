@@ -34,12 +34,12 @@ class PrintedBoard {
   std::vector<GreyPicture> cells_;
 };
 
-/// What a camera sees of boards, each pixel the mean of 4 x 4 places of it.
+/// What a camera sees of boards, each pixel the mean of 3 x 3 places of it.
 /// @param poses  of the boards, in rig axes; all in one plane, that of the first
 /// @param blur   pixels
 inline GreyPicture draw_boards(const CameraModel& camera, const std::vector<PrintedBoard>& boards,
                                const std::vector<RigidMotion>& poses, double blur) {
-  constexpr int kSamples = 4;
+  constexpr int kSamples = 3;
   const RigidMotion& plane = poses.front();
   const Eigen::Vector3d normal = plane.matrix().col(2);
   std::vector<Eigen::Isometry3d> to_board;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ std::string refusal_of(const RigFile& rig, std::vector<RigPicture> pictures) {
 // The first and the third camera share no shot.
 TEST(RigCalibration, ConnectsCamerasThroughOthers) {
   const VirtualRig rig(3);
-  const auto pictures = rig.pictures(16, RandomStream(2), [](int camera, int shot) {
+  const auto pictures = rig.pictures(12, RandomStream(2), [](int camera, int shot) {
     return shot % 2 == 0 ? camera < 2 : camera > 0;
   });
   const RigCalibration found = calibrate_rig(rig.rig, pictures, {});
@@ -121,9 +122,9 @@ TEST(RigCalibration, SecondLengthShowsAWrongScale) {
     rig.print_scale = scale;
     rig.rig.second_length = {100, 101, 0.1, false, {"rig.yaml", 8, "second_length"}};
     const RigCalibration found =
-        calibrate_rig(rig.rig, rig.pictures_with_ruler(10, 0.1, RandomStream(6)), {});
+        calibrate_rig(rig.rig, rig.pictures_with_ruler(8, 0.1, RandomStream(6)), {});
     ASSERT_TRUE(found.length);
-    EXPECT_EQ(found.length->measured_in, 10);
+    EXPECT_EQ(found.length->measured_in, 8);
     EXPECT_NEAR(found.length->measured, 0.1 / scale, 4 * found.length->error);
     EXPECT_LT(found.length->error, 1e-4);
     const bool loud = std::ranges::any_of(found.warnings, [](const std::string& warning) {
@@ -137,7 +138,7 @@ TEST(RigCalibration, MeasuresALengthOnTheBoardWithOneCamera) {
   VirtualRig rig(1);
   rig.rig.second_length = {100, 101, 0.1, true, {"rig.yaml", 8, "second_length"}};
   const RigCalibration found =
-      calibrate_rig(rig.rig, rig.pictures_with_ruler(10, 0.1, RandomStream(6)), {});
+      calibrate_rig(rig.rig, rig.pictures_with_ruler(8, 0.1, RandomStream(6)), {});
   ASSERT_TRUE(found.length);
   EXPECT_NEAR(found.length->measured, 0.1, 4 * found.length->error);
   EXPECT_LT(found.length->error, 1e-4);
@@ -184,6 +185,7 @@ TEST(SlowRigCalibration, StatesErrorsThatCoverTheTruth) {
       ++all;
     }
   }
+  fmt::print("95 % intervals hold {} of {} numbers of cameras\n", inside, all);
   EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 0.04) << inside << " of " << all;
 }
 
@@ -195,7 +197,7 @@ TEST(SlowRigCalibration, TakesFourCamerasWithThirtyPicturesEach) {
   const RigCalibration found = calibrate_rig(rig.rig, rig.pictures(30, RandomStream(1)), context);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
   for (const double apart : errors_apart(found, rig)) EXPECT_LT(std::abs(apart), 4);
-  RecordProperty("seconds", std::to_string(took.count()));
+  fmt::print("4 cameras, 30 pictures of 192 corners each: {:.1f} s\n", took.count());
 }
 
 }  // namespace

@@ -97,6 +97,19 @@ TEST_F(SlowLabelledCamera, IsNotDeceivedByAJawThatComesNearer) {
   EXPECT_NEAR(made.nearer[1], 0.002, 3e-4);
 }
 
+// The jaw moves by 4.5 mm through a picture whose lens bends lengths by 1 % and more.
+TEST_F(SlowLabelledCamera, SeesThroughALensThatIsKnown) {
+  const std::vector<LabelledPull> pulls{{.k1 = -0.3}, {.strain = 0.05, .nearer = 1e-3, .k1 = -0.3}};
+  DicFile dic = describe(pulls);
+  const DicSession bent = make_dic_session(dic, reader());
+  dic.lens = Lens(pulls[0].camera());
+  const DicSession made = make_dic_session(dic, reader());
+  fmt::print("strain {:.4f} % of 5; {:.4f} % where the lens is taken for a pinhole\n",
+             100 * made.middle->strain[1], 100 * bent.middle->strain[1]);
+  EXPECT_NEAR(made.middle->strain[1], 0.05, 5e-4);
+  EXPECT_GT(std::abs(bent.middle->strain[1] - 0.05), 1e-3);
+}
+
 TEST_F(SlowLabelledCamera, RefusesAFirstPictureWithoutALabel) {
   const DicFile dic = describe({{}}, "[8]");
   const InputError error = test::input_error_of([&] { make_dic_session(dic, reader()); });

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "pliant/base/random.h"
+#include "pliant/capture/lens.h"
 #include "pliant/capture/spline_picture.h"
 #include "pliant/capture/tag_detector.h"
 
@@ -20,6 +21,7 @@ namespace pliant::test {
 struct LabelledPull {
   static constexpr double kWidth = 0.030, kHeight = 0.090, kTag = 0.015, kEdge = 0.015;
   static constexpr int kColumns = 360, kRows = 1040;
+  static constexpr double kFocal = 5000 / 1.5;  ///< pixels
 
   double strain = 0;      ///< of the cloth, along warp; across it narrows by a tenth of it
   double slip = 0;        ///< by which it has left the upper jaw (m)
@@ -28,6 +30,7 @@ struct LabelledPull {
   double tilted = 0;      ///< of the camera, about its rows (rad)
   double jaw_turned = 0;  ///< of the upper jaw in the plane (rad)
   bool hidden = false;    ///< whether something is in front of the lower label
+  double k1 = 0;          ///< radial distortion of the lens
 
   /// Where the upper end of the cloth would be without slip (m).
   double jaw() const { return kHeight * (1 + strain) + slip; }
@@ -35,7 +38,7 @@ struct LabelledPull {
 
   /// From the plane to pixels: a camera 500 mm away, 0.15 mm a pixel.
   Eigen::Matrix3d to_picture() const {
-    constexpr double kDistance = 0.5, kFocal = 5000 / 1.5;
+    constexpr double kDistance = 0.5;
     const double slope = std::asin(nearer / (jaw() + 2 * kEdge));
     const Eigen::Matrix3d sheet =
         Eigen::AngleAxisd(slope, Eigen::Vector3d::UnitX()).toRotationMatrix();
@@ -51,6 +54,14 @@ struct LabelledPull {
     Eigen::Matrix3d k;
     k << kFocal, 0, kColumns / 2.0, 0, kFocal, kRows / 2.0, 0, 0, 1;
     return k * plane;
+  }
+
+  CameraModel camera() const {
+    CameraModel model;
+    model.intrinsics << kFocal, kFocal, kColumns / 2.0, kRows / 2.0, k1, 0, 0, 0, 0;
+    model.columns = kColumns;
+    model.rows = kRows;
+    return model;
   }
 
   /// Brightness of a place of the plane (0 to 1).
@@ -75,10 +86,11 @@ struct LabelledPull {
   GreyPicture picture(std::uint64_t seed) const {
     const Eigen::Matrix3d to_plane = to_picture().inverse();
     const Texture texture(5);
+    const Lens lens(camera());
     GreyPicture picture(kRows, kColumns);
     for (int row = 0; row < kRows; ++row) {
       for (int column = 0; column < kColumns; ++column) {
-        const Eigen::Vector2d pixel(column, row);
+        const Eigen::Vector2d pixel = lens.straightened(Eigen::Vector2d(column, row));
         // The edges of a label are where its corners are found: finer there, and cloth is smooth.
         const double v = (to_plane * pixel.homogeneous()).hnormalized().y();
         const int samples = v < 0 || v > jaw() ? 64 : 4;

@@ -4,8 +4,10 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/capture/calibration_file.h"
 #include "pliant/capture/pattern.h"
 #include "pliant/capture/tag_detector.h"
 #include "pliant/io/document.h"
@@ -153,11 +155,36 @@ Eigen::Vector2d read_pixel(const Value& value) {
   return {items[0].number(), items[1].number()};
 }
 
+/// A camera of a calibration/1 file: the only one, or that of a name.
+Lens read_camera(const Value& value) {
+  const auto calibration_at = [](const Value& place) {
+    const std::filesystem::path folder =
+        std::filesystem::path(place.location().file).parent_path();
+    return read_calibration(folder / place.text("the calibration.json of `pliant calibrate`"));
+  };
+  if (!value.is_mapping()) {
+    const CalibratedRig rig = calibration_at(value);
+    if (rig.cameras.size() == 1) return Lens(rig.cameras.front());
+    value.fail(fmt::format("has {} cameras ({})", rig.cameras.size(), fmt::join(rig.names, ", ")),
+               "{calibration: FILE, name: CAMERA}");
+  }
+  Fields fields = value.fields();
+  const CalibratedRig rig = calibration_at(fields.require("calibration"));
+  const Value name = fields.require("name");
+  const auto found = std::ranges::find(rig.names, name.text("the name of a camera"));
+  if (found == rig.names.end()) {
+    name.fail("is no camera of the calibration", fmt::format("{}", fmt::join(rig.names, ", ")));
+  }
+  fields.finish();
+  return Lens(rig.cameras[static_cast<std::size_t>(found - rig.names.begin())]);
+}
+
 /// Where the sample lies in pictures: `scale` and `origin` say it, or the labels.
 void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& dic) {
   const auto origin = fields.optional("origin");
   if (const auto labels = fields.optional("labels")) {
     dic.labels = read_labels(*labels);
+    if (auto v = fields.optional("camera")) dic.lens = read_camera(*v);
     if (!pictures) labels->fail("stand in no picture", "`pictures`, or no labels");
     for (const char* other : {"scale", "weft", "warp"}) {
       if (auto v = fields.optional(other)) v->fail("stands beside `labels`, which tell it", "one");
@@ -165,6 +192,9 @@ void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& d
     if (origin) dic.labels->corner = read_pixel(*origin);
     dic.origin = Eigen::Vector2d::Zero();
     return;
+  }
+  if (auto v = fields.optional("camera")) {
+    v->fail("is told, and no `labels` by which it sees where it stands", "`labels`, or no camera");
   }
   if (origin) dic.origin = read_origin(*origin, dic.scale);
   if (!pictures) return;

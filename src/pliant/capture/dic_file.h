@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/capture/lens.h"
 #include "pliant/io/document.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/session.h"
@@ -73,6 +74,7 @@ struct DicFile {
   SessionSample sample;
   DataSource points;  ///< a file a frame; none where there are pictures
   std::optional<DicPictures> pictures;
+  Lens lens;                        ///< of the camera; a pinhole where none is told
   std::optional<DicLabels> labels;  ///< of clips in pictures; they tell scale and origin
   std::optional<double> scale;      ///< m of one unit of columns that tell none: of a pixel
   std::optional<Eigen::Vector2d>

@@ -70,7 +70,7 @@ double depth_ratio(const PlaneView& view, const Eigen::Vector2d& place,
 
 }  // namespace
 
-LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic) {
+LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic), lens_(dic.lens) {
   const std::vector<DetectedTag> tags = detect_tags(first);
   std::vector<LabelSighting> sightings;
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
@@ -86,8 +86,7 @@ LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic)
                          "around it");
       }
       const Corners rest = corners_of_label(dic.labels->tag);
-      sightings.push_back({rest, std::ranges::find(tags, code, &DetectedTag::code)->corners,
-                           static_cast<int>(labels_.size())});
+      sightings.push_back({rest, straight_corners(tags, code), static_cast<int>(labels_.size())});
       labels_.push_back({clip, code, rest});
     }
     if (!dic.clips[clip].labels.empty()) carriers_.push_back(clip);
@@ -128,6 +127,7 @@ void LabelViews::place_sample(const PlaneFit& fit) {
     if (first > 0) corner(place) = least;
     if (first > 0 && last > 0) lengths_[axis] = most - least;
   }
+  first_.lens = lens_;
   first_.to_plane = to_sample * fit.to_picture.inverse();
   if (dic_.labels->corner) corner = first_.on_plane(*dic_.labels->corner);
   Eigen::Matrix3d to_corner = Eigen::Matrix3d::Identity();
@@ -141,6 +141,11 @@ void LabelViews::place_sample(const PlaneFit& fit) {
   }
 }
 
+Eigen::Matrix<double, 2, 4> LabelViews::straight_corners(const std::vector<DetectedTag>& tags,
+                                                         int code) const {
+  return lens_.straightened(std::ranges::find(tags, code, &DetectedTag::code)->corners);
+}
+
 SeenLabels LabelViews::of(const GreyPicture& picture) const {
   const std::vector<DetectedTag> tags = detect_tags(picture);
   std::vector<LabelSighting> sightings;
@@ -151,8 +156,8 @@ SeenLabels LabelViews::of(const GreyPicture& picture) const {
     if (count == 0) continue;
     const auto body = static_cast<std::size_t>(std::ranges::find(carriers_, label.clip) - carriers_.begin());
     is_seen[body] = 1;
-    sightings.push_back({label.corners, std::ranges::find(tags, label.code, &DetectedTag::code)->corners,
-                         static_cast<int>(body)});
+    sightings.push_back(
+        {label.corners, straight_corners(tags, label.code), static_cast<int>(body)});
   }
   for (std::size_t body = 0; body < carriers_.size(); ++body) {
     if (is_seen[body] == 0)
@@ -160,6 +165,7 @@ SeenLabels LabelViews::of(const GreyPicture& picture) const {
   }
   const PlaneFit fit = fit_plane(sightings, static_cast<int>(carriers_.size()));
   PlaneView view;
+  view.lens = lens_;
   view.to_plane = fit.to_picture.inverse();
   view.miss = fit.miss;
   view.clips.resize(dic_.clips.size());

@@ -9,6 +9,7 @@
 #include "pliant/capture/plane_fit.h"
 #include "pliant/capture/plane_view.h"
 #include "pliant/capture/spline_picture.h"
+#include "pliant/capture/tag_detector.h"
 
 namespace pliant {
 
@@ -52,8 +53,11 @@ class LabelViews {
   };
 
   void place_sample(const PlaneFit& fit);
+  /// Of a tag that was found, as a pinhole would show it (pixels).
+  Eigen::Matrix<double, 2, 4> straight_corners(const std::vector<DetectedTag>& tags, int code) const;
 
   const DicFile& dic_;
+  Lens lens_;
   std::vector<Label> labels_;
   std::vector<std::size_t> carriers_;  // the clips with labels
   PlaneView first_;

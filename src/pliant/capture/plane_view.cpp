@@ -5,11 +5,12 @@
 namespace pliant {
 
 Eigen::Matrix2Xd PlaneView::on_plane(const Eigen::Matrix2Xd& pixels) const {
-  return (to_plane * pixels.colwise().homogeneous()).colwise().hnormalized();
+  return (to_plane * lens.straightened(pixels).colwise().homogeneous()).colwise().hnormalized();
 }
 
 Eigen::Matrix2Xd PlaneView::in_picture(const Eigen::Matrix2Xd& places) const {
-  return (to_plane.inverse() * places.colwise().homogeneous()).colwise().hnormalized();
+  return lens.seen(
+      (to_plane.inverse() * places.colwise().homogeneous()).colwise().hnormalized());
 }
 
 PlaneView straight_view(double scale) {

@@ -5,13 +5,16 @@
 
 #include <Eigen/Core>
 
+#include "pliant/capture/lens.h"
 #include "pliant/geometry/pose.h"
 
 namespace pliant {
 
 /// How a picture shows the plane of a flat sample, and what it says of the clips in it.
 struct PlaneView {
-  Eigen::Matrix3d to_plane = Eigen::Matrix3d::Identity();  ///< homography from pixels to m
+  Lens lens;
+  Eigen::Matrix3d to_plane = Eigen::Matrix3d::Identity();  ///< homography from pixels that the lens
+                                                           ///< has not bent to m
   /// How each clip has moved in the plane since the first picture; nothing of clips that show no
   /// labels.
   std::vector<std::optional<Pose>> clips;

@@ -113,6 +113,13 @@ std::string TrackedPoints::file(int frame) const {
 
 GreyPicture TrackedPoints::picture(int frame) const {
   GreyPicture read = read_picture_(dic_.pictures->files[static_cast<std::size_t>(frame)]);
+  const auto& camera = dic_.lens.camera();
+  if (camera && (read.rows() != camera->rows || read.cols() != camera->columns)) {
+    throw InputError({file(frame)},
+                     fmt::format("is {} x {} pixels, and those of its camera's calibration {} x {}",
+                                 read.cols(), read.rows(), camera->columns, camera->rows),
+                     "pictures of that camera, neither cut nor turned nor made smaller");
+  }
   if (frame > 0 && (read.rows() != rest_.rows() || read.cols() != rest_.cols())) {
     throw InputError({file(frame)},
                      fmt::format("is {} x {} pixels, and the first picture {} x {}", read.cols(),

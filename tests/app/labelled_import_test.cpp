@@ -1,0 +1,80 @@
+// From printed labels over pictures of one camera and a tester's log to a law, by the program.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pliant/render/png.h"
+
+#include "app/run_program.h"
+#include "capture/labelled_camera.h"
+
+namespace pliant::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr double kStiffness = 400;  // N/m
+
+std::string png_of(const GreyPicture& picture) {
+  Image image(static_cast<int>(picture.cols()), static_cast<int>(picture.rows()));
+  for (int row = 0; row < image.height(); ++row) {
+    for (int column = 0; column < image.width(); ++column) {
+      const auto level = static_cast<std::uint8_t>(
+          std::clamp(std::lround(255 * picture(row, column)), 0L, 255L));
+      image.at(column, row) = {level, level, level};
+    }
+  }
+  return png_bytes(image);
+}
+
+TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
+  const TemporaryFolder folder;
+  const std::string print = (folder.path() / "labels.pdf").string();
+  EXPECT_EQ(run_program({"pattern", "clips", "--codes", "3,7", "-o", print}).status, 0);
+  std::string log = "force_N\n";
+  for (int f = 0; f < 9; ++f) {
+    LabelledPull pull{.strain = 0.01 * f};
+    pull.slip = 2e-5 * f;
+    pull.nearer = 1e-4 * f;
+    pull.turned = 0.003 * (f % 3);
+    pull.tilted = 0.004 * (f % 2);
+    const double green = pull.strain + pull.strain * pull.strain / 2;
+    const double force = kStiffness * LabelledPull::kWidth * green * (1 + pull.strain);
+    log += fmt::format("{:.5f}\n", force);
+    folder.write(fmt::format("p/{:03}.png", f), png_of(pull.picture(static_cast<std::uint64_t>(f))));
+  }
+  folder.write("tester.csv", log);
+  const auto file = folder.write(
+      "pull.yaml",
+      "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\nlabels: labels.yaml\n"
+      "sample: {width: 30 mm, height: 90 mm, density: 150 g/m^2}\n"
+      "clips:\n  - {name: lower, side: bottom, labels: [3]}\n"
+      "  - {name: upper, side: top, labels: [7]}\n"
+      "forces: {data: tester.csv, on: upper}\n");
+  const auto out = folder.path() / "imported";
+  const ProgramRun run = run_program({"import", "--dic", file.string(), "-o", out.string()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  fmt::print("{}", run.err);
+  EXPECT_THAT(run.err, HasSubstr("the clips' edges are 90"));
+  EXPECT_THAT(run.err, HasSubstr("cloth has left the clip upper by 16"));
+  EXPECT_THAT(run.err, HasSubstr("nearer"));
+  const ProgramRun fit = run_program({"fit", (out / "strip.yaml").string(), "-o",
+                                      (folder.path() / "fit").string(), "--json"});
+  ASSERT_EQ(fit.status, 0) << fit.err;
+  const json result = json::parse(fit.out);
+  const json& stiffness = result["parameters"][0];
+  fmt::print("{} = {} +- {}\n", stiffness["name"].dump(), stiffness["value"].dump(),
+             stiffness["std_error"].dump());
+  EXPECT_NEAR(stiffness["value"], kStiffness, 0.01 * kStiffness);
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -41,6 +41,17 @@ TEST(RigCalibration, FindsAVirtualRigWithinItsErrors) {
   EXPECT_LT(found.held_out->rms, 1e-4);
 }
 
+TEST(RigCalibration, IsTheSameOnAnyNumberOfThreads) {
+  const VirtualRig rig(2);
+  RunContext two;
+  two.threads = 2;
+  const RigCalibration a = calibrate_rig(rig.rig, rig.pictures(6, RandomStream(1)), {});
+  const RigCalibration b = calibrate_rig(rig.rig, rig.pictures(6, RandomStream(1)), two);
+  EXPECT_EQ(a.bundle.cameras[1].intrinsics, b.bundle.cameras[1].intrinsics);
+  EXPECT_EQ(a.covariance.cameras, b.covariance.cameras);
+  EXPECT_EQ(a.held_out->rms, b.held_out->rms);
+}
+
 std::string refusal_of(const RigFile& rig, std::vector<RigPicture> pictures) {
   try {
     calibrate_rig(rig, std::move(pictures), {});

@@ -1,5 +1,6 @@
 #include "pliant/capture/tag_detector.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "capture/tag_drawing.h"

@@ -55,7 +55,7 @@ struct BundleOptions {
   bool warp = false;         ///< estimate how boards are bent
   bool fix_cameras = false;  ///< placements alone
   double outlier = 5;        ///< corners that miss by so many errors are left out
-  int threads = 1;
+  int threads = 1;           ///< for calibrations beside each other; the result is the same
   StopToken stop;
 };
 

@@ -29,12 +29,13 @@ struct CornerError {
   }
 };
 
-Eigen::Vector<double, 6> numbers_of(const RigidMotion& motion) {
-  return (Eigen::Vector<double, 6>() << motion.rotation, motion.translation).finished();
+void write_motion(const RigidMotion& motion, double* numbers) {
+  Eigen::Map<Eigen::Vector<double, 6>>(numbers) << motion.rotation, motion.translation;
 }
 
-RigidMotion motion_of(const Eigen::Vector<double, 6>& numbers) {
-  return {numbers.head<3>(), numbers.tail<3>()};
+RigidMotion read_motion(const double* numbers) {
+  return {Eigen::Map<const Eigen::Vector3d>(numbers),
+          Eigen::Map<const Eigen::Vector3d>(numbers + 3)};
 }
 
 }  // namespace
@@ -49,9 +50,17 @@ Eigen::Vector3d bend_weights(const Eigen::Matrix3Xd& board, int corner) {
 
 BundleProblem::BundleProblem(Bundle& bundle, const BundleOptions& options, double loss)
     : bundle_(bundle), problem_(std::make_unique<ceres::Problem>()) {
-  for (const CameraModel& camera : bundle.cameras) camera_poses_.push_back(numbers_of(camera.pose));
-  for (const BoardPlacement& placement : bundle.placements) {
-    placements_.push_back(numbers_of(placement.pose));
+  numbers_.resize(kCameraNumbers * cameras() + 3 * bundle.boards.size() +
+                  6 * bundle.placements.size());
+  for (int c = 0; c < std::ssize(bundle.cameras); ++c) {
+    Eigen::Map<Intrinsics>(intrinsics(c)) = bundle.cameras[c].intrinsics;
+    write_motion(bundle.cameras[c].pose, camera_pose(c));
+  }
+  for (int b = 0; b < std::ssize(bundle.warps); ++b) {
+    Eigen::Map<BoardWarp>(warp(b)) = bundle.warps[b];
+  }
+  for (int p = 0; p < std::ssize(bundle.placements); ++p) {
+    write_motion(bundle.placements[p].pose, placement(p));
   }
   add_views(loss);
   fix(options);
@@ -103,10 +112,14 @@ bool BundleProblem::has(const double* block) const {
 
 void BundleProblem::store() {
   for (int c = 0; c < std::ssize(bundle_.cameras); ++c) {
-    bundle_.cameras[c].pose = motion_of(camera_poses_[c]);
+    bundle_.cameras[c].intrinsics = Eigen::Map<Intrinsics>(intrinsics(c));
+    bundle_.cameras[c].pose = read_motion(camera_pose(c));
+  }
+  for (int b = 0; b < std::ssize(bundle_.warps); ++b) {
+    bundle_.warps[b] = Eigen::Map<BoardWarp>(warp(b));
   }
   for (int p = 0; p < std::ssize(bundle_.placements); ++p) {
-    bundle_.placements[p].pose = motion_of(placements_[p]);
+    bundle_.placements[p].pose = read_motion(placement(p));
   }
 }
 

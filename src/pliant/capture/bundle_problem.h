@@ -28,20 +28,23 @@ class BundleProblem {
   void store();
 
   // Blocks of numbers, as Ceres knows them.
-  double* intrinsics(int camera) { return bundle_.cameras[camera].intrinsics.data(); }
-  double* camera_pose(int camera) { return camera_poses_[camera].data(); }
-  double* placement(int number) { return placements_[number].data(); }
-  double* warp(int board) { return bundle_.warps[board].data(); }
+  double* intrinsics(int camera) { return &numbers_[kIntrinsics * camera]; }
+  double* camera_pose(int camera) { return &numbers_[kIntrinsics * cameras() + 6 * camera]; }
+  double* warp(int board) { return &numbers_[kCameraNumbers * cameras() + 3 * board]; }
+  double* placement(int number) {
+    return &numbers_[kCameraNumbers * cameras() + 3 * bundle_.boards.size() + 6 * number];
+  }
   bool has(const double* block) const;
 
  private:
-  using Pose = Eigen::Vector<double, 6>;
-
+  std::size_t cameras() const { return bundle_.cameras.size(); }
   void add_views(double loss);
   void fix(const BundleOptions& options);
 
   Bundle& bundle_;
-  std::vector<Pose> camera_poses_, placements_;
+  // Of cameras, boards and placements in turn: Ceres orders blocks by where they lie, and results
+  // would differ in their last digits.
+  std::vector<double> numbers_;
   std::unique_ptr<ceres::Problem> problem_;
 };
 

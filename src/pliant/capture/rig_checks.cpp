@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "pliant/base/parallel.h"
 #include "pliant/capture/triangulation.h"
 
 namespace pliant {
@@ -192,31 +193,54 @@ std::vector<int> placements_of_pairs(const Bundle& bundle) {
   return result;
 }
 
+struct HeldOutSums {
+  double squares = 0, scales = 0;
+  int corners = 0, boards = 0;
+};
+
+// Calibrates without some placements and measures them.
+HeldOutSums measure_held_out(const Bundle& bundle, const std::vector<int>& held,
+                             const BundleOptions& options) {
+  constexpr int kFewestCorners = 4;
+  std::vector<bool> is_held(bundle.placements.size(), false);
+  for (const int placement : held) is_held[placement] = true;
+  Bundle rest = without(bundle, is_held);
+  readjust(rest, options);
+  rest.views = bundle.views;
+  HeldOutSums sums;
+  for (const int placement : held) {
+    const MeasuredBoard points = measure_board(rest, placement);
+    if (std::ssize(points.board) < kFewestCorners) continue;
+    const BoardFit fit = fit_board(points);
+    sums.squares += fit.squares;
+    sums.scales += fit.scale - 1;
+    sums.corners += static_cast<int>(points.board.size());
+    ++sums.boards;
+  }
+  return sums;
+}
+
 }  // namespace
 
 std::optional<HeldOutBoards> held_out_boards(const Bundle& bundle, const BundleOptions& options) {
-  constexpr int kMostTimes = 9, kFewest = 4, kFewestCorners = 4;
+  constexpr int kMostTimes = 9, kFewest = 4;
   const std::vector<int> candidates = placements_of_pairs(bundle);
   const int count = static_cast<int>(candidates.size());
   if (count < kFewest) return std::nullopt;  // what is left would tell the cameras badly
   const int times = std::min(kMostTimes, count);
+  std::vector<HeldOutSums> sums(times);
+  parallel_for(times, options.threads, [&](int time) {
+    std::vector<int> held;
+    for (int i = time; i < count; i += times) held.push_back(candidates[i]);
+    sums[time] = measure_held_out(bundle, held, options);
+  });
   HeldOutBoards result;
   double squares = 0, scales = 0;
-  for (int time = 0; time < times; ++time) {
-    std::vector<bool> held(bundle.placements.size(), false);
-    for (int i = time; i < count; i += times) held[candidates[i]] = true;
-    Bundle rest = without(bundle, held);
-    readjust(rest, options);
-    rest.views = bundle.views;
-    for (int i = time; i < count; i += times) {
-      const MeasuredBoard points = measure_board(rest, candidates[i]);
-      if (std::ssize(points.board) < kFewestCorners) continue;
-      const BoardFit fit = fit_board(points);
-      squares += fit.squares;
-      scales += fit.scale - 1;
-      result.corners += static_cast<int>(points.board.size());
-      ++result.boards;
-    }
+  for (const HeldOutSums& sum : sums) {
+    squares += sum.squares;
+    scales += sum.scales;
+    result.corners += sum.corners;
+    result.boards += sum.boards;
   }
   if (result.boards == 0) return std::nullopt;
   result.rms = std::sqrt(squares / result.corners);

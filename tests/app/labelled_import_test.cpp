@@ -27,8 +27,8 @@ std::string png_of(const GreyPicture& picture) {
   Image image(static_cast<int>(picture.cols()), static_cast<int>(picture.rows()));
   for (int row = 0; row < image.height(); ++row) {
     for (int column = 0; column < image.width(); ++column) {
-      const auto level = static_cast<std::uint8_t>(
-          std::clamp(std::lround(255 * picture(row, column)), 0L, 255L));
+      const auto level =
+          static_cast<std::uint8_t>(std::clamp(std::lround(255 * picture(row, column)), 0L, 255L));
       image.at(column, row) = {level, level, level};
     }
   }
@@ -49,16 +49,17 @@ TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
     const double green = pull.strain + pull.strain * pull.strain / 2;
     const double force = kStiffness * LabelledPull::kWidth * green * (1 + pull.strain);
     log += fmt::format("{:.5f}\n", force);
-    folder.write(fmt::format("p/{:03}.png", f), png_of(pull.picture(static_cast<std::uint64_t>(f))));
+    folder.write(fmt::format("p/{:03}.png", f),
+                 png_of(pull.picture(static_cast<std::uint64_t>(f))));
   }
   folder.write("tester.csv", log);
-  const auto file = folder.write(
-      "pull.yaml",
-      "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\nlabels: labels.yaml\n"
-      "sample: {width: 30 mm, height: 90 mm, density: 150 g/m^2}\n"
-      "clips:\n  - {name: lower, side: bottom, labels: [3]}\n"
-      "  - {name: upper, side: top, labels: [7]}\n"
-      "forces: {data: tester.csv, on: upper}\n");
+  const auto file =
+      folder.write("pull.yaml",
+                   "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\nlabels: labels.yaml\n"
+                   "sample: {width: 30 mm, height: 90 mm, density: 150 g/m^2}\n"
+                   "clips:\n  - {name: lower, side: bottom, labels: [3]}\n"
+                   "  - {name: upper, side: top, labels: [7]}\n"
+                   "forces: {data: tester.csv, on: upper}\n");
   const auto out = folder.path() / "imported";
   const ProgramRun run = run_program({"import", "--dic", file.string(), "-o", out.string()});
   ASSERT_EQ(run.status, 0) << run.err;
@@ -66,8 +67,8 @@ TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
   EXPECT_THAT(run.err, HasSubstr("the clips' edges are 90"));
   EXPECT_THAT(run.err, HasSubstr("cloth has left the clip upper by 16"));
   EXPECT_THAT(run.err, HasSubstr("nearer"));
-  const ProgramRun fit = run_program({"fit", (out / "strip.yaml").string(), "-o",
-                                      (folder.path() / "fit").string(), "--json"});
+  const ProgramRun fit = run_program(
+      {"fit", (out / "strip.yaml").string(), "-o", (folder.path() / "fit").string(), "--json"});
   ASSERT_EQ(fit.status, 0) << fit.err;
   const json result = json::parse(fit.out);
   const json& stiffness = result["parameters"][0];

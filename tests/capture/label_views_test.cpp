@@ -1,5 +1,7 @@
 // Labels on jaws tell a single camera where it looks, and how the jaws move.
 
+#include "pliant/capture/label_views.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "pliant/capture/dic_session.h"
-#include "pliant/capture/label_views.h"
 
 #include "capture/labelled_camera.h"
 #include "io/input_error_of.h"
@@ -27,11 +28,12 @@ class SlowLabelledCamera : public ::testing::Test {
     pulls_ = pulls;
     for (std::size_t f = 0; f < pulls.size(); ++f) folder_.write(fmt::format("p/{:03}.png", f), "");
     return read_dic(folder_.write(
-        "d.yaml", "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\n"
-                  "labels: {tag: 15 mm, edge: 15 mm}\n"
-                  "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
-                  "clips: [{name: lower, side: bottom, labels: [3]}, {name: upper, side: top, labels: " +
-                      codes + "}]\n"));
+        "d.yaml",
+        "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\n"
+        "labels: {tag: 15 mm, edge: 15 mm}\n"
+        "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
+        "clips: [{name: lower, side: bottom, labels: [3]}, {name: upper, side: top, labels: " +
+            codes + "}]\n"));
   }
 
   ReadPicture reader() const {
@@ -65,7 +67,8 @@ TEST_F(SlowLabelledCamera, SeesAJawTurnAndComeNearer) {
   const DicFile dic = describe({rest, now});
   const LabelViews views(dic, rest.picture(0));
   const PlaneView view = *views.of(now.picture(1)).view;
-  const Eigen::Vector3d way = view.clips[1]->apply({0.015, 0.09, 0}) - Eigen::Vector3d(0.015, 0.09, 0);
+  const Eigen::Vector3d way =
+      view.clips[1]->apply({0.015, 0.09, 0}) - Eigen::Vector3d(0.015, 0.09, 0);
   EXPECT_NEAR(way.y(), 0.05 * 0.09, 1e-5);
   EXPECT_NEAR(way.x(), 0, 1e-5);
   EXPECT_NEAR(2 * std::asin(view.clips[1]->rotation.z()), 0.02, 1e-3);
@@ -73,11 +76,12 @@ TEST_F(SlowLabelledCamera, SeesAJawTurnAndComeNearer) {
 }
 
 TEST_F(SlowLabelledCamera, IsNotDeceivedByAJawThatComesNearer) {
-  const std::vector<LabelledPull> pulls{{},
-                                        {.strain = 0.05, .slip = 1e-4, .nearer = 1e-3},
-                                        {.strain = 0.05, .slip = 1e-4, .turned = 0.03, .tilted = 0.05},
-                                        {.hidden = true},
-                                        {.strain = 0.02, .nearer = -1e-3}};
+  const std::vector<LabelledPull> pulls{
+      {},
+      {.strain = 0.05, .slip = 1e-4, .nearer = 1e-3},
+      {.strain = 0.05, .slip = 1e-4, .turned = 0.03, .tilted = 0.05},
+      {.hidden = true},
+      {.strain = 0.02, .nearer = -1e-3}};
   const DicFile dic = describe(pulls);
   const DicSession made = make_dic_session(dic, reader());
   ASSERT_EQ(made.left_out.size(), 1u);
@@ -113,7 +117,8 @@ TEST_F(SlowLabelledCamera, SeesThroughALensThatIsKnown) {
 TEST_F(SlowLabelledCamera, RefusesAFirstPictureWithoutALabel) {
   const DicFile dic = describe({{}}, "[8]");
   const InputError error = test::input_error_of([&] { make_dic_session(dic, reader()); });
-  EXPECT_THAT(error.what(), HasSubstr("shows the label 8 of the clip upper not at all (labels found: 3, 7)"));
+  EXPECT_THAT(error.what(),
+              HasSubstr("shows the label 8 of the clip upper not at all (labels found: 3, 7)"));
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ DocumentFolder::DocumentFolder() {
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"})
     write(name, "");
   write("pictures/1.png", "");
+  write("labels.yaml", "pliant: pattern/1\nclips: {tag: 15 mm, edge: 15 mm, codes: [0, 1]}\n");
   write("export/1.csv", "x,y,u,v\n0,0,0,0\n");
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));
   Json spandex = Json::parse(read_text_file(kSource / "materials" / "spandex.json"));

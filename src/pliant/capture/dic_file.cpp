@@ -112,8 +112,7 @@ DicLabels read_labels(const Value& value) {
     fields.finish();
     return labels;
   }
-  const std::filesystem::path folder =
-      std::filesystem::path(value.location().file).parent_path();
+  const std::filesystem::path folder = std::filesystem::path(value.location().file).parent_path();
   const Pattern pattern =
       read_pattern(folder / value.text("a pattern/1 file of labels, or {tag, edge}"));
   const auto* codes = std::get_if<ClipCodes>(&pattern.kind);
@@ -158,8 +157,7 @@ Eigen::Vector2d read_pixel(const Value& value) {
 /// A camera of a calibration/1 file: the only one, or that of a name.
 Lens read_camera(const Value& value) {
   const auto calibration_at = [](const Value& place) {
-    const std::filesystem::path folder =
-        std::filesystem::path(place.location().file).parent_path();
+    const std::filesystem::path folder = std::filesystem::path(place.location().file).parent_path();
     return read_calibration(folder / place.text("the calibration.json of `pliant calibrate`"));
   };
   if (!value.is_mapping()) {
@@ -198,13 +196,14 @@ void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& d
   }
   if (origin) dic.origin = read_origin(*origin, dic.scale);
   if (!pictures) return;
-  if (!dic.scale) pictures->fail("has no `scale`", "the length of a pixel at the sample, or `labels`");
+  if (!dic.scale)
+    pictures->fail("has no `scale`", "the length of a pixel at the sample, or `labels`");
   if (!origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
 }
 
 void require_labels(const DicFile& dic, const Value& list) {
-  const auto carriers = std::ranges::count_if(
-      dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
+  const auto carriers =
+      std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
   if (!dic.labels && carriers > 0) {
     list.fail("has clips with labels of unknown size", "`labels`, their pattern/1 file");
   }
@@ -254,7 +253,8 @@ DicFile dic_of(const Document& document) {
   }
   if (auto v = fields.optional("mesh")) dic.mesh = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("gravity")) dic.gravity = read_vector(*v);
-  if (pictures && fields.optional("points")) pictures->fail("stands beside `points`", "one of them");
+  if (pictures && fields.optional("points"))
+    pictures->fail("stands beside `points`", "one of them");
   const Value list = fields.require("clips");
   TakenByClips taken;
   for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken));

@@ -39,12 +39,12 @@ struct DicSession {
   std::vector<int> lost;    ///< points of each frame; 0 of one that is left out
   std::vector<int> unseen;  ///< vertices of each frame; likewise
   std::vector<LeftOutFrame> left_out;  ///< not in the session; not a number in the records
-  std::vector<int> slack;   ///< frames that the session leaves out: of a flat test, without force
+  std::vector<int> slack;  ///< frames that the session leaves out: of a flat test, without force
   std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
   std::vector<ClipSlip> slips;
-  std::vector<double> nearer;        ///< of each frame, by what share of its distance a clip has
-                                     ///< come nearer to the camera against the other
-  std::vector<std::string> notes;    ///< of where the points come from
+  std::vector<double> nearer;       ///< of each frame, by what share of its distance a clip has
+                                    ///< come nearer to the camera against the other
+  std::vector<std::string> notes;   ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
 
   /// Of the files; the session may have fewer.

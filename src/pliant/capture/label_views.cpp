@@ -57,7 +57,8 @@ bool is_least(SampleSide side) { return side == SampleSide::bottom || side == Sa
 std::string codes_text(const std::vector<DetectedTag>& tags) {
   if (tags.empty()) return "none";
   std::string text;
-  for (const DetectedTag& tag : tags) text += fmt::format("{}{}", text.empty() ? "" : ", ", tag.code);
+  for (const DetectedTag& tag : tags)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", tag.code);
   return text;
 }
 
@@ -77,13 +78,14 @@ LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic)
     for (const int code : dic.clips[clip].labels) {
       const auto count = std::ranges::count(tags, code, &DetectedTag::code);
       if (count != 1) {
-        throw InputError({dic.pictures->files.front().string()},
-                         fmt::format("shows the label {} of the clip {} {} (labels found: {})", code,
-                                     dic.clips[clip].name,
-                                     count == 0 ? "not at all" : fmt::format("{} times", count),
-                                     codes_text(tags)),
-                         "each label once in the first picture, whole, in focus and with some white "
-                         "around it");
+        throw InputError(
+            {dic.pictures->files.front().string()},
+            fmt::format("shows the label {} of the clip {} {} (labels found: {})", code,
+                        dic.clips[clip].name,
+                        count == 0 ? "not at all" : fmt::format("{} times", count),
+                        codes_text(tags)),
+            "each label once in the first picture, whole, in focus and with some white "
+            "around it");
       }
       const Corners rest = corners_of_label(dic.labels->tag);
       sightings.push_back({rest, straight_corners(tags, code), static_cast<int>(labels_.size())});
@@ -111,7 +113,8 @@ void LabelViews::place_sample(const PlaneFit& fit) {
   for (std::size_t l = 0; l < labels_.size(); ++l) {
     const Eigen::Matrix3d label = to_sample * in_plane(fit.bodies[l]);
     const SampleSide side = dic_.clips[labels_[l].clip].side;
-    const auto axis = static_cast<std::size_t>(axis_of(side)), end = static_cast<std::size_t>(!is_least(side));
+    const auto axis = static_cast<std::size_t>(axis_of(side)),
+               end = static_cast<std::size_t>(!is_least(side));
     const Eigen::Vector2d edge = moved(label, Eigen::Vector2d(0, -dic_.labels->edge));
     edges[axis][end] += edge(axis_of(side));
     counts[axis][end] += 1;
@@ -154,7 +157,8 @@ SeenLabels LabelViews::of(const GreyPicture& picture) const {
     const auto count = std::ranges::count(tags, label.code, &DetectedTag::code);
     if (count > 1) return {{}, fmt::format("shows the label {} {} times", label.code, count)};
     if (count == 0) continue;
-    const auto body = static_cast<std::size_t>(std::ranges::find(carriers_, label.clip) - carriers_.begin());
+    const auto body =
+        static_cast<std::size_t>(std::ranges::find(carriers_, label.clip) - carriers_.begin());
     is_seen[body] = 1;
     sightings.push_back(
         {label.corners, straight_corners(tags, label.code), static_cast<int>(body)});
@@ -177,8 +181,7 @@ SeenLabels LabelViews::of(const GreyPicture& picture) const {
     view.clips[carriers_[body]] = fit.bodies[body];
     const Eigen::Vector2d rest = middle_of(carriers_[body]);
     const Eigen::Vector2d now = moved(in_plane(fit.bodies[body]), rest);
-    const double nearer =
-        depth_ratio(first_, rest, stays) / depth_ratio(view, now, stays) - 1;
+    const double nearer = depth_ratio(first_, rest, stays) / depth_ratio(view, now, stays) - 1;
     if (std::abs(nearer) > std::abs(view.nearer)) view.nearer = nearer;
   }
   return {view, ""};

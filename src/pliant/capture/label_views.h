@@ -54,7 +54,8 @@ class LabelViews {
 
   void place_sample(const PlaneFit& fit);
   /// Of a tag that was found, as a pinhole would show it (pixels).
-  Eigen::Matrix<double, 2, 4> straight_corners(const std::vector<DetectedTag>& tags, int code) const;
+  Eigen::Matrix<double, 2, 4> straight_corners(const std::vector<DetectedTag>& tags,
+                                               int code) const;
 
   const DicFile& dic_;
   Lens lens_;

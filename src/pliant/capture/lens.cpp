@@ -29,7 +29,8 @@ Eigen::Matrix2Xd Lens::seen(const Eigen::Matrix2Xd& straight) const {
   const Intrinsics& own = camera_->intrinsics;
   Eigen::Matrix2Xd pixels(2, straight.cols());
   for (Eigen::Index i = 0; i < straight.cols(); ++i) {
-    const Eigen::Vector2d direction = (straight.col(i) - own.segment<2>(2)).cwiseQuotient(own.head<2>());
+    const Eigen::Vector2d direction =
+        (straight.col(i) - own.segment<2>(2)).cwiseQuotient(own.head<2>());
     pixels.col(i) = pixel_of(own.data(), Eigen::Vector3d(direction.homogeneous()));
   }
   return pixels;

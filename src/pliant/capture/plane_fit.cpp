@@ -11,7 +11,7 @@ namespace {
 
 /// Lengths of the plane and of the picture that make all unknowns about one.
 struct PlaneUnits {
-  Eigen::Vector2d place, pixel;         // that are zero
+  Eigen::Vector2d place, pixel;          // that are zero
   double length = 1, pixels_a_unit = 1;  // of one
 };
 
@@ -43,7 +43,8 @@ struct CornerMiss {
 };
 
 /// The affine map by which a picture shows the body that stays: a start.
-Eigen::Matrix<double, 2, 3> affine_start(const Eigen::Matrix2Xd& rest, const Eigen::Matrix2Xd& seen) {
+Eigen::Matrix<double, 2, 3> affine_start(const Eigen::Matrix2Xd& rest,
+                                         const Eigen::Matrix2Xd& seen) {
   const Eigen::MatrixXd equations = rest.colwise().homogeneous().transpose();
   return equations.colPivHouseholderQr().solve(seen.transpose()).transpose();
 }
@@ -56,13 +57,14 @@ Eigen::Matrix4Xd corners_of(const std::vector<LabelSighting>& sightings, int bod
     if (sighting.body != body) continue;
     corners.conservativeResize(4, corners.cols() + 4);
     corners.topRightCorner<2, 4>() = (sighting.rest.colwise() - units.place) / units.length;
-    corners.bottomRightCorner<2, 4>() = (sighting.seen.colwise() - units.pixel) / units.pixels_a_unit;
+    corners.bottomRightCorner<2, 4>() =
+        (sighting.seen.colwise() - units.pixel) / units.pixels_a_unit;
   }
   return corners;
 }
 
 struct BodyMotion {
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();   // of its corners at rest
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();  // of its corners at rest
   Eigen::Vector3d motion = Eigen::Vector3d::Zero();  // angle, shift
 };
 
@@ -128,7 +130,8 @@ PlaneFit fit_plane(const std::vector<LabelSighting>& sightings, int bodies) {
   in_units << h(0), h(1), h(2), h(3), h(4), h(5), h(6), h(7), 1;
   place << 1 / units.length, 0, -units.place.x() / units.length, 0, 1 / units.length,
       -units.place.y() / units.length, 0, 0, 1;
-  pixel << units.pixels_a_unit, 0, units.pixel.x(), 0, units.pixels_a_unit, units.pixel.y(), 0, 0, 1;
+  pixel << units.pixels_a_unit, 0, units.pixel.x(), 0, units.pixels_a_unit, units.pixel.y(), 0, 0,
+      1;
   fit.to_picture = pixel * in_units * place;
   for (const BodyMotion& motion : motions) fit.bodies.push_back(pose_of(motion, units));
   fit.miss = units.pixels_a_unit *

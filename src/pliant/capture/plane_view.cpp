@@ -9,8 +9,7 @@ Eigen::Matrix2Xd PlaneView::on_plane(const Eigen::Matrix2Xd& pixels) const {
 }
 
 Eigen::Matrix2Xd PlaneView::in_picture(const Eigen::Matrix2Xd& places) const {
-  return lens.seen(
-      (to_plane.inverse() * places.colwise().homogeneous()).colwise().hnormalized());
+  return lens.seen((to_plane.inverse() * places.colwise().homogeneous()).colwise().hnormalized());
 }
 
 PlaneView straight_view(double scale) {

@@ -24,7 +24,7 @@ struct PointFrame {
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
   double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView
-  std::string left_out;             ///< why the frame cannot be used; it has no points then
+  std::string left_out;  ///< why the frame cannot be used; it has no points then
 
   int count() const { return static_cast<int>(rest.cols()); }
 };

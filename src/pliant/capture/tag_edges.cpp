@@ -22,7 +22,7 @@ constexpr double kLeftOut = 0.08;
 constexpr int kFewestPlaces = 6;
 // A parabola is the lens's where its bend is so many times its own error; else it is noise.
 constexpr double kClearBend = 3;
-constexpr int kFewestForBend = 40;  // places; short edges are straight
+constexpr int kFewestForBend = 40;         // places; short edges are straight
 constexpr double kLeast = 1, kWidest = 3;  // pixels across an edge that are looked at
 // In smaller cells the blur of both of their edges is one.
 constexpr double kLeastDepth = 2;  // pixels
@@ -57,9 +57,11 @@ class EdgePicture {
     const Eigen::Array2i last =
         (corners.rowwise().maxCoeff().array() + kAround).cast<int>().min(size - 1);
     first_ = first.cast<double>();
-    spline_.emplace(pixels.block(first.y(), first.x(), last.y() - first.y() + 1,
-                                 last.x() - first.x() + 1));
+    spline_.emplace(
+        pixels.block(first.y(), first.x(), last.y() - first.y() + 1, last.x() - first.x() + 1));
   }
+
+  bool has_narrow_cells() const { return spline_.has_value(); }
 
   std::optional<double> at(const Eigen::Vector2d& place) const {
     if (!spline_) return by_four(place);
@@ -92,12 +94,18 @@ struct EdgePlace {
   double square = 0;  // its second moment about the middle (pixels^2)
 };
 
-// Looks within `reach` of a middle, about which the window is laid again.
+// How far an edge is looked for, and how much of the picture about it tells where it is (pixels).
+struct EdgeReach {
+  double furthest = 0, window = 0;
+};
+
+// Looks about a middle, at which the window is laid again.
 std::optional<EdgePlace> edge_across(const EdgePicture& picture, const Eigen::Vector2d& place,
-                                     const Eigen::Vector2d& across, double middle, double reach) {
+                                     const Eigen::Vector2d& across, double middle,
+                                     const EdgeReach& reach) {
   constexpr double kStep = 0.25;
   constexpr int kRounds = 4;
-  const int steps = static_cast<int>(std::ceil(reach / kStep));
+  const int steps = static_cast<int>(std::ceil(reach.window / kStep));
   for (int round = 0; round < kRounds; ++round) {
     double sum = 0, moment = 0, square = 0, before = 0;
     for (int i = -steps; i <= steps; ++i) {
@@ -114,7 +122,7 @@ std::optional<EdgePlace> edge_across(const EdgePicture& picture, const Eigen::Ve
     if (!(sum > 0)) return std::nullopt;  // it gets brighter outwards
     const double step = moment / sum;
     middle += step;
-    if (std::abs(middle) > kWidest) return std::nullopt;
+    if (std::abs(middle) > reach.furthest) return std::nullopt;
     if (std::abs(step) < 1e-3 || round == kRounds - 1) return EdgePlace{middle, square / sum};
   }
   return std::nullopt;
@@ -159,9 +167,9 @@ bool fit_edge(TagEdge& edge, const std::vector<Eigen::Vector2d>& places) {
   return fit_terms(2, places, edge.offset).has_value();
 }
 
-// Lays an edge through the places where the brightness changes within `reach` of it.
+// Lays an edge through the places where the brightness changes.
 // @return the width of the change, its root mean square about the edge (pixels)
-std::optional<double> find_edge(const EdgePicture& picture, TagEdge& edge, double reach) {
+std::optional<double> find_edge(const EdgePicture& picture, TagEdge& edge, const EdgeReach& reach) {
   const int count = static_cast<int>(edge.length * (1 - 2 * kLeftOut));
   std::vector<Eigen::Vector2d> places;
   double squares = 0;
@@ -190,10 +198,12 @@ std::optional<TagEdge> edge_between(const EdgePicture& picture, const Eigen::Vec
   const double depth = std::abs(edge.across.dot(from - middle)) * 2 / kCells;
   if (depth < kLeastDepth) return std::nullopt;
   const double reach = std::clamp(0.5 * depth, kLeast, kWidest);
-  const auto width = find_edge(picture, edge, reach);
+  const auto width = find_edge(picture, edge, {reach, reach});
   if (!width) return std::nullopt;
-  // What is further from the edge than its blur tells noise alone.
-  if (reach > kLeast && !find_edge(picture, edge, std::clamp(3 * *width, kLeast, reach))) return std::nullopt;
+  // What is further from the edge than its blur tells noise alone. Narrow cells have no more.
+  if (picture.has_narrow_cells()) return edge;
+  if (!find_edge(picture, edge, {reach, std::clamp(3 * *width, kLeast, reach)}))
+    return std::nullopt;
   return edge;
 }
 

@@ -13,8 +13,8 @@
 namespace pliant {
 
 /// Points of a flat sample that one camera has seen: from straight in front, or as labels on the
-/// clips tell. Each is a patch of the first picture that is found again in every other one. It is always the first picture that is
-/// matched, so that nothing adds up from frame to frame.
+/// clips tell. Each is a patch of the first picture that is found again in every other one. It is
+/// always the first picture that is matched, so that nothing adds up from frame to frame.
 ///
 /// A patch is looked for where it was in the frame before, and if it is not there where the patches
 /// around it have gone; where most are lost, a few are searched for far around, and lead the

@@ -70,16 +70,16 @@ function(_pliant_schema_of_tests result kind)
 endfunction()
 
 # pliant_embed_templates(TARGET): adds the definition of src/pliant/experiment/template_files.h, with
-# the files of src/pliant/experiment/TEST/template as string literals.
+# the files of src/pliant/experiment/TEST/template and of src/pliant/capture/template as string
+# literals.
 function(pliant_embed_templates target)
-  set(folder "${PROJECT_SOURCE_DIR}/src/pliant/experiment")
-  file(GLOB files CONFIGURE_DEPENDS "${folder}/*/template/*")
+  set(folder "${PROJECT_SOURCE_DIR}/src/pliant")
+  file(GLOB files CONFIGURE_DEPENDS "${folder}/experiment/*/template/*" "${folder}/capture/template/*")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   set(cases "")
   foreach(file IN LISTS files)
     cmake_path(GET file FILENAME name)
-    cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${folder}" OUTPUT_VARIABLE test)
-    string(REGEX REPLACE "/.*" "" test "${test}")
+    string(REGEX REPLACE ".*/([^/]+)/template/.*" "\\1" test "${file}")
     file(READ "${file}" text)
     string(APPEND cases
            "  if (test == \"${test}\") files.emplace_back(\"${name}\", R\"text(${text})text\");\n")
@@ -87,7 +87,7 @@ function(pliant_embed_templates target)
 
   set(source "${PROJECT_BINARY_DIR}/generated/template_files.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
-// Made by CMake from src/pliant/experiment/*/template.
+// Made by CMake from src/pliant/experiment/*/template and src/pliant/capture/template.
 #include "pliant/experiment/template_files.h"
 
 namespace pliant {

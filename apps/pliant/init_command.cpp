@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/capture/capture_template.h"
 #include "pliant/exchange/tester_study.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/io/result_directory.h"
@@ -15,6 +16,8 @@ namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kCapture = "capture";
 
 struct InitArguments {
   std::string test;
@@ -56,6 +59,22 @@ void write_template(const CommandContext& context, const InitArguments& argument
       arguments.output, predicted ? "evaluate" : "fit", predicted ? " -m MATERIAL" : ""));
 }
 
+void write_capture(const CommandContext& context, const InitArguments& arguments) {
+  write_once(arguments.output, capture_template());
+  context.say(
+      fmt::format("{0} is ready: read PROTOCOL.md, print labels.pdf, fill in pull.yaml, then "
+                  "`pliant import --dic "
+                  "{0}/pull.yaml -o PULL`",
+                  arguments.output));
+  context.print_written_json("init", fs::path(arguments.output) / "pull.yaml");
+}
+
+std::vector<std::string> kinds_of_templates() {
+  std::vector<std::string> kinds = template_tests();
+  kinds.emplace_back(kCapture);
+  return kinds;
+}
+
 void write_study_of_tables(const CommandContext& context, const InitArguments& arguments) {
   const TestType* type = arguments.test.empty() ? nullptr : find_test_type(arguments.test);
   std::vector<TesterFile> tables;
@@ -77,6 +96,9 @@ void init(const CommandContext& context, InitArguments& arguments) {
                      "pliant init TEST -o DIR, or pliant init --from FILE -o DIR");
   }
   take_directory(arguments);
+  if (arguments.test == kCapture && arguments.tables.empty()) {
+    return write_capture(context, arguments);
+  }
   if (arguments.tables.empty()) {
     write_template(context, arguments);
   } else {
@@ -93,8 +115,11 @@ void add_init(CommandRegistry& registry) {
       "Start a study: of a kind of test, with a template CSV and a protocol; or of the tables of a "
       "testing machine (--from)");
   auto arguments = std::make_shared<InitArguments>();
-  command.add_option("TEST", arguments->test, "The kind of test; with --from it is found out")
-      ->check(CLI::IsMember(template_tests()));
+  command
+      .add_option(
+          "TEST", arguments->test,
+          "The kind of test, or capture: pictures by one camera; with --from it is found out")
+      ->check(CLI::IsMember(kinds_of_templates()));
   command.add_option("--from", arguments->tables,
                      "Tables of a testing machine (CSV or text, .xlsx): the study says all that "
                      "they tell, and leaves ??? for the rest");

@@ -1,15 +1,17 @@
-// From printed labels over pictures of one camera and a tester's log to a law, by the program.
+// From what `init` writes over pictures of one camera and a tester's log to a law, by the program.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pliant/io/text_file.h"
 #include "pliant/render/png.h"
 
 #include "app/run_program.h"
@@ -37,8 +39,8 @@ std::string png_of(const GreyPicture& picture) {
 
 TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
   const TemporaryFolder folder;
-  const std::string print = (folder.path() / "labels.pdf").string();
-  EXPECT_EQ(run_program({"pattern", "clips", "--codes", "3,7", "-o", print}).status, 0);
+  const auto made = folder.path() / "made";
+  ASSERT_EQ(run_program({"init", "capture", "-o", made.string()}).status, 0);
   std::string log = "force_N\n";
   for (int f = 0; f < 9; ++f) {
     LabelledPull pull{.strain = 0.01 * f};
@@ -49,17 +51,18 @@ TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
     const double green = pull.strain + pull.strain * pull.strain / 2;
     const double force = kStiffness * LabelledPull::kWidth * green * (1 + pull.strain);
     log += fmt::format("{:.5f}\n", force);
-    folder.write(fmt::format("p/{:03}.png", f),
+    folder.write(fmt::format("made/pictures/{:03}.png", f),
                  png_of(pull.picture(static_cast<std::uint64_t>(f))));
   }
-  folder.write("tester.csv", log);
-  const auto file =
-      folder.write("pull.yaml",
-                   "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\nlabels: labels.yaml\n"
-                   "sample: {width: 30 mm, height: 90 mm, density: 150 g/m^2}\n"
-                   "clips:\n  - {name: lower, side: bottom, labels: [3]}\n"
-                   "  - {name: upper, side: top, labels: [7]}\n"
-                   "forces: {data: tester.csv, on: upper}\n");
+  folder.write("made/tester.csv", log);
+  std::string text = read_text_file(made / "pull.yaml");
+  const auto replace = [&](std::string_view what, std::string_view by) {
+    ASSERT_NE(text.find(what), std::string::npos) << what;
+    text.replace(text.find(what), what.size(), by);
+  };
+  replace("width: 50 mm, height: 100 mm", "width: 30 mm, height: 90 mm");
+  replace("*.jpg", "*.png");
+  const auto file = folder.write("made/pull.yaml", text);
   const auto out = folder.path() / "imported";
   const ProgramRun run = run_program({"import", "--dic", file.string(), "-o", out.string()});
   ASSERT_EQ(run.status, 0) << run.err;

@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 /// Pictures of pulls, written as empty files that the reader knows by their numbers.
 class SlowLabelledCamera : public ::testing::Test {
  protected:
-  DicFile describe(const std::vector<LabelledPull>& pulls, const std::string& codes = "[7]") {
+  DicFile describe(const std::vector<LabelledPull>& pulls, const std::string& codes = "[1]") {
     pulls_ = pulls;
     for (std::size_t f = 0; f < pulls.size(); ++f) folder_.write(fmt::format("p/{:03}.png", f), "");
     return read_dic(folder_.write(
@@ -32,7 +32,7 @@ class SlowLabelledCamera : public ::testing::Test {
         "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\n"
         "labels: {tag: 15 mm, edge: 15 mm}\n"
         "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
-        "clips: [{name: lower, side: bottom, labels: [3]}, {name: upper, side: top, labels: " +
+        "clips: [{name: lower, side: bottom, labels: [0]}, {name: upper, side: top, labels: " +
             codes + "}]\n"));
   }
 
@@ -118,7 +118,27 @@ TEST_F(SlowLabelledCamera, RefusesAFirstPictureWithoutALabel) {
   const DicFile dic = describe({{}}, "[8]");
   const InputError error = test::input_error_of([&] { make_dic_session(dic, reader()); });
   EXPECT_THAT(error.what(),
-              HasSubstr("shows the label 8 of the clip upper not at all (labels found: 3, 7)"));
+              HasSubstr("shows the label 8 of the clip upper not at all (labels found: 0, 1)"));
+}
+
+TEST(LabelFile, TellsWhichLabelsWerePrinted) {
+  const TemporaryFolder folder;
+  folder.write("p/0.png", "");
+  folder.write("labels.yaml",
+               "pliant: pattern/1\nclips: {tag: 15 mm, edge: 12 mm, codes: [0, 1]}\n");
+  const auto file = [&](int code) {
+    return folder.write("d.yaml", fmt::format("pliant: dic/1\ntest: shear\npictures: p/*.png\n"
+                                              "labels: labels.yaml\n"
+                                              "sample: {{width: 30 mm, height: 90 mm, mass: 1 g}}\n"
+                                              "clips: [{{name: a, side: left, labels: [0]}}, "
+                                              "{{name: b, side: right, labels: [{}]}}]\n",
+                                              code));
+  };
+  const DicFile dic = read_dic(file(1));
+  EXPECT_EQ(dic.labels->edge, 0.012);
+  EXPECT_EQ(dic.clips[1].motion, ClipMotion::labels);
+  const InputError error = test::input_error_of([&] { read_dic(file(2)); });
+  EXPECT_THAT(error.what(), HasSubstr("does not have the label 2 of the clip b"));
 }
 
 }  // namespace

@@ -16,8 +16,9 @@
 
 namespace pliant::test {
 
-/// A flat strip between two jaws with labels, as a pinhole camera sees it: 30 mm x 90 mm, labels of
-/// 15 mm whose middles are 15 mm outside of its ends. Plane coordinates are those of the sample.
+/// A flat strip between two jaws with the labels 0 and 1, as a pinhole camera sees it: 30 mm x 90
+/// mm, labels of 15 mm whose middles are 15 mm outside of its ends. Plane coordinates are those of
+/// the sample.
 struct LabelledPull {
   static constexpr double kWidth = 0.030, kHeight = 0.090, kTag = 0.015, kEdge = 0.015;
   static constexpr int kColumns = 360, kRows = 1040;
@@ -66,7 +67,7 @@ struct LabelledPull {
 
   /// Brightness of a place of the plane (0 to 1).
   double at(const Eigen::Vector2d& place, const Texture& texture) const {
-    static const GreyPicture lower = tag_cells(3), upper = tag_cells(7);
+    static const GreyPicture lower = tag_cells(0), upper = tag_cells(1);
     const Eigen::Vector2d middle(kWidth / 2, 0);
     const Eigen::Rotation2Dd back(-jaw_turned);
     const Eigen::Vector2d on_jaw = back * (place - middle - Eigen::Vector2d(0, jaw()));

@@ -98,28 +98,39 @@ DicPictures read_pictures(const Value& value) {
   return pictures;
 }
 
+std::filesystem::path path_beside(const Value& value, const char* expected) {
+  return std::filesystem::path(value.location().file).parent_path() / value.text(expected);
+}
+
 /// A pattern/1 file of labels, or their sizes.
-DicLabels read_labels(const Value& value) {
-  DicLabels labels;
-  if (value.is_mapping()) {
-    Fields fields = value.fields();
-    labels.tag = fields.require("tag").positive_quantity(Dimension::length);
-    const Value edge = fields.require("edge");
-    labels.edge = edge.positive_quantity(Dimension::length);
-    if (labels.edge < labels.tag / 2) {
-      edge.fail("is within the tag", "at least half of `tag`: from the tag's middle");
-    }
-    fields.finish();
-    return labels;
+void read_labels(const Value& value, DicFile& dic) {
+  DicLabels& labels = dic.labels.emplace();
+  if (!value.is_mapping()) {
+    const std::filesystem::path file =
+        path_beside(value, "a pattern/1 file of labels, or {tag, edge}");
+    dic.labels_file = DicReference{file, "", value.location()};
+    return;
   }
-  const std::filesystem::path folder = std::filesystem::path(value.location().file).parent_path();
-  const Pattern pattern =
-      read_pattern(folder / value.text("a pattern/1 file of labels, or {tag, edge}"));
-  const auto* codes = std::get_if<ClipCodes>(&pattern.kind);
-  if (!codes) value.fail("is no pattern of labels", "what `pliant pattern clips` has written");
-  labels.tag = codes->tag;
-  labels.edge = codes->edge;
-  return labels;
+  Fields fields = value.fields();
+  labels.tag = fields.require("tag").positive_quantity(Dimension::length);
+  const Value edge = fields.require("edge");
+  labels.edge = edge.positive_quantity(Dimension::length);
+  if (labels.edge < labels.tag / 2) {
+    edge.fail("is within the tag", "at least half of `tag`: from the tag's middle");
+  }
+  fields.finish();
+}
+
+/// A calibration/1 file, of one camera or with the name of one.
+DicReference read_camera(const Value& value) {
+  constexpr const char* kExpected = "the calibration.json of `pliant calibrate`";
+  if (!value.is_mapping()) return {path_beside(value, kExpected), "", value.location()};
+  Fields fields = value.fields();
+  const std::filesystem::path file = path_beside(fields.require("calibration"), kExpected);
+  const Value name = fields.require("name");
+  DicReference camera{file, name.text("the name of a camera"), name.location()};
+  fields.finish();
+  return camera;
 }
 
 DicForces read_forces(const Value& value) {
@@ -154,35 +165,12 @@ Eigen::Vector2d read_pixel(const Value& value) {
   return {items[0].number(), items[1].number()};
 }
 
-/// A camera of a calibration/1 file: the only one, or that of a name.
-Lens read_camera(const Value& value) {
-  const auto calibration_at = [](const Value& place) {
-    const std::filesystem::path folder = std::filesystem::path(place.location().file).parent_path();
-    return read_calibration(folder / place.text("the calibration.json of `pliant calibrate`"));
-  };
-  if (!value.is_mapping()) {
-    const CalibratedRig rig = calibration_at(value);
-    if (rig.cameras.size() == 1) return Lens(rig.cameras.front());
-    value.fail(fmt::format("has {} cameras ({})", rig.cameras.size(), fmt::join(rig.names, ", ")),
-               "{calibration: FILE, name: CAMERA}");
-  }
-  Fields fields = value.fields();
-  const CalibratedRig rig = calibration_at(fields.require("calibration"));
-  const Value name = fields.require("name");
-  const auto found = std::ranges::find(rig.names, name.text("the name of a camera"));
-  if (found == rig.names.end()) {
-    name.fail("is no camera of the calibration", fmt::format("{}", fmt::join(rig.names, ", ")));
-  }
-  fields.finish();
-  return Lens(rig.cameras[static_cast<std::size_t>(found - rig.names.begin())]);
-}
-
 /// Where the sample lies in pictures: `scale` and `origin` say it, or the labels.
 void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& dic) {
   const auto origin = fields.optional("origin");
   if (const auto labels = fields.optional("labels")) {
-    dic.labels = read_labels(*labels);
-    if (auto v = fields.optional("camera")) dic.lens = read_camera(*v);
+    read_labels(*labels, dic);
+    if (auto v = fields.optional("camera")) dic.camera = read_camera(*v);
     if (!pictures) labels->fail("stand in no picture", "`pictures`, or no labels");
     for (const char* other : {"scale", "weft", "warp"}) {
       if (auto v = fields.optional(other)) v->fail("stands beside `labels`, which tell it", "one");
@@ -201,16 +189,16 @@ void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& d
   if (!origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
 }
 
+constexpr const char* kTwoLabelled =
+    "labels on two clips at least, which tell how the plane of the sample is tilted";
+
 void require_labels(const DicFile& dic, const Value& list) {
   const auto carriers =
       std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
   if (!dic.labels && carriers > 0) {
     list.fail("has clips with labels of unknown size", "`labels`, their pattern/1 file");
   }
-  if (dic.labels && carriers < 2) {
-    list.fail(fmt::format("has {} clip{} with labels", carriers, carriers == 1 ? "" : "s"),
-              "labels on two clips at least, which tell how the plane of the sample is tilted");
-  }
+  if (dic.labels && carriers == 0) list.fail("has no clip with labels", kTwoLabelled);
 }
 
 void require_clips_for_motion(const DicFile& dic, const Value& list) {
@@ -222,9 +210,53 @@ void require_clips_for_motion(const DicFile& dic, const Value& list) {
   }
 }
 
+/// The labels of the file that the document names, which have to be those on the clips.
+void resolve_labels(DicFile& dic) {
+  const DicReference& file = *dic.labels_file;
+  const Pattern pattern = read_pattern(file.file);
+  const auto* printed = std::get_if<ClipCodes>(&pattern.kind);
+  if (!printed) {
+    throw InputError(file.where, "is no pattern of labels",
+                     "what `pliant pattern clips` has written");
+  }
+  dic.labels->tag = printed->tag;
+  dic.labels->edge = printed->edge;
+  for (const DicClip& clip : dic.clips) {
+    for (const int code : clip.labels) {
+      if (printed->has(code)) continue;
+      throw InputError(
+          file.where, fmt::format("does not have the label {} of the clip {}", code, clip.name),
+          fmt::format("one of the labels that were printed: {}", fmt::join(printed->codes, ", ")));
+    }
+  }
+}
+
+/// The camera of the calibration that the document names: the only one, or that of a name.
+Lens lens_of(const DicReference& camera) {
+  const CalibratedRig rig = read_calibration(camera.file);
+  if (camera.name.empty() && rig.cameras.size() == 1) return Lens(rig.cameras.front());
+  const auto found = std::ranges::find(rig.names, camera.name);
+  if (found != rig.names.end()) {
+    return Lens(rig.cameras[static_cast<std::size_t>(found - rig.names.begin())]);
+  }
+  throw InputError(
+      camera.where, camera.name.empty() ? "has several cameras" : "is no camera of the calibration",
+      fmt::format("{{calibration: FILE, name: NAME}} of {}", fmt::join(rig.names, ", ")));
+}
+
 }  // namespace
 
-DicFile read_dic(const std::filesystem::path& path) { return dic_of(read_yaml(path)); }
+DicFile read_dic(const std::filesystem::path& path) {
+  DicFile dic = dic_of(read_yaml(path));
+  const auto carriers =
+      std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
+  if (dic.labels && carriers < 2) {
+    throw InputError({dic.file, 0, "clips"}, "has one clip with labels", kTwoLabelled);
+  }
+  if (dic.labels_file) resolve_labels(dic);
+  if (dic.camera) dic.lens = lens_of(*dic.camera);
+  return dic;
+}
 
 DicFile dic_of(const Document& document) {
   Fields fields = Value(document).fields();

@@ -65,6 +65,13 @@ struct DicLabels {
                                           ///< (pixels); none: as the labels say
 };
 
+/// Another document that a dic/1 file names.
+struct DicReference {
+  std::filesystem::path file;
+  std::string name;  ///< of what is meant in it; empty: all, or the only one
+  Location where;
+};
+
 /// What a dic/1 file says of the export of a system for digital image correlation
 /// (docs/formats/dic.md). SI units.
 struct DicFile {
@@ -74,9 +81,11 @@ struct DicFile {
   SessionSample sample;
   DataSource points;  ///< a file a frame; none where there are pictures
   std::optional<DicPictures> pictures;
-  Lens lens;                        ///< of the camera; a pinhole where none is told
-  std::optional<DicLabels> labels;  ///< of clips in pictures; they tell scale and origin
-  std::optional<double> scale;      ///< m of one unit of columns that tell none: of a pixel
+  std::optional<DicReference> camera;       ///< calibration/1
+  Lens lens;                                ///< of the camera; a pinhole where none is told
+  std::optional<DicReference> labels_file;  ///< pattern/1
+  std::optional<DicLabels> labels;          ///< of clips in pictures; they tell scale and origin
+  std::optional<double> scale;              ///< m of one unit of columns that tell none: of a pixel
   std::optional<Eigen::Vector2d>
       origin;  ///< of the sample's corner of least u and v in the points'
                ///< first two coordinates (m); none: it is centred on them
@@ -87,8 +96,10 @@ struct DicFile {
   std::optional<DicForces> forces;
 };
 
+/// Reads what it names, too: the labels and the camera.
 /// @throws InputError
 DicFile read_dic(const std::filesystem::path& path);
+/// The document alone.
 DicFile dic_of(const Document& document);
 
 }  // namespace pliant

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -142,7 +143,8 @@ double calibration_variance(const SecondLength& length, const Bundle& bundle,
     };
     slope(i) = (moved(step) - moved(-step)) / (2 * step);
   }
-  if (!slope.allFinite()) return 0;
+  // Moved cameras that no longer see the length tell no error of it.
+  if (!slope.allFinite()) return std::numeric_limits<double>::infinity();
   return slope.dot(covariance.cameras * slope);
 }
 

@@ -54,6 +54,65 @@ int axis_of(SampleSide side) {
 }
 bool is_least(SampleSide side) { return side == SampleSide::bottom || side == SampleSide::left; }
 
+/// The turn that brings the warp upright on which labels agree.
+/// @param labels  motions from their own axes into the plane
+Eigen::Matrix3d axes_by_labels(const std::vector<SampleSide>& sides,
+                               const std::vector<Eigen::Matrix3d>& labels) {
+  Eigen::Vector2d warp = Eigen::Vector2d::Zero();
+  for (std::size_t l = 0; l < labels.size(); ++l) {
+    warp += warp_by(sides[l], labels[l].block<2, 1>(0, 1));
+  }
+  warp.normalize();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() << warp.y(), -warp.x(), warp.x(), warp.y();
+  return turn;
+}
+
+struct Mean {
+  double sum = 0;
+  int count = 0;
+
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  double value() const { return sum / count; }
+};
+
+/// What labels tell of the sample along weft or warp (m).
+struct SampleEdges {
+  Mean least, most;  // edges of clips at either side
+  Mean middle;       // of all labels
+
+  /// Where the sample begins: at an edge, or half way between the labels.
+  double least_of(double size) const {
+    if (least.count > 0) return least.value();
+    return most.count > 0 ? most.value() - size : middle.value() - size / 2;
+  }
+  std::optional<double> length() const {
+    if (least.count == 0 || most.count == 0) return std::nullopt;
+    return most.value() - least.value();
+  }
+};
+
+/// Along weft and along warp.
+/// @param edge  from the middle of a label to the edge of its clip (m)
+std::array<SampleEdges, 2> edges_by_labels(const std::vector<SampleSide>& sides,
+                                           const std::vector<Eigen::Matrix3d>& labels,
+                                           double edge) {
+  std::array<SampleEdges, 2> edges;
+  for (std::size_t l = 0; l < labels.size(); ++l) {
+    const Eigen::Vector2d middle = moved(labels[l], Eigen::Vector2d::Zero());
+    edges[0].middle.add(middle.x());
+    edges[1].middle.add(middle.y());
+    const int axis = axis_of(sides[l]);
+    SampleEdges& along = edges[static_cast<std::size_t>(axis)];
+    (is_least(sides[l]) ? along.least : along.most)
+        .add(moved(labels[l], Eigen::Vector2d(0, -edge))(axis));
+  }
+  return edges;
+}
+
 std::string codes_text(const std::vector<DetectedTag>& tags) {
   if (tags.empty()) return "none";
   std::string text;
@@ -99,47 +158,29 @@ LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic)
 // The first label's axes are those of the fit. The sample's follow from where the labels point, and
 // from the edges of the clips.
 void LabelViews::place_sample(const PlaneFit& fit) {
-  Eigen::Vector2d warp = Eigen::Vector2d::Zero();
-  for (std::size_t l = 0; l < labels_.size(); ++l) {
-    warp += warp_by(dic_.clips[labels_[l].clip].side, in_plane(fit.bodies[l]).block<2, 1>(0, 1));
+  std::vector<SampleSide> sides;
+  std::vector<Eigen::Matrix3d> labels;
+  for (const Label& label : labels_) {
+    sides.push_back(dic_.clips[label.clip].side);
+    labels.push_back(in_plane(fit.bodies[labels.size()]));
   }
-  warp.normalize();
-  Eigen::Matrix3d to_sample = Eigen::Matrix3d::Identity();
-  to_sample.topLeftCorner<2, 2>() << warp.y(), -warp.x(), warp.x(), warp.y();
-
-  // Means over the labels of a side, of the clips' edges and of the labels' middles across.
-  std::array<std::array<double, 2>, 2> edges{}, counts{};  // by axis, least and most
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (std::size_t l = 0; l < labels_.size(); ++l) {
-    const Eigen::Matrix3d label = to_sample * in_plane(fit.bodies[l]);
-    const SampleSide side = dic_.clips[labels_[l].clip].side;
-    const auto axis = static_cast<std::size_t>(axis_of(side)),
-               end = static_cast<std::size_t>(!is_least(side));
-    const Eigen::Vector2d edge = moved(label, Eigen::Vector2d(0, -dic_.labels->edge));
-    edges[axis][end] += edge(axis_of(side));
-    counts[axis][end] += 1;
-    middle += moved(label, Eigen::Vector2d::Zero()) / static_cast<double>(labels_.size());
-  }
+  const Eigen::Matrix3d turn = axes_by_labels(sides, labels);
+  for (Eigen::Matrix3d& label : labels) label = turn * label;
+  const std::array<SampleEdges, 2> edges = edges_by_labels(sides, labels, dic_.labels->edge);
   const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
-  Eigen::Vector2d corner = middle - size / 2;
-  for (const std::size_t axis : {0U, 1U}) {
-    const auto [first, last] = counts[axis];
-    const double least = edges[axis][0] / first, most = edges[axis][1] / last;
-    const auto place = static_cast<Eigen::Index>(axis);
-    if (last > 0) corner(place) = most - size(place);
-    if (first > 0) corner(place) = least;
-    if (first > 0 && last > 0) lengths_[axis] = most - least;
-  }
+  Eigen::Vector2d corner(edges[0].least_of(size.x()), edges[1].least_of(size.y()));
+  for (const std::size_t axis : {0U, 1U}) lengths_[axis] = edges[axis].length();
+
   first_.lens = lens_;
-  first_.to_plane = to_sample * fit.to_picture.inverse();
-  if (dic_.labels->corner) corner = first_.on_plane(*dic_.labels->corner);
-  Eigen::Matrix3d to_corner = Eigen::Matrix3d::Identity();
-  to_corner.topRightCorner<2, 1>() = -corner;
-  first_.to_plane = to_corner * first_.to_plane;
   first_.miss = fit.miss;
   first_.clips.resize(dic_.clips.size());
+  first_.to_plane = turn * fit.to_picture.inverse();
+  if (dic_.labels->corner) corner = first_.on_plane(*dic_.labels->corner);
+  Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
+  shift.topRightCorner<2, 1>() = -corner;
+  first_.to_plane = shift * first_.to_plane;
   for (std::size_t l = 0; l < labels_.size(); ++l) {
-    labels_[l].corners = moved(to_corner * to_sample * in_plane(fit.bodies[l]), labels_[l].corners);
+    labels_[l].corners = moved(shift * labels[l], labels_[l].corners);
     first_.clips[labels_[l].clip] = Pose{};
   }
 }

@@ -2,7 +2,6 @@
 // pictures that do not do.
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/capture/calibration_file.h"
-#include "pliant/render/png.h"
 
+#include "app/picture_png.h"
 #include "app/run_program.h"
 #include "capture/board_drawing.h"
 #include "capture/texture.h"
@@ -53,18 +52,6 @@ RigidMotion placement(int shot) {
   return turn * face * RigidMotion{{0, 0, 0}, {-0.05, -0.04, 0}};
 }
 
-void write_png(const std::filesystem::path& file, const GreyPicture& picture) {
-  Image image(static_cast<int>(picture.cols()), static_cast<int>(picture.rows()));
-  for (int row = 0; row < picture.rows(); ++row) {
-    for (int column = 0; column < picture.cols(); ++column) {
-      const auto level =
-          static_cast<std::uint8_t>(std::clamp(std::lround(255 * picture(row, column)), 0L, 255L));
-      image.at(column, row) = {level, level, level};
-    }
-  }
-  std::ofstream(file, std::ios::binary) << png_bytes(image);
-}
-
 void draw_pictures(const TemporaryFolder& folder, int shots) {
   RandomStream random(1);
   for (int shot = 0; shot < shots; ++shot) {
@@ -72,7 +59,7 @@ void draw_pictures(const TemporaryFolder& folder, int shots) {
     for (int c = 0; c < 2; ++c) {
       GreyPicture picture = draw_boards(cameras[c], {PrintedBoard(kBoard)}, {placement(shot)}, 0.7);
       add_noise(picture, 0.01, random);
-      write_png(folder.path() / fmt::format("{}{}.png", c == 0 ? "left" : "right", shot), picture);
+      folder.write(fmt::format("{}{}.png", c == 0 ? "left" : "right", shot), png_of(picture));
     }
   }
 }
@@ -86,8 +73,8 @@ ProgramRun calibrate(const TemporaryFolder& folder, const std::string& rig) {
 TEST(SlowCalibrateCommand, FindsVirtualCamerasInTheirPictures) {
   const TemporaryFolder folder;
   draw_pictures(folder, 9);
-  write_png(folder.path() / "left9.png", GreyPicture::Constant(320, 400, 0.5f));
-  write_png(folder.path() / "right9.png", GreyPicture::Constant(300, 400, 0.5f));
+  folder.write("left9.png", png_of(GreyPicture::Constant(320, 400, 0.5f)));
+  folder.write("right9.png", png_of(GreyPicture::Constant(300, 400, 0.5f)));
   const ProgramRun run = calibrate(folder, kRigFile);
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("left9.png is left out: shows no board"));

@@ -15,8 +15,8 @@
 
 #include "pliant/base/random.h"
 #include "pliant/measurement/session.h"
-#include "pliant/render/png.h"
 
+#include "app/picture_png.h"
 #include "app/run_program.h"
 #include "capture/texture.h"
 
@@ -169,15 +169,7 @@ class Drawing {
     }
     RandomStream random(static_cast<std::uint64_t>(frame));
     add_noise(picture, 2.55, random);
-    Image image(kColumns, kRows);
-    for (int row = 0; row < kRows; ++row) {
-      for (int column = 0; column < kColumns; ++column) {
-        const auto level =
-            static_cast<std::uint8_t>(std::clamp(std::lround(picture(row, column)), 0L, 255L));
-        image.at(column, row) = {level, level, level};
-      }
-    }
-    return png_bytes(image);
+    return png_of(picture, 255);
   }
 
  private:

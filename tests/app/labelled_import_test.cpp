@@ -1,7 +1,5 @@
 // From what `init` writes over pictures of one camera and a tester's log to a law, by the program.
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/io/text_file.h"
-#include "pliant/render/png.h"
 
+#include "app/picture_png.h"
 #include "app/run_program.h"
 #include "capture/labelled_camera.h"
 
@@ -24,18 +22,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 constexpr double kStiffness = 400;  // N/m
-
-std::string png_of(const GreyPicture& picture) {
-  Image image(static_cast<int>(picture.cols()), static_cast<int>(picture.rows()));
-  for (int row = 0; row < image.height(); ++row) {
-    for (int column = 0; column < image.width(); ++column) {
-      const auto level =
-          static_cast<std::uint8_t>(std::clamp(std::lround(255 * picture(row, column)), 0L, 255L));
-      image.at(column, row) = {level, level, level};
-    }
-  }
-  return png_bytes(image);
-}
 
 TEST(SlowLabelledImport, OfPicturesByAHandHeldCameraGivesTheLaw) {
   const TemporaryFolder folder;

@@ -192,9 +192,13 @@ void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& d
 constexpr const char* kTwoLabelled =
     "labels on two clips at least, which tell how the plane of the sample is tilted";
 
+/// How many clips carry labels.
+std::ptrdiff_t carriers_of(const DicFile& dic) {
+  return std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
+}
+
 void require_labels(const DicFile& dic, const Value& list) {
-  const auto carriers =
-      std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
+  const auto carriers = carriers_of(dic);
   if (!dic.labels && carriers > 0) {
     list.fail("has clips with labels of unknown size", "`labels`, their pattern/1 file");
   }
@@ -248,9 +252,7 @@ Lens lens_of(const DicReference& camera) {
 
 DicFile read_dic(const std::filesystem::path& path) {
   DicFile dic = dic_of(read_yaml(path));
-  const auto carriers =
-      std::ranges::count_if(dic.clips, [](const DicClip& clip) { return !clip.labels.empty(); });
-  if (dic.labels && carriers < 2) {
+  if (dic.labels && carriers_of(dic) < 2) {
     throw InputError({dic.file, 0, "clips"}, "has one clip with labels", kTwoLabelled);
   }
   if (dic.labels_file) resolve_labels(dic);

@@ -9,13 +9,15 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include "pliant/capture/pattern.h"
+
 namespace pliant {
 namespace {
 
 using TagCorners = Eigen::Matrix<double, 2, 4>;
 
 // Cells of a tag's side; the outermost are black, and beside them the paper is white.
-constexpr double kCells = 8;
+constexpr double kCells = kTagCells;
 constexpr double kNarrow = 4;  // pixels of a cell
 // Places nearer than this share of the side to a corner see the other edge through the blur.
 constexpr double kLeftOut = 0.08;
@@ -35,9 +37,9 @@ struct TagEdge {
   double length = 0;
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // of 1, t, t^2
 
-  Eigen::Vector2d at(double t) const {
-    return from + t * length * along + (offset(0) + t * (offset(1) + t * offset(2))) * across;
-  }
+  Eigen::Vector2d on_line(double t) const { return from + t * length * along; }
+  double beside(double t) const { return offset(0) + t * (offset(1) + t * offset(2)); }
+  Eigen::Vector2d at(double t) const { return on_line(t) + beside(t) * across; }
   Eigen::Vector2d slope(double t) const {
     return length * along + (offset(1) + 2 * t * offset(2)) * across;
   }
@@ -175,9 +177,7 @@ std::optional<double> find_edge(const EdgePicture& picture, TagEdge& edge, const
   double squares = 0;
   for (int i = 0; i <= count; ++i) {
     const double t = kLeftOut + (1 - 2 * kLeftOut) * i / std::max(count, 1);
-    const Eigen::Vector2d on_line = edge.from + t * edge.length * edge.along;
-    const double before = edge.offset(0) + t * (edge.offset(1) + t * edge.offset(2));
-    const auto found = edge_across(picture, on_line, edge.across, before, reach);
+    const auto found = edge_across(picture, edge.on_line(t), edge.across, edge.beside(t), reach);
     if (!found) continue;
     places.emplace_back(t, found->middle);
     squares += found->square;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/quantity.h"
 #include "pliant/capture/dic_session.h"
@@ -6,6 +7,15 @@
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
+
+namespace {
+
+std::string forces_of(const DicFile& dic) {
+  if (!dic.forces) return "not known";
+  return dic.forces->cords ? "of cords" : "on " + dic.forces->clip;
+}
+
+}  // namespace
 
 FileInfo dic_info(const std::filesystem::path& path) {
   const DicFile dic = read_dic(path);
@@ -15,8 +25,17 @@ FileInfo dic_info(const std::filesystem::path& path) {
   info.lines.push_back(labelled(
       "sample", fmt::format("{} x {}", format_quantity(dic.sample.width, Dimension::length),
                             format_quantity(dic.sample.height, Dimension::length))));
-  info.lines.push_back(labelled("forces", dic.forces ? "on " + dic.forces->clip : "not known"));
-  if (dic.pictures) {  // to track points in them takes longer than to say what they are
+  info.lines.push_back(labelled("forces", forces_of(dic)));
+  // To track points in pictures takes longer than to say what they are.
+  if (dic.views) {
+    const std::size_t frames = dic.views->files.front().size();
+    info.json["frames"] = frames;
+    info.json["cameras"] = dic.views->names;
+    info.lines.push_back(labelled(
+        "pictures", fmt::format("{} of each of {}", frames, fmt::join(dic.views->names, ", "))));
+    return info;
+  }
+  if (dic.pictures) {
     info.json["frames"] = dic.pictures->files.size();
     info.lines.push_back(labelled("pictures", fmt::format("{}", dic.pictures->files.size())));
     return info;

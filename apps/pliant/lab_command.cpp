@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "pliant/capture/virtual_capture.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
+#include "pliant/measurement/session.h"
 #include "pliant/study/virtual_lab.h"
 
 #include "apps/pliant/command.h"
@@ -17,10 +19,21 @@ struct LabArguments {
 
 void run_lab(const CommandContext& context, const LabArguments& arguments) {
   const VirtualLab lab = read_lab(arguments.lab);
+  if (lab.cameras) {
+    for (const auto& test : lab.experiments) require_seen(*test);
+  }
   ResultDirectory results(arguments.output, "lab");
   const auto files = make_measurements(lab, context.run);
   for (const auto& [name, content] : files) results.write(name, content);
   results.write("truth.json", material_text(lab.material));
+  if (lab.cameras) {
+    for (const std::string& folder : session_folders(lab)) {
+      draw_capture(read_session(results.staging() / folder), *lab.cameras, context.run,
+                   [&](const std::string& name, const std::string& content) {
+                     results.write(folder + "-seen/" + name, content);
+                   });
+    }
+  }
   results.commit();
   context.say(fmt::format("{} virtual measurements of {} (seed {}): {}",
                           lab.experiments.size() * static_cast<std::size_t>(lab.specimens),

@@ -57,7 +57,7 @@ void draw_pictures(const TemporaryFolder& folder, int shots) {
   for (int shot = 0; shot < shots; ++shot) {
     const std::vector<CameraModel> cameras = two_cameras();
     for (int c = 0; c < 2; ++c) {
-      GreyPicture picture = draw_boards(cameras[c], {PrintedBoard(kBoard)}, {placement(shot)}, 0.7);
+      GreyPicture picture = draw_board(cameras[c], kBoard, placement(shot), 0.7);
       add_noise(picture, 0.01, random);
       folder.write(fmt::format("{}{}.png", c == 0 ? "left" : "right", shot), png_of(picture));
     }

@@ -31,8 +31,7 @@ RigidMotion tilted_board() {
 
 const GreyPicture& noisy_picture() {
   static const GreyPicture kPicture = [] {
-    GreyPicture picture =
-        test::draw_boards(wide_lens(), {test::PrintedBoard(kBoard)}, {tilted_board()}, 0.7);
+    GreyPicture picture = test::draw_board(wide_lens(), kBoard, tilted_board(), 0.7);
     RandomStream random(3);
     test::add_noise(picture, 0.01, random);
     return picture;

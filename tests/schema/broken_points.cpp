@@ -5,7 +5,8 @@ namespace pliant::test {
 std::vector<NamedDocument> broken_points() {
   const std::vector<NamedDocument> full = full_documents();
   const SchemaCase &dic = full.back().document, &pictures = full[full.size() - 2].document,
-                   &labelled = full[full.size() - 3].document;
+                   &labelled = full[full.size() - 3].document,
+                   &views = full[full.size() - 4].document;
   return {
       changed("a test without name", dic, "/test", ""),
       changed("a sample without unit", dic, "/sample/width", 100),
@@ -43,6 +44,20 @@ std::vector<NamedDocument> broken_points() {
       changed("no labels on a clip", labelled, "/clips/0/labels", nlohmann::json::array()),
       changed("a code that no label has", labelled, "/clips/0/labels/0", 587),
       changed("labels that move as the log says", labelled, "/clips/0/motion", "extension"),
+      changed("views and points", views, "/points", "export/*.csv"),
+      changed("views and a scale", views, "/scale", "0.1 mm"),
+      changed("a depth without unit", views, "/clips/0/depth", 5),
+      changed("a negative depth", views, "/clips/0/depth", "-1 mm"),
+      changed("a place on the side without end", views, "/clips/0/along", {"1 mm"}),
+      changed("cords on a clip", views, "/forces/on", "upper"),
+      without("neither cords nor a log", views, "/forces/cords"),
+      changed("views along an axis", views, "/weft", "x"),
+      changed("one camera alone", views, "/views/pictures", {{"left", "left/*.png"}}),
+      changed("an even patch of views", views, "/views/patch", 20),
+      changed("three corners", views, "/views/corners", {{0, 0}, {1, 0}, {1, 1}}),
+      changed("a corner of three numbers", views, "/views/corners/0", {1, 2, 3}),
+      without("views of unknown cameras", views, "/views/calibration"),
+      without("views of a sample anywhere", views, "/views/corners"),
       changed("labels in tables", dic, "/labels", "labels.yaml"),
   };
 }

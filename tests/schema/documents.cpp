@@ -126,7 +126,11 @@ DocumentFolder::DocumentFolder() {
   // Readers of scenes and sessions ask whether such files are there, and no more.
   for (const char* name : {"shirt.obj", "faces.txt", "vertices.txt", "rest.ply", "tooth.msh"})
     write(name, "");
-  write("pictures/1.png", "");
+  for (const char* folder : {"pictures", "left", "right", "boards/left", "boards/right",
+                             "pictures/left", "pictures/right"}) {
+    write(folder + std::string("/1.png"), "");
+  }
+  write("assumed-cloth.json", read_text_file(kSource / "examples" / "assumed-cloth.json"));
   write("labels.yaml", "pliant: pattern/1\nclips: {tag: 15 mm, edge: 15 mm, codes: [0, 1]}\n");
   write("export/1.csv", "x,y,u,v\n0,0,0,0\n");
   write("gel.msh", volume_file_text(block_of_hexahedra({1, 1, 1}, {2, 2, 2}), "gel.msh"));

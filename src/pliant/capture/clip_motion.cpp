@@ -1,19 +1,65 @@
 #include "pliant/capture/clip_motion.h"
 
-#include <Eigen/Geometry>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
 
 namespace pliant {
 
-HeldSide held_side(SampleSide side, int nodes_u, int nodes_v) {
-  const bool across_u = side == SampleSide::bottom || side == SampleSide::top;
-  const bool is_first = side == SampleSide::bottom || side == SampleSide::left;
-  HeldSide held;
-  for (int i = 0; i < (across_u ? nodes_u : nodes_v); ++i) {
-    const int row = across_u ? (is_first ? 0 : nodes_v - 1) : i;
-    const int column = across_u ? i : (is_first ? 0 : nodes_u - 1);
-    held.vertices.push_back(row * nodes_u + column);
+namespace {
+
+/// The axis across a side, and whether the side is that of its least coordinate.
+struct Across {
+  Eigen::Index axis;
+  bool is_first;
+};
+
+Across across(SampleSide side) {
+  const bool along_u = side == SampleSide::bottom || side == SampleSide::top;
+  return {along_u ? 1 : 0, side == SampleSide::bottom || side == SampleSide::left};
+}
+
+}  // namespace
+
+Eigen::AlignedBox2d held_cloth(const DicFile& dic, const DicClip& clip) {
+  const auto [axis, is_first] = across(clip.side);
+  const Eigen::Vector2d size(dic.sample.width, dic.sample.height);
+  const auto [from, to] = clip.along.value_or(std::pair(0.0, size(1 - axis)));
+  constexpr double kDeepest = 0.4;  // of the sample
+  if (clip.depth > kDeepest * size(axis) || from >= size(1 - axis) || to > size(1 - axis)) {
+    throw InputError(
+        {dic.file, 0, "clips"},
+        fmt::format("{} holds more than there is of a sample of {} x {}", quoted_value(clip.name),
+                    format_quantity(size.x(), Dimension::length),
+                    format_quantity(size.y(), Dimension::length)),
+        "a `depth` of at most 0.4 of the sample, and `along` within its side");
   }
-  held.outward = (is_first ? -1.0 : 1.0) * Eigen::Vector3d::Unit(across_u ? 1 : 0);
+  Eigen::Vector2d least, most;
+  least(axis) = is_first ? 0 : size(axis) - clip.depth;
+  most(axis) = is_first ? clip.depth : size(axis);
+  least(1 - axis) = from;
+  most(1 - axis) = to;
+  return {least, most};
+}
+
+HeldPlace held_place(const DicFile& dic, const DicClip& clip, const TriangleMesh& rest) {
+  constexpr double kRounding = 1e-9;  // m
+  const auto [axis, is_first] = across(clip.side);
+  HeldPlace held;
+  held.cloth = held_cloth(dic, clip);
+  held.outward = (is_first ? -1.0 : 1.0) * Eigen::Vector3d::Unit(axis);
+  const double inner = is_first ? held.cloth.max()(axis) : held.cloth.min()(axis);
+  const Eigen::Vector2d around = Eigen::Vector2d::Constant(kRounding);
+  const Eigen::AlignedBox2d box(held.cloth.min() - around, held.cloth.max() + around);
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const Eigen::Vector2d place = rest.positions.col(v).head<2>();
+    if (!box.contains(place)) continue;
+    held.vertices.push_back(v);
+    if (std::abs(place(axis) - inner) < kRounding) held.edge.push_back(v);
+  }
   return held;
 }
 

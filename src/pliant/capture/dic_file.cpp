@@ -9,6 +9,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/capture/calibration_file.h"
 #include "pliant/capture/pattern.h"
+#include "pliant/capture/pixel_fields.h"
 #include "pliant/capture/tag_detector.h"
 #include "pliant/io/document.h"
 #include "pliant/io/fields.h"
@@ -40,7 +41,7 @@ ClipMotion read_motion(const Value& value) {
 /// What clips may not share.
 struct TakenByClips {
   std::set<std::string> names;
-  std::set<SampleSide> sides;
+  std::set<std::pair<SampleSide, double>> places;  // a side and where on it
   std::set<int> codes;
 };
 
@@ -56,14 +57,26 @@ std::vector<int> read_codes(const Value& value, std::set<int>& taken) {
   return codes;
 }
 
+std::pair<double, double> read_range(const Value& value) {
+  const std::vector<Value> items = value.items();
+  if (items.size() != 2) value.fail("is no range", "[from, to] along the side");
+  const double from = items[0].quantity_from_zero(Dimension::length);
+  const double to = items[1].positive_quantity(Dimension::length);
+  if (!(to > from)) value.fail("ends before it begins", "[from, to] along the side");
+  return {from, to};
+}
+
 DicClip read_clip(const Value& value, TakenByClips& taken) {
   Fields fields = value.fields();
   DicClip clip;
   clip.name = read_result_name(fields.require("name"), "a clip", taken.names);
   const Value side = fields.require("side");
   clip.side = read_side(side);
-  if (!taken.sides.insert(clip.side).second) {
-    side.fail("is held by another clip", "a side for each clip");
+  if (auto v = fields.optional("depth")) clip.depth = v->quantity_from_zero(Dimension::length);
+  if (auto v = fields.optional("along")) clip.along = read_range(*v);
+  const double from = clip.along ? clip.along->first : 0;
+  if (!taken.places.emplace(clip.side, from).second) {
+    side.fail("is held by another clip", "a place for each clip");
   }
   if (auto v = fields.optional("labels")) {
     clip.labels = read_codes(*v, taken.codes);
@@ -80,7 +93,6 @@ DicClip read_clip(const Value& value, TakenByClips& taken) {
 }
 
 DicPictures read_pictures(const Value& value) {
-  constexpr int kLeast = 9, kMost = 201;
   DicPictures pictures;
   if (!value.is_mapping()) {
     pictures.files = read_data_source(value).files;
@@ -88,18 +100,9 @@ DicPictures read_pictures(const Value& value) {
   }
   Fields fields = value.fields();
   pictures.files = read_data_source(fields.require("files")).files;
-  if (auto v = fields.optional("patch")) {
-    pictures.patch = v->integer(kLeast, kMost);
-    if (pictures.patch % 2 == 0)
-      v->fail("is even", "an odd number of pixels: a patch has a middle");
-  }
-  if (auto v = fields.optional("step")) pictures.step = v->integer(1, kMost);
+  read_patches(fields, pictures.patch, pictures.step);
   fields.finish();
   return pictures;
-}
-
-std::filesystem::path path_beside(const Value& value, const char* expected) {
-  return std::filesystem::path(value.location().file).parent_path() / value.text(expected);
 }
 
 /// A pattern/1 file of labels, or their sizes.
@@ -123,10 +126,10 @@ void read_labels(const Value& value, DicFile& dic) {
 
 /// A calibration/1 file, of one camera or with the name of one.
 DicReference read_camera(const Value& value) {
-  constexpr const char* kExpected = "the calibration.json of `pliant calibrate`";
-  if (!value.is_mapping()) return {path_beside(value, kExpected), "", value.location()};
+  if (!value.is_mapping()) return {path_beside(value, kExpectedCalibration), "", value.location()};
   Fields fields = value.fields();
-  const std::filesystem::path file = path_beside(fields.require("calibration"), kExpected);
+  const std::filesystem::path file =
+      path_beside(fields.require("calibration"), kExpectedCalibration);
   const Value name = fields.require("name");
   DicReference camera{file, name.text("the name of a camera"), name.location()};
   fields.finish();
@@ -136,6 +139,14 @@ DicReference read_camera(const Value& value) {
 DicForces read_forces(const Value& value) {
   Fields fields = value.fields();
   DicForces forces;
+  if (auto v = fields.optional("cords")) {
+    forces.cords = path_beside(*v, "a table like cords.csv of a session");
+    for (const char* other : {"data", "on", "rate"}) {
+      if (auto w = fields.optional(other)) w->fail("stands beside `cords`", "one of them");
+    }
+    fields.finish();
+    return forces;
+  }
   forces.data = read_data_source(fields.require("data"));
   const Value on = fields.require("on");
   forces.clip = on.text("the name of a clip");
@@ -157,12 +168,6 @@ Eigen::Vector2d read_origin(const Value& value, const std::optional<double>& sca
   const std::vector<Value> items = value.items();
   if (items.size() != 2) value.fail("is no place", "[x, y] of the sample's corner");
   return {read_coordinate(items[0], scale), read_coordinate(items[1], scale)};
-}
-
-Eigen::Vector2d read_pixel(const Value& value) {
-  const std::vector<Value> items = value.items();
-  if (items.size() != 2) value.fail("is no place", "[column, row] of the sample's corner");
-  return {items[0].number(), items[1].number()};
 }
 
 /// Where the sample lies in pictures: `scale` and `origin` say it, or the labels.
@@ -189,6 +194,15 @@ void read_place(Fields& fields, const std::optional<Value>& pictures, DicFile& d
   if (!origin) pictures->fail("has no `origin`", "the pixel of the sample's corner, [x, y]");
 }
 
+/// Several cameras tell where the sample lies by its corners.
+void refuse_place(Fields& fields) {
+  for (const char* other : {"scale", "origin", "labels", "camera", "weft", "warp"}) {
+    if (auto v = fields.optional(other)) {
+      v->fail("stands beside `views`, whose calibration and `corners` tell it", "one");
+    }
+  }
+}
+
 constexpr const char* kTwoLabelled =
     "labels on two clips at least, which tell how the plane of the sample is tilted";
 
@@ -198,6 +212,7 @@ std::ptrdiff_t carriers_of(const DicFile& dic) {
 }
 
 void require_labels(const DicFile& dic, const Value& list) {
+  if (dic.views) return;  // which need not know how large they are
   const auto carriers = carriers_of(dic);
   if (!dic.labels && carriers > 0) {
     list.fail("has clips with labels of unknown size", "`labels`, their pattern/1 file");
@@ -208,7 +223,7 @@ void require_labels(const DicFile& dic, const Value& list) {
 void require_clips_for_motion(const DicFile& dic, const Value& list) {
   const bool by_log = std::ranges::any_of(
       dic.clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
-  if (by_log && !dic.forces) {
+  if (by_log && (!dic.forces || dic.forces->cords)) {
     list.fail("has a clip that moves by its extension, and there are no `forces` to tell it",
               "`forces` with a log that has a column of the extension");
   }
@@ -257,6 +272,7 @@ DicFile read_dic(const std::filesystem::path& path) {
   }
   if (dic.labels_file) resolve_labels(dic);
   if (dic.camera) dic.lens = lens_of(*dic.camera);
+  if (dic.views) resolve_views(*dic.views);
   return dic;
 }
 
@@ -272,12 +288,21 @@ DicFile dic_of(const Document& document) {
   dic.sample = read_session_sample(fields.require("sample"), SessionKind::sheet);
   if (auto v = fields.optional("scale")) dic.scale = v->positive_quantity(Dimension::length);
   const auto pictures = fields.optional("pictures");
-  if (pictures) {
+  const auto views = fields.optional("views");
+  if (views) {
+    dic.views = read_views(*views);
+    if (pictures) pictures->fail("stand beside `views`", "one of them");
+  } else if (pictures) {
     dic.pictures = read_pictures(*pictures);
   } else {
     dic.points = read_data_source(fields.require("points"));
   }
-  read_place(fields, pictures, dic);
+  if (views) {
+    refuse_place(fields);
+    dic.origin = Eigen::Vector2d::Zero();
+  } else {
+    read_place(fields, pictures, dic);
+  }
   if (auto v = fields.optional("weft")) dic.weft = read_axis(*v);
   // Rows of pictures count downwards.
   dic.warp = {1 - dic.weft.axis, pictures && !dic.labels && dic.weft.axis == 0 ? -1.0 : 1.0};
@@ -287,8 +312,9 @@ DicFile dic_of(const Document& document) {
   }
   if (auto v = fields.optional("mesh")) dic.mesh = v->positive_quantity(Dimension::length);
   if (auto v = fields.optional("gravity")) dic.gravity = read_vector(*v);
-  if (pictures && fields.optional("points"))
-    pictures->fail("stands beside `points`", "one of them");
+  if (auto v = fields.optional("points"); v && (pictures || views)) {
+    v->fail(views ? "stand beside `views`" : "stand beside `pictures`", "one of them");
+  }
   const Value list = fields.require("clips");
   TakenByClips taken;
   for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken));

@@ -4,10 +4,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "pliant/capture/dic_reference.h"
+#include "pliant/capture/dic_views.h"
 #include "pliant/capture/lens.h"
 #include "pliant/io/document.h"
 #include "pliant/measurement/data_source.h"
@@ -26,10 +29,12 @@ enum class ClipMotion {
   labels,     ///< as the labels on it show
 };
 
-/// A clip, or a jaw, that holds a whole side of the sample.
+/// A clip, or a jaw, that holds a side of the sample or a part of it.
 struct DicClip {
   std::string name;
   SampleSide side = SampleSide::bottom;
+  double depth = 0;  ///< of the cloth in it, from the side inwards (m); 0: the side alone
+  std::optional<std::pair<double, double>> along;  ///< where on the side (m); none: all of it
   ClipMotion motion = ClipMotion::points;
   double mass = 0;          ///< kg
   std::vector<int> labels;  ///< codes of those on it
@@ -41,8 +46,9 @@ struct PointAxis {
   double sign = 1;
 };
 
-/// The log of a tester or of load cells.
+/// The log of a tester or of a load cell; or what cords do, in space.
 struct DicForces {
+  std::optional<std::filesystem::path> cords;  ///< like cords.csv of a session; then nothing else
   DataSource data;
   std::string clip;  ///< that the cell pulls
   Location where_clip;
@@ -65,13 +71,6 @@ struct DicLabels {
                                           ///< (pixels); none: as the labels say
 };
 
-/// Another document that a dic/1 file names.
-struct DicReference {
-  std::filesystem::path file;
-  std::string name;  ///< of what is meant in it; empty: all, or the only one
-  Location where;
-};
-
 /// What a dic/1 file says of the export of a system for digital image correlation
 /// (docs/formats/dic.md). SI units.
 struct DicFile {
@@ -79,8 +78,9 @@ struct DicFile {
   std::string test;
   std::map<std::string, std::string> info;
   SessionSample sample;
-  DataSource points;  ///< a file a frame; none where there are pictures
+  DataSource points;  ///< a file a frame; none where there are pictures or views
   std::optional<DicPictures> pictures;
+  std::optional<DicViews> views;
   std::optional<DicReference> camera;       ///< calibration/1
   Lens lens;                                ///< of the camera; a pinhole where none is told
   std::optional<DicReference> labels_file;  ///< pattern/1
@@ -91,7 +91,7 @@ struct DicFile {
                ///< first two coordinates (m); none: it is centred on them
   PointAxis weft{0, 1}, warp{1, 1};
   std::optional<double> mesh;  ///< edge of the sheet's triangles (m); none: as the points lie
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
+  std::optional<Eigen::Vector3d> gravity;  ///< m/s^2; none: what the cameras tell, or none acts
   std::vector<DicClip> clips;
   std::optional<DicForces> forces;
 };

@@ -121,7 +121,11 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
         millimetres(made.point_noise), millimetres(*session.noise.position),
         millimetres(2 * made.spacing)));
   }
-  if (!made.slack.empty()) {
+  if (!made.slack.empty() && dic.views) {
+    notes.emplace_back(
+        "the first pictures are not in the session: nothing pulls there, and the sample lies on "
+        "something");
+  } else if (!made.slack.empty()) {
     notes.push_back(fmt::format(
         "{} frames in which the sample hung slack are not in the session: one camera does not see "
         "how it buckles",
@@ -163,8 +167,8 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
 ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
                          const RunContext& context) {
   const DicFile dic = read_dic(file);
-  if (dic.pictures && !read_picture) {
-    throw InputError({dic.file, 0, "pictures"},
+  if ((dic.pictures || dic.views) && !read_picture) {
+    throw InputError({dic.file, 0, dic.views ? "views" : "pictures"},
                      "cannot be read: this program was built without them", "tables of `points`");
   }
   const DicSession made = make_dic_session(dic, read_picture, context);

@@ -17,6 +17,8 @@
 #include "pliant/capture/sample_axes.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/measurement/session/balance.h"
+#include "pliant/measurement/session/clip_grid.h"
+#include "pliant/measurement/session/cord_forces.h"
 
 namespace pliant {
 namespace {
@@ -25,11 +27,7 @@ constexpr double kEdge = 2;     // of the mesh, in spacings of the points
 constexpr double kReach = 2.3;  // points that tell a vertex: some sixteen
 constexpr double kGap = 1.25;   // the nearest of them
 constexpr double kFar = 6;      // points that tell a clip
-constexpr int kMostVertices = 40000;
-
-int nodes_along(double size, double edge) {
-  return std::max(static_cast<int>(std::lround(size / edge)), 2) + 1;
-}
+constexpr std::size_t kMostVertices = 40000;
 
 /// Follows the sheet from frame to frame.
 class SheetFollower {
@@ -42,7 +40,7 @@ class SheetFollower {
     result_.spacing = point_spacing(axes_.of(first.rest).topRows<2>());
     make_rest();
     require_pulled_clip();
-    if (dic.forces) log_ = read_force_log(*dic.forces, points_->count());
+    if (dic.forces) read_forces(*dic.forces);
     result_.force = log_.force;
     result_.time = log_.time;
     begin_middle();
@@ -82,20 +80,19 @@ class SheetFollower {
     session.test = dic_.test;
     session.info = dic_.info;
     session.sample = dic_.sample;
-    session.gravity = dic_.gravity;
+    session.gravity = dic_.gravity ? *dic_.gravity : gravity_by_cameras();
     const double edge = dic_.mesh.value_or(kEdge * result_.spacing);
-    nodes_u_ = nodes_along(dic_.sample.width, edge);
-    nodes_v_ = nodes_along(dic_.sample.height, edge);
-    if (nodes_u_ > kMostVertices / nodes_v_) {
+    const std::vector<double> lines_u = lines_along(0, edge), lines_v = lines_along(1, edge);
+    if (lines_u.size() > kMostVertices / lines_v.size()) {
       throw InputError({dic_.file, 0, "mesh"},
-                       fmt::format("gives {} x {} vertices", nodes_u_, nodes_v_),
+                       fmt::format("gives {} x {} vertices", lines_u.size(), lines_v.size()),
                        fmt::format("a coarser mesh, of at most {}", kMostVertices));
     }
-    session.rest = regular_grid(dic_.sample.width, dic_.sample.height, nodes_u_, nodes_v_);
+    session.rest = grid_of_lines(lines_u, lines_v);
     for (const DicClip& clip : dic_.clips) {
-      sides_.push_back(held_side(clip.side, nodes_u_, nodes_v_));
+      held_.push_back(held_place(dic_, clip, session.rest));
       session.clips.push_back({clip.name, clip.mass, {}});
-      for (const int vertex : sides_.back().vertices) {
+      for (const int vertex : held_.back().vertices) {
         // The corner of two sides is the first clip's.
         const bool taken = std::ranges::any_of(session.clips, [&](const SessionClip& other) {
           return std::ranges::find(other.clamped, vertex) != other.clamped.end();
@@ -105,8 +102,41 @@ class SheetFollower {
     }
   }
 
+  /// Of the mesh, some of them at the edges of clips.
+  std::vector<double> lines_along(int axis, double edge) const {
+    std::vector<double> stops;
+    for (const DicClip& clip : dic_.clips) {
+      const Eigen::AlignedBox2d cloth = held_cloth(dic_, clip);
+      stops.push_back(cloth.min()(axis));
+      stops.push_back(cloth.max()(axis));
+    }
+    std::ranges::sort(stops);
+    return lines_on_stops(0, axis == 0 ? dic_.sample.width : dic_.sample.height, stops, edge);
+  }
+
+  // In the sample's axes; none where nothing tells it.
+  Eigen::Vector3d gravity_by_cameras() const {
+    const auto seen = points_->gravity();
+    return seen ? Eigen::Vector3d(axes_.axes * *seen) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+
+  void read_forces(const DicForces& forces) {
+    const int frames = points_->count();
+    if (!forces.cords) {
+      log_ = read_force_log(forces, frames);
+      return;
+    }
+    const FrameRows rows(*forces.cords, frames);
+    FrameTimes times(frames);
+    cords_ = read_cord_forces(rows, result_.session.clips, frames, times).cords;
+    for (const auto& time : times.increasing()) {
+      if (!time) return log_.time.clear();
+      log_.time.push_back(*time);
+    }
+  }
+
   void require_pulled_clip() const {
-    if (!dic_.forces) return;
+    if (!dic_.forces || dic_.forces->cords) return;
     const std::string& name = dic_.forces->clip;
     if (std::ranges::find(dic_.clips, name, &DicClip::name) != dic_.clips.end()) return;
     throw InputError(dic_.forces->where_clip, quoted_value(name) + " is no clip",
@@ -115,8 +145,8 @@ class SheetFollower {
 
   /// Two clips at opposite sides pull along weft or along warp.
   void begin_middle() {
-    if (dic_.clips.size() != 2 || (sides_[0].outward + sides_[1].outward).norm() > 0.5) return;
-    pull_ = std::abs(sides_[0].outward.y()) > 0.5 ? 1 : 0;
+    if (dic_.clips.size() != 2 || (held_[0].outward + held_[1].outward).norm() > 0.5) return;
+    pull_ = std::abs(held_[0].outward.y()) > 0.5 ? 1 : 0;
     const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
     result_.middle =
         MiddleRecord{pull_ == 1 ? "warp" : "weft", size(pull_) / 3, size(1 - pull_), {}, {}};
@@ -125,8 +155,9 @@ class SheetFollower {
   void follow(int f) {
     const PointFrame points = read(f);
     if (!points.left_out.empty()) return leave_out(f, points.left_out);
-    const Eigen::Matrix2Xd rest = axes_.of(points.rest).topRows<2>();
-    const Eigen::Matrix3Xd moved = axes_.of(points.moved);
+    const std::vector<int> free = outside_of_clips(axes_.of(points.rest));
+    const Eigen::Matrix2Xd rest = axes_.of(points.rest)(Eigen::all, free).topRows<2>();
+    const Eigen::Matrix3Xd moved = axes_.of(points.moved)(Eigen::all, free);
     const Session& session = result_.session;
     SessionFrame frame;
     if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
@@ -140,16 +171,32 @@ class SheetFollower {
       }
     }
     frame.cords.resize(session.clips.size());
-    if (dic_.forces) pull(f, frame);
+    if (!cords_.empty()) {
+      frame.cords = cords_[static_cast<std::size_t>(f)];
+    } else if (dic_.forces) {
+      pull(f, frame);
+    }
     if (result_.middle) add_middle(rest, moved, f);
     result_.nearer.push_back(points.nearer);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
-    if (is_slack(f)) {
+    if (is_slack(f) || lies_somewhere(f)) {
       result_.slack.push_back(f);
       return;
     }
     result_.session.frames.push_back(std::move(frame));
+  }
+
+  /// What is seen where a clip is, is the clip.
+  std::vector<int> outside_of_clips(const Eigen::Matrix3Xd& rest) const {
+    std::vector<int> free;
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+      const bool is_hidden = std::ranges::any_of(held_, [&](const HeldPlace& held) {
+        return held.cloth.volume() > 0 && held.cloth.contains(rest.col(i).head<2>());
+      });
+      if (!is_hidden) free.push_back(static_cast<int>(i));
+    }
+    return free;
   }
 
   void leave_out(int f, const std::string& why) {
@@ -162,6 +209,12 @@ class SheetFollower {
     if (!result_.middle) return;
     result_.middle->strain.push_back(kNone);
     result_.middle->lateral_strain.push_back(kNone);
+  }
+
+  /// Whether the first frame shows the sample where it lies on something: nothing pulls it there.
+  bool lies_somewhere(int f) const {
+    return f == 0 && !cords_.empty() &&
+           std::ranges::all_of(cords_.front(), [](const auto& cords) { return cords.empty(); });
   }
 
   /// Whether a sample that lies in a plane carries nothing after it was pulled: it has buckled out
@@ -195,8 +248,8 @@ class SheetFollower {
   Pose pose_of(std::size_t c, int f, const PointFrame& points, const LocalMotion& around,
                std::size_t& slip) {
     const DicClip& clip = dic_.clips[c];
-    const HeldSide& side = sides_[c];
-    const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.vertices);
+    const HeldPlace& side = held_[c];
+    const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.edge);
     const auto by_points = pose_of_points(around, rest, side.outward, kFar * result_.spacing);
     if (clip.motion == ClipMotion::points) {
       if (by_points) return *by_points;
@@ -207,7 +260,7 @@ class SheetFollower {
           "points beside it; or `motion: held` or `extension`, where it is known");
     }
     Pose pose;
-    if (clip.motion == ClipMotion::labels) pose = *points.clips[c];
+    if (clip.motion == ClipMotion::labels) pose = in_sample(*points.clips[c]);
     if (clip.motion == ClipMotion::extension) {
       if (log_.extension.empty()) {
         throw InputError(dic_.forces->data.where, "has no column of the extension",
@@ -223,18 +276,25 @@ class SheetFollower {
     return pose;
   }
 
+  /// A motion that is told in the axes of the points.
+  Pose in_sample(const Pose& motion) const {
+    const Eigen::Matrix3d turn =
+        axes_.axes * motion.rotation.toRotationMatrix() * axes_.axes.transpose();
+    return {Eigen::Quaterniond(turn).normalized(),
+            axes_.axes * (motion.apply(axes_.corner) - axes_.corner)};
+  }
+
   /// The force of the log at its clip, and what answers it at the only other one.
   void pull(int f, SessionFrame& frame) const {
     const double force = log_.force[static_cast<std::size_t>(f)];
     const auto clip = static_cast<std::size_t>(
         std::ranges::find(dic_.clips, dic_.forces->clip, &DicClip::name) - dic_.clips.begin());
     const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
-      const Eigen::Vector3d middle =
-          frame.positions(Eigen::all, sides_[c].vertices).rowwise().mean();
+      const Eigen::Vector3d middle = frame.positions(Eigen::all, held_[c].edge).rowwise().mean();
       frame.cords[c].push_back({"", middle, by});
     };
-    add(clip, force * sides_[clip].outward);
-    if (dic_.clips.size() == 2) add(1 - clip, -force * sides_[clip].outward);
+    add(clip, force * held_[clip].outward);
+    if (dic_.clips.size() == 2) add(1 - clip, -force * held_[clip].outward);
   }
 
   /// The affine motion of the middle third.
@@ -265,9 +325,9 @@ class SheetFollower {
   std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
   FrameLog log_;
+  std::vector<std::vector<std::vector<CordForce>>> cords_;  // by frame and clip
   DicSession result_;
-  std::vector<HeldSide> sides_;  // of each clip
-  int nodes_u_ = 0, nodes_v_ = 0;
+  std::vector<HeldPlace> held_;    // of each clip
   int pull_ = 1;                   // rest coordinate along it
   std::vector<double> residuals_;  // mean squares, of each vertex and frame
   double leverage_ = 0;            // their sum

@@ -39,7 +39,9 @@ struct DicSession {
   std::vector<int> lost;    ///< points of each frame; 0 of one that is left out
   std::vector<int> unseen;  ///< vertices of each frame; likewise
   std::vector<LeftOutFrame> left_out;  ///< not in the session; not a number in the records
-  std::vector<int> slack;  ///< frames that the session leaves out: of a flat test, without force
+  /// Frames that the session leaves out: of a flat test, without force; or the first one, which
+  /// lies on something.
+  std::vector<int> slack;
   std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
   std::vector<ClipSlip> slips;
   std::vector<double> nearer;       ///< of each frame, by what share of its distance a clip has

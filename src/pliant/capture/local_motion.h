@@ -1,9 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
+
+#include "pliant/capture/near_places.h"
 
 namespace pliant {
 
@@ -30,15 +31,9 @@ class LocalMotion {
   std::optional<MovedPlace> at(const Eigen::Vector2d& place, double gap) const;
 
  private:
-  std::vector<int> points_near(const Eigen::Vector2d& place) const;
-  Eigen::Vector2i cell_of(const Eigen::Vector2d& place) const;
-
   Eigen::Matrix2Xd rest_;
   Eigen::Matrix3Xd moved_;
-  double reach_;
-  Eigen::Vector2d corner_;
-  Eigen::Vector2i cells_;
-  std::vector<std::vector<int>> in_cell_;
+  NearPlaces near_;
 };
 
 /// The affine motion of points by least squares: position and slope at their middle. Nothing of

@@ -41,6 +41,8 @@ class PointSource {
   /// @param frame  that of the call before, or the one after it
   /// @throws InputError
   virtual PointFrame read(int frame) = 0;
+  /// In the axes of the points (m/s^2), where the source knows it.
+  virtual std::optional<Eigen::Vector3d> gravity() const { return std::nullopt; }
   /// What is worth telling of how the points were found, a sentence each.
   virtual std::vector<std::string> notes() const { return {}; }
 };

@@ -87,6 +87,16 @@ bool ReferencePatch::sample(const SplinePicture& picture, const PatchMotion& mot
   return true;
 }
 
+std::optional<double> ReferencePatch::correlation(const SplinePicture& picture,
+                                                  const PatchMotion& motion) const {
+  Eigen::ArrayXf values(values_.size());
+  if (!sample(picture, motion, values)) return std::nullopt;
+  values -= values.mean();
+  const double norm = values.matrix().cast<double>().norm();
+  if (!(norm > 0)) return std::nullopt;
+  return values.matrix().dot(values_) / (norm * norm_);
+}
+
 std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
                                                 const PatchMotion& start) const {
   constexpr int kMostIterations = 30;

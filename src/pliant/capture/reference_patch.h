@@ -45,6 +45,8 @@ class ReferencePatch {
   /// @param start  within some pixels of its motion
   /// @return nothing where the search leaves the picture or does not end
   std::optional<PatchMatch> match(const SplinePicture& picture, const PatchMotion& start) const;
+  /// Of both patches, if it had moved so; nothing where that leaves the picture, or shows nothing.
+  std::optional<double> correlation(const SplinePicture& picture, const PatchMotion& motion) const;
 
  private:
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, 6>;

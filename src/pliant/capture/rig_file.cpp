@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/capture/chessboard_corners.h"
+#include "pliant/capture/pixel_fields.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
 #include "pliant/measurement/data_source.h"
@@ -148,12 +149,6 @@ SecondLength read_second_length(const Value& value) {
   return second;
 }
 
-Eigen::Vector2d read_plumb_pixel(const Value& value) {
-  const std::vector<double> numbers = value.numbers();
-  if (numbers.size() != 2) value.fail("is no pixel", "[column, row]");
-  return {numbers[0], numbers[1]};
-}
-
 PlumbLine read_plumb(const Value& value, const RigFile& rig) {
   PlumbLine line{{}, value.location()};
   Fields fields = value.fields();
@@ -162,7 +157,7 @@ PlumbLine read_plumb(const Value& value, const RigFile& rig) {
     if (camera < 0) pixels.fail("is a camera that `cameras` does not name", "one of the names");
     const std::vector<Value> items = pixels.items();
     if (items.size() != 2) pixels.fail("are not two pixels", "[[column, row], [column, row]]");
-    line.seen.push_back({camera, read_plumb_pixel(items[0]), read_plumb_pixel(items[1])});
+    line.seen.push_back({camera, read_pixel(items[0]), read_pixel(items[1])});
   }
   if (line.seen.size() != 2) value.fail("is not seen by two cameras", "pixels in two cameras");
   return line;

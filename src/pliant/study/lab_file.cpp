@@ -67,6 +67,12 @@ VirtualLab lab_of(const Document& document) {
   if (auto v = fields.optional("validate")) {
     for (const Value& pattern : v->items()) lab.validate.push_back(pattern.text());
   }
+  if (auto v = fields.optional("cameras")) {
+    lab.cameras = read_virtual_cameras(*v);
+    const bool any = std::ranges::any_of(
+        lab.experiments, [](const auto& test) { return test->type().facts.measures_sheets; });
+    if (!any) v->fail("see nothing", "an experiment of the type session");
+  }
   fields.finish();
   return lab;
 }

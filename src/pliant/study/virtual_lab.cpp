@@ -100,6 +100,17 @@ std::vector<VirtualData> measured(const VirtualLab& lab, const std::vector<Task>
 
 }  // namespace
 
+std::vector<std::string> session_folders(const VirtualLab& lab) {
+  std::vector<std::string> folders;
+  for (const auto& test : lab.experiments) {
+    if (!test->type().facts.measures_sheets) continue;
+    for (int specimen = 1; specimen <= lab.specimens; ++specimen) {
+      folders.push_back(specimen_name(lab, *test, specimen));
+    }
+  }
+  return folders;
+}
+
 TestFiles make_measurements(const VirtualLab& lab, const RunContext& context) {
   std::vector<Task> tasks;
   for (const auto& test : lab.experiments) {

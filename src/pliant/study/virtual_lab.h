@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "pliant/experiment/virtual_test.h"
 #include "pliant/io/document.h"
 #include "pliant/material/material.h"
+#include "pliant/study/virtual_cameras.h"
 
 namespace pliant {
 
@@ -20,7 +22,8 @@ struct VirtualLab {
   double specimen_variation =
       0;  ///< relative standard deviation of every parameter between specimens
   std::vector<std::shared_ptr<VirtualTest>> experiments;
-  std::vector<std::string> validate;  ///< names or patterns that the study keeps out of the fit
+  std::optional<VirtualCameras> cameras;  ///< that look at its sessions
+  std::vector<std::string> validate;      ///< names or patterns that the study keeps out of the fit
 };
 
 /// Reads a lab/1 file and the material it names.
@@ -29,6 +32,9 @@ VirtualLab read_lab(const std::filesystem::path& path);
 
 /// The lab that a document describes.
 VirtualLab lab_of(const Document& document);
+
+/// The folders of the sessions that its measurements have.
+std::vector<std::string> session_folders(const VirtualLab& lab);
 
 /// Makes the measurements, side by side: study.yaml and the data of each experiment and specimen,
 /// in the formats that `fit` reads. Warnings go to the context's progress.

@@ -47,20 +47,24 @@ std::vector<double> lines_along(const Session& session, int axis, double edge) {
   const auto rest = session.rest.positions.row(axis);
   const double middle = (rest.minCoeff() + rest.maxCoeff()) / 2;
   const double half = (axis == 0 ? session.sample.width : session.sample.height) / 2;
-  const std::vector<double> stops =
-      apart(middle - half, middle + half, clip_edges(session, axis), kClosest * edge);
-  std::vector<double> lines{stops.front()};
-  const int fewest = stops.size() == 2 ? kFewestCells : 1;
-  for (std::size_t s = 1; s < stops.size(); ++s) {
-    const double from = stops[s - 1], length = stops[s] - from;
-    const int cells = std::max(static_cast<int>(std::lround(length / edge)), fewest);
-    for (int i = 1; i < cells; ++i) lines.push_back(from + length * i / cells);
-    lines.push_back(stops[s]);
-  }
-  return lines;
+  return lines_on_stops(middle - half, middle + half, clip_edges(session, axis), edge);
 }
 
 }  // namespace
+
+std::vector<double> lines_on_stops(double low, double high, const std::vector<double>& stops,
+                                   double edge) {
+  const std::vector<double> ends = apart(low, high, stops, kClosest * edge);
+  std::vector<double> lines{ends.front()};
+  const int fewest = ends.size() == 2 ? kFewestCells : 1;
+  for (std::size_t s = 1; s < ends.size(); ++s) {
+    const double from = ends[s - 1], length = ends[s] - from;
+    const int cells = std::max(static_cast<int>(std::lround(length / edge)), fewest);
+    for (int i = 1; i < cells; ++i) lines.push_back(from + length * i / cells);
+    lines.push_back(ends[s]);
+  }
+  return lines;
+}
 
 TriangleMesh grid_on_clips(const Session& session, double edge) {
   return grid_of_lines(lines_along(session, 0, edge), lines_along(session, 1, edge));

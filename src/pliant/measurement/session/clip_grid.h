@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "pliant/geometry/triangle_mesh.h"
 #include "pliant/measurement/session.h"
 
@@ -15,5 +17,10 @@ namespace pliant {
 ///                 its middle in that of the rest mesh
 /// @param edge     that the distances aim at (m), > 0
 TriangleMesh grid_on_clips(const Session& session, double edge);
+
+/// Lines from `low` to `high` at distances of about `edge`, with some at `stops`.
+/// @param stops  in order; those closer than a quarter of `edge` together are one
+std::vector<double> lines_on_stops(double low, double high, const std::vector<double>& stops,
+                                   double edge);
 
 }  // namespace pliant

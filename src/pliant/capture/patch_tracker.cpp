@@ -1,0 +1,272 @@
+#include "pliant/capture/patch_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pliant/base/parallel.h"
+#include "pliant/capture/median.h"
+#include "pliant/capture/near_places.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kAlike = 0.75;           // correlation of a patch that was found
+constexpr int kFewestFound = 5;           // that say where others have gone
+constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
+constexpr int kFactor = 4;                // of reduced pictures
+constexpr int kReducedRadius = 8;
+
+}  // namespace
+
+/// Both pictures, made smaller.
+struct PatchTracker::Reduced {
+  GreyPicture first, now;
+  SplinePicture first_spline, now_spline;
+
+  Reduced(const GreyPicture& from, const GreyPicture& to)
+      : first(reduced(from, kFactor)),
+        now(reduced(to, kFactor)),
+        first_spline(first),
+        now_spline(now) {}
+
+  // The middle of the first pixel of a square is half a square off the square's.
+  static Eigen::Vector2d place(const Eigen::Vector2d& full) {
+    return (full.array() - (kFactor - 1) / 2.0).matrix() / kFactor;
+  }
+};
+
+GreyPicture reduced(const GreyPicture& picture, int factor) {
+  GreyPicture result(picture.rows() / factor, picture.cols() / factor);
+  for (Eigen::Index row = 0; row < result.rows(); ++row) {
+    for (Eigen::Index column = 0; column < result.cols(); ++column) {
+      result(row, column) = picture.block(row * factor, column * factor, factor, factor).mean();
+    }
+  }
+  return result;
+}
+
+std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
+                                            const Eigen::Vector2i& place, int radius, int reach) {
+  constexpr float kLeast = 0.5;
+  const int side = 2 * radius + 1;
+  const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    return middle.x() >= radius && middle.y() >= radius && middle.x() + radius < picture.cols() &&
+           middle.y() + radius < picture.rows();
+  };
+  const auto patch_at = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    GreyPicture patch = picture.block(middle.y() - radius, middle.x() - radius, side, side);
+    patch -= patch.mean();
+    return patch;
+  };
+  if (!within(rest, place)) return std::nullopt;
+  const GreyPicture patch = patch_at(rest, place);
+  const float norm = patch.matrix().norm();
+  std::optional<Eigen::Vector2i> best;
+  float most = kLeast;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const Eigen::Vector2i shift(x, y);
+      if (!within(now, place + shift)) continue;
+      const GreyPicture other = patch_at(now, place + shift);
+      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
+      if (!(correlation > most)) continue;
+      most = correlation;
+      best = shift;
+    }
+  }
+  return best;
+}
+
+PatchTracker::PatchTracker(GreyPicture first, int radius, double step, const RunContext& context)
+    : first_(std::move(first)),
+      first_spline_(first_, kMatchSmoothing),
+      radius_(radius),
+      step_(step),
+      context_(context) {}
+
+bool PatchTracker::add(const Eigen::Vector2d& place) {
+  auto patch = ReferencePatch::of(first_spline_, place, radius_);
+  if (patch) tracked_.push_back({place, *std::move(patch), {}});
+  return patch.has_value();
+}
+
+int PatchTracker::seen() const {
+  return static_cast<int>(std::ranges::count_if(tracked_, &TrackedPatch::is_seen));
+}
+
+void PatchTracker::follow(const GreyPicture& grey) {
+  const SplinePicture now(grey, kMatchSmoothing);
+  match_where_they_were(now);
+  if (2 * seen() < count()) search_around(grey, now);
+  spread(now);
+}
+
+void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
+  constexpr double kLeast = 0.5;
+  const SplinePicture now(grey, kMatchSmoothing);
+  search(grey, now, [&](const Reduced& pictures, const TrackedPatch& point) {
+    std::optional<PatchMotion> best;
+    const auto patch =
+        ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
+    if (!patch) return best;
+    double most = kLeast;
+    for (PatchMotion motion : candidates(point.place)) {
+      motion.shift /= kFactor;
+      const auto correlation = patch->correlation(pictures.now_spline, motion);
+      if (!correlation || *correlation <= most) continue;
+      most = *correlation;
+      best = motion;
+    }
+    return best;
+  });
+  spread(now);
+}
+
+void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,
+                            const PatchMotion& start) const {
+  const auto match = point.patch.match(now, start);
+  point.is_seen = match && match->correlation > kAlike;
+  if (!point.is_seen) return;
+  point.motion = match->motion;
+  point.correlation = match->correlation;
+  point.covariance = match->covariance;
+}
+
+void PatchTracker::match_where_they_were(const SplinePicture& now) {
+  with_threads(context_.threads, [&] {
+    parallel_for(count(), [&](int i) {
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(i)];
+      look_for(point, now, point.motion);
+    });
+  });
+}
+
+// Searches for some patches in reduced pictures; what is found there is refined in them, and then
+// in the pictures themselves.
+void PatchTracker::search(
+    const GreyPicture& grey, const SplinePicture& now,
+    const std::function<std::optional<PatchMotion>(const Reduced&, const TrackedPatch&)>& coarse) {
+  constexpr std::size_t kSeeds = 40;
+  const Reduced pictures(first_, grey);
+  for (TrackedPatch& point : tracked_) point.is_seen = false;  // what was found may be anything
+  const std::size_t every = std::max<std::size_t>(tracked_.size() / kSeeds, 1);
+  with_threads(context_.threads, [&] {
+    parallel_for(static_cast<int>(tracked_.size() / every), [&](int seed) {
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(seed) * every];
+      const auto patch =
+          ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
+      const auto start = coarse(pictures, point);
+      if (!patch || !start) return;
+      const auto found = patch->match(pictures.now_spline, *start);
+      if (!found || found->correlation < kAlike) return;
+      look_for(point, now, {.shift = kFactor * found->motion.shift, .slope = found->motion.slope});
+    });
+  });
+}
+
+void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& now) {
+  constexpr int kReach = 40;
+  search(grey, now,
+         [](const Reduced& pictures, const TrackedPatch& point) -> std::optional<PatchMotion> {
+           const Eigen::Vector2i place = Reduced::place(point.place).array().round().cast<int>();
+           const auto shift =
+               coarse_shift(pictures.first, pictures.now, place, kReducedRadius, kReach);
+           if (!shift) return std::nullopt;
+           return PatchMotion{.shift = shift->cast<double>()};
+         });
+}
+
+// From what was found to what is around it.
+void PatchTracker::spread(const SplinePicture& now) {
+  while (match_beside_found(now, kNear) || match_beside_found(now, kWide) ||
+         match_beside_neighbour(now)) {
+    context_.stop.throw_if_requested();
+  }
+  leave_out_strays();
+}
+
+LocalMotion PatchTracker::motion_of_found(double reach) const {
+  Eigen::Matrix2Xd place(2, seen());
+  Eigen::Matrix3Xd now = Eigen::Matrix3Xd::Zero(3, place.cols());
+  Eigen::Index next = 0;
+  for (const TrackedPatch& point : tracked_) {
+    if (!point.is_seen) continue;
+    place.col(next) = point.place;
+    now.col(next++).head<2>() = point.now();
+  }
+  return {place, now, reach};
+}
+
+// Looks for what is lost where the patches around it say; whether more was found.
+bool PatchTracker::match_beside_found(const SplinePicture& now, double steps) {
+  const double reach = steps * step_;
+  const int before = seen();
+  if (before < kFewestFound || before == count()) return false;
+  const LocalMotion around = motion_of_found(reach);
+  with_threads(context_.threads, [&] {
+    parallel_for(count(), [&](int i) {
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(i)];
+      if (point.is_seen) return;
+      const auto moved = around.at(point.place, reach);
+      if (!moved) return;
+      const PatchMotion start{moved->position.head<2>() - point.place,
+                              moved->slope.topRows<2>() - Eigen::Matrix2d::Identity()};
+      look_for(point, now, start);
+    });
+  });
+  return seen() > before;
+}
+
+// Where few were found, far apart, each leads its neighbours by how it is turned and stretched
+// itself.
+bool PatchTracker::match_beside_neighbour(const SplinePicture& now) {
+  const int before = seen();
+  if (before == 0 || before == count()) return false;
+  Eigen::Matrix2Xd places(2, before);
+  std::vector<const TrackedPatch*> found;
+  for (const TrackedPatch& point : tracked_) {
+    if (!point.is_seen) continue;
+    places.col(std::ssize(found)) = point.place;
+    found.push_back(&point);
+  }
+  const NearPlaces near(places, kNear * step_);
+  with_threads(context_.threads, [&] {
+    parallel_for(count(), [&](int i) {
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(i)];
+      if (point.is_seen) return;
+      const auto nearest = near.nearest(point.place);
+      if (!nearest) return;
+      const TrackedPatch& leader = *found[static_cast<std::size_t>(*nearest)];
+      const PatchMotion& motion = leader.motion;
+      look_for(point, now,
+               {motion.shift + motion.slope * (point.place - leader.place), motion.slope});
+    });
+  });
+  return seen() > before;
+}
+
+void PatchTracker::leave_out_strays() {
+  constexpr double kTimes = 8;                    // the median
+  constexpr double kLeast = 0.1, kUnlike = 0.02;  // pixels; of what two patches do not share
+  const double reach = kNear * step_;
+  if (seen() < kFewestFound) return;
+  const LocalMotion around = motion_of_found(reach);
+  std::vector<double> off, unlike;  // of the points that were seen
+  for (const TrackedPatch& point : tracked_) {
+    if (!point.is_seen) continue;
+    const auto moved = around.at(point.place, reach);
+    off.push_back(moved ? (moved->position.head<2>() - point.now()).norm() : INFINITY);
+    unlike.push_back(1 - point.correlation);
+  }
+  const double most_off = std::max(kTimes * median(off), kLeast);
+  const double most_unlike = std::max(kTimes * median(unlike), kUnlike);
+  std::size_t next = 0;
+  for (TrackedPatch& point : tracked_) {
+    if (!point.is_seen) continue;
+    point.is_seen = off[next] <= most_off && unlike[next] <= most_unlike;
+    ++next;
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/base/run_context.h"
+#include "pliant/capture/local_motion.h"
+#include "pliant/capture/reference_patch.h"
+#include "pliant/capture/spline_picture.h"
+
+namespace pliant {
+
+/// A patch of a picture that is looked for in others.
+struct TrackedPatch {
+  Eigen::Vector2d place;  ///< of its middle in the first picture (pixels)
+  ReferencePatch patch;
+  PatchMotion motion;                                    ///< when it was seen last
+  double correlation = 1;                                ///< then
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of its place then (pixels^2)
+  bool is_seen = true;
+
+  Eigen::Vector2d now() const { return place + motion.shift; }
+};
+
+/// Motions that the surroundings of a place may have made (pixels).
+using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vector2d& place)>;
+
+/// Patches of one picture that are found again in others. It is always the first picture that is
+/// matched, so that nothing adds up from picture to picture.
+///
+/// A patch is looked for where it was in the picture before, and if it is not there where the
+/// patches around it have gone; where most are lost, a few are searched for far around, and lead
+/// the others. One that has gone elsewhere than those around it counts as lost.
+class PatchTracker {
+ public:
+  /// @param radius  patches have 2 radius + 1 pixels a side
+  /// @param step    pixels from patch to patch
+  PatchTracker(GreyPicture first, int radius, double step, const RunContext& context);
+
+  /// @return false, and none is added, where the picture has no texture to be found again
+  bool add(const Eigen::Vector2d& place);
+
+  /// In the next picture of the same camera.
+  void follow(const GreyPicture& now);
+  /// In a picture of another camera: a few patches are looked for along the candidates.
+  /// @param apart  pixels from candidate to candidate, at most
+  void find_across(const GreyPicture& now, const MotionCandidates& candidates);
+
+  const GreyPicture& first() const { return first_; }
+  const std::vector<TrackedPatch>& patches() const { return tracked_; }
+  int count() const { return static_cast<int>(tracked_.size()); }
+  int seen() const;
+
+ private:
+  struct Reduced;
+
+  void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
+  void match_where_they_were(const SplinePicture& now);
+  /// @param coarse  the motion of a patch of reduced pictures, in their pixels
+  void search(
+      const GreyPicture& grey, const SplinePicture& now,
+      const std::function<std::optional<PatchMotion>(const Reduced&, const TrackedPatch&)>& coarse);
+  void search_around(const GreyPicture& grey, const SplinePicture& now);
+  bool match_beside_found(const SplinePicture& now, double steps);
+  bool match_beside_neighbour(const SplinePicture& now);
+  void spread(const SplinePicture& now);
+  LocalMotion motion_of_found(double reach) const;
+  void leave_out_strays();
+
+  GreyPicture first_;
+  SplinePicture first_spline_;
+  int radius_;
+  double step_;
+  RunContext context_;
+  std::vector<TrackedPatch> tracked_;
+};
+
+/// A picture whose pixels are the means of squares of `factor` x `factor`.
+GreyPicture reduced(const GreyPicture& picture, int factor);
+
+/// Where a patch has gone by whole pixels: the largest correlation within `reach`.
+/// @return nothing where it leaves the picture everywhere, or nowhere correlates by a half
+std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
+                                            const Eigen::Vector2i& place, int radius, int reach);
+
+}  // namespace pliant

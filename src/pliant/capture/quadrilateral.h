@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pliant {
+
+/// Corners in a picture, one after the other, either way round.
+using Quadrilateral = Eigen::Matrix<double, 2, 4>;
+
+/// Whether a place lies in it with a margin around.
+bool is_within(const Quadrilateral& corners, const Eigen::Vector2d& place, double margin);
+
+/// Whole pixels `step` apart that lie in it with a margin around, row by row.
+std::vector<Eigen::Vector2d> places_within(const Quadrilateral& corners, int step, int margin);
+
+}  // namespace pliant

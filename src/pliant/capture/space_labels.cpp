@@ -1,0 +1,107 @@
+#include "pliant/capture/space_labels.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/parallel.h"
+#include "pliant/capture/tag_detector.h"
+#include "pliant/capture/triangulation.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kCornerNoise = 0.03;  // pixels
+
+/// Tags by their codes, without those that a picture shows twice.
+std::map<int, DetectedTag> single_tags(const GreyPicture& picture) {
+  std::map<int, int> times;
+  std::map<int, DetectedTag> tags;
+  for (const DetectedTag& tag : detect_tags(picture)) {
+    ++times[tag.code];
+    tags.emplace(tag.code, tag);
+  }
+  std::erase_if(tags, [&](const auto& item) { return times[item.first] > 1; });
+  return tags;
+}
+
+std::optional<Eigen::Matrix<double, 3, 4>> corners_of(
+    const std::vector<CameraModel>& cameras, const std::vector<std::map<int, DetectedTag>>& tags,
+    int code) {
+  Eigen::Matrix<double, 3, 4> corners;
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    std::vector<Sighting> sightings;
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      const auto tag = tags[c].find(code);
+      if (tag == tags[c].end()) continue;
+      sightings.push_back({&cameras[c], tag->second.corners.col(k), kCornerNoise});
+    }
+    const auto point = triangulate(sightings);
+    if (!point) return std::nullopt;
+    corners.col(k) = point->point;
+  }
+  return corners;
+}
+
+}  // namespace
+
+SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads)
+    : dic_(dic), threads_(threads), first_(corners(first)) {
+  for (const DicClip& clip : dic_.clips) {
+    for (const int code : clip.labels) {
+      if (first_.contains(code)) continue;
+      throw InputError(
+          {dic_.views->files.front().front().string()},
+          fmt::format("the label {} of the clip {} is not seen by two cameras in their first "
+                      "pictures",
+                      code, clip.name),
+          "each label once in a picture, whole, in focus and with some white around it");
+    }
+  }
+}
+
+std::map<int, SpaceLabels::Corners> SpaceLabels::corners(
+    const std::vector<GreyPicture>& pictures) const {
+  std::vector<std::map<int, DetectedTag>> tags(pictures.size());
+  parallel_for(static_cast<int>(pictures.size()), threads_, [&](int c) {
+    tags[static_cast<std::size_t>(c)] = single_tags(pictures[static_cast<std::size_t>(c)]);
+  });
+  std::map<int, Corners> found;
+  for (const DicClip& clip : dic_.clips) {
+    for (const int code : clip.labels) {
+      if (const auto seen = corners_of(dic_.views->cameras, tags, code)) found[code] = *seen;
+    }
+  }
+  return found;
+}
+
+LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) const {
+  const std::map<int, Corners> now = corners(pictures);
+  LabelledMotions motions;
+  for (const DicClip& clip : dic_.clips) {
+    std::vector<int> codes;
+    std::ranges::copy_if(clip.labels, std::back_inserter(codes),
+                         [&](int code) { return now.contains(code); });
+    motions.clips.emplace_back();
+    if (clip.labels.empty()) continue;
+    if (codes.empty()) {
+      motions.missing = fmt::format("shows no label of the clip {} to two cameras", clip.name);
+      return motions;
+    }
+    Eigen::Matrix3Xd from(3, 4 * std::ssize(codes)), to(3, from.cols());
+    for (Eigen::Index i = 0; i < std::ssize(codes); ++i) {
+      from.middleCols<4>(4 * i) = first_.at(codes[static_cast<std::size_t>(i)]);
+      to.middleCols<4>(4 * i) = now.at(codes[static_cast<std::size_t>(i)]);
+    }
+    const Eigen::Matrix4d rigid = Eigen::umeyama(from, to, /*with_scaling=*/false);
+    motions.clips.back() =
+        Pose{Eigen::Quaterniond(Eigen::Matrix3d(rigid.topLeftCorner<3, 3>())).normalized(),
+             rigid.topRightCorner<3, 1>()};
+  }
+  return motions;
+}
+
+}  // namespace pliant

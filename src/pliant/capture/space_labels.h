@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pliant/capture/camera_model.h"
+#include "pliant/capture/dic_file.h"
+#include "pliant/capture/spline_picture.h"
+#include "pliant/geometry/pose.h"
+
+namespace pliant {
+
+/// How clips have moved since the first pictures, by their labels, in rig axes.
+struct LabelledMotions {
+  std::vector<std::optional<Pose>> clips;  ///< of a dic/1 file; nothing of those without labels
+  std::string missing;  ///< the label that two cameras should see, where they do not
+};
+
+/// Clips by labels that several cameras see: the corners of a label's black square are points of
+/// the clip, which is rigid. How large it is need not be known.
+class SpaceLabels {
+ public:
+  /// @param dic    outlives the labels; its clips name their codes
+  /// @param first  a picture of each camera
+  /// @throws InputError where two cameras do not see each label
+  SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
+
+  LabelledMotions motions(const std::vector<GreyPicture>& pictures) const;
+
+ private:
+  using Corners = Eigen::Matrix<double, 3, 4>;
+
+  /// Of the codes of the file's clips that two cameras see.
+  std::map<int, Corners> corners(const std::vector<GreyPicture>& pictures) const;
+
+  const DicFile& dic_;
+  int threads_;
+  std::map<int, Corners> first_;
+};
+
+}  // namespace pliant

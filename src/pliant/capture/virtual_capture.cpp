@@ -1,0 +1,358 @@
+#include "pliant/capture/virtual_capture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/base/parallel.h"
+#include "pliant/base/quantity.h"
+#include "pliant/capture/grey_png.h"
+#include "pliant/capture/pattern.h"
+#include "pliant/capture/printed_board.h"
+#include "pliant/capture/view_drawing.h"
+#include "pliant/capture/wavelet_noise.h"
+#include "pliant/experiment/session/session_type.h"
+#include "pliant/measurement/session/cord_forces.h"
+
+namespace pliant {
+namespace {
+
+constexpr double kLabel = 12e-3, kLabelMargin = 2e-3;  // side of a label's tag, white around it (m)
+constexpr double kPlate = 0.8e-3;                      // of a clip above and below the cloth (m)
+
+std::string camera_name(int number) { return fmt::format("camera{}", number + 1); }
+
+/// The board fills half of the picture where the sheet is.
+TagBoard board_for(const VirtualCameras& options) {
+  TagBoard board;
+  board.columns = 5;
+  board.rows = 4;
+  constexpr double kShare = 0.08;  // of the picture's width: a tag, to a tenth of a millimetre
+  board.tag = 1e-4 * std::round(kShare * options.columns * options.pixel / 1e-4);
+  board.gap = 1e-4 * std::round(board.tag / 4 / 1e-4);
+  return board;
+}
+
+/// Where a clip is beside the sheet, and what it covers.
+struct DrawnClip {
+  const char* side = "left";
+  Eigen::AlignedBox2d cloth;  // at rest (m)
+  std::vector<Eigen::Vector2d> labels;  // their middles
+};
+
+DrawnClip drawn_clip(const Session& session, const SessionClip& clip) {
+  constexpr std::array kSides{"left", "right", "bottom", "top"};
+  DrawnClip drawn;
+  for (const int vertex : clip.clamped) {
+    drawn.cloth.extend(session.rest.positions.col(vertex).head<2>());
+  }
+  const Eigen::Vector2d size(session.sample.width, session.sample.height);
+  const Eigen::Vector2d low = drawn.cloth.min(), high = size - drawn.cloth.max();
+  // Along the shorter extent it is deep, along the longer one it is wide.
+  const Eigen::Index axis = drawn.cloth.sizes().x() <= drawn.cloth.sizes().y() ? 0 : 1;
+  const bool is_first = low(axis) < high(axis);
+  drawn.side = kSides[static_cast<std::size_t>(2 * axis + (is_first ? 0 : 1))];
+  constexpr double kBeside = 1e-3;  // m
+  const double room = kLabel / 2 + kLabelMargin, out = room + kBeside;
+  Eigen::Vector2d label = drawn.cloth.center();
+  label(axis) = is_first ? -out : size(axis) + out;
+  // Two far apart tell best how a bar has turned.
+  const double apart = drawn.cloth.sizes()(1 - axis) / 2 - room;
+  const Eigen::Vector2d along = std::max(apart, 0.0) * Eigen::Vector2d::Unit(1 - axis);
+  if (apart < 2 * room) {
+    drawn.labels = {label};
+  } else {
+    drawn.labels = {label - along, label + along};
+  }
+  return drawn;
+}
+
+/// A rectangle at a height over the sheet.
+DrawnSurface plate(const Eigen::AlignedBox2d& box, double height, double brightness) {
+  DrawnSurface surface;
+  const Eigen::Vector2d least = box.min(), most = box.max();
+  surface.positions.resize(3, 4);
+  surface.positions << least.x(), most.x(), most.x(), least.x(), least.y(), least.y(), most.y(),
+      most.y(), height, height, height, height;
+  surface.triangles.resize(3, 2);
+  surface.triangles << 0, 0, 1, 2, 2, 3;
+  surface.places = surface.positions.topRows<2>();
+  surface.brightness = [brightness](const Eigen::Vector2d&) { return brightness; };
+  return surface;
+}
+
+DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
+  const TagBoard tag{1, 1, kLabel, kLabelMargin, code};
+  DrawnSurface surface = board_surface(tag);
+  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(kLabel / 2);
+  surface.positions.row(2).setConstant(kPlate);
+  return surface;
+}
+
+/// Codes of the labels on a clip.
+std::vector<int> codes_of(const std::vector<DrawnClip>& clips, std::size_t clip) {
+  int first = 0;
+  for (std::size_t c = 0; c < clip; ++c) first += static_cast<int>(clips[c].labels.size());
+  std::vector<int> codes(clips[clip].labels.size());
+  std::iota(codes.begin(), codes.end(), first);
+  return codes;
+}
+
+/// The print on the cloth.
+class ClothPrint {
+ public:
+  ClothPrint(const Session& session, double pixel, std::uint64_t seed)
+      : pixel_(pixel / 4), picture_(drawn(session, pixel, seed)) {}
+
+  double at(const Eigen::Vector2d& place) const {
+    const Eigen::Vector2d last(static_cast<double>(picture_.columns() - 1),
+                               static_cast<double>(picture_.rows() - 1));
+    const Eigen::Vector2d there = place / pixel_;
+    return picture_.value(there.cwiseMax(0).cwiseMin(last));
+  }
+
+ private:
+  SplinePicture drawn(const Session& session, double pixel, std::uint64_t seed) const {
+    constexpr double kWhite = 255;
+    ClothPattern pattern;
+    pattern.seed = seed;
+    pattern.camera = pixel;
+    pattern.finest = 4 * pixel;
+    const int columns = static_cast<int>(std::ceil(session.sample.width / pixel_)) + 1;
+    const int rows = static_cast<int>(std::ceil(session.sample.height / pixel_)) + 1;
+    const std::vector<std::uint8_t> levels = noise_levels(pattern, columns, rows, pixel_);
+    const Eigen::Map<
+        const Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
+        grey(levels.data(), rows, columns);
+    return SplinePicture(grey.cast<float>() / static_cast<float>(kWhite));
+  }
+
+  double pixel_;
+  SplinePicture picture_;
+};
+
+/// Everything before the cameras, picture by picture.
+class DrawnSession {
+ public:
+  DrawnSession(const Session& session, const VirtualCameras& options, std::uint64_t seed)
+      : session_(session), print_(session, options.pixel, seed) {
+    for (const SessionClip& clip : session.clips) clips_.push_back(drawn_clip(session, clip));
+  }
+
+  const std::vector<DrawnClip>& clips() const { return clips_; }
+
+  /// @param frame  -1: at rest
+  std::vector<DrawnSurface> surfaces(int frame) const {
+    constexpr double kMetal = 0.45;
+    std::vector<DrawnSurface> surfaces;
+    for (std::size_t c = 0; c < clips_.size(); ++c) {
+      std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate, kMetal),
+                                    plate(clips_[c].cloth, -kPlate, kMetal)};
+      const std::vector<int> codes = codes_of(clips_, c);
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        own.push_back(label_at(clips_[c].labels[i], codes[i]));
+      }
+      for (DrawnSurface& surface : own) {
+        if (frame >= 0) move(surface, session_.frames[static_cast<std::size_t>(frame)].poses[c]);
+        surfaces.push_back(std::move(surface));
+      }
+    }
+    DrawnSurface sheet;
+    sheet.positions = frame < 0 ? session_.rest.positions
+                                : session_.frames[static_cast<std::size_t>(frame)].positions;
+    sheet.triangles = session_.rest.triangles;
+    sheet.places = session_.rest.positions.topRows<2>();
+    sheet.brightness = [this](const Eigen::Vector2d& place) { return print_.at(place); };
+    surfaces.push_back(std::move(sheet));
+    return surfaces;
+  }
+
+ private:
+  static void move(DrawnSurface& surface, const Pose& pose) {
+    for (auto place : surface.positions.colwise()) place = pose.apply(place);
+  }
+
+  const Session& session_;
+  ClothPrint print_;
+  std::vector<DrawnClip> clips_;
+};
+
+/// The board, somewhere before the cameras; in the first shot on the table.
+DrawnSurface placed_board(const TagBoard& board, const VirtualCameras& options,
+                          const Eigen::Vector2d& middle, int shot, const RandomStream& random) {
+  constexpr double kTilt = 0.6, kTurn = 0.5;       // rad
+  constexpr double kAside = 0.18, kNearer = 0.12;  // of the picture's width, of the distance
+  DrawnSurface surface = board_surface(board);
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  place.translate(Eigen::Vector3d(middle.x(), middle.y(), 0));
+  if (shot > 0) {
+    RandomStream own = random.split(fmt::format("board {}", shot));
+    const auto any = [&](double most) { return own.uniform(-most, most); };
+    const double aside = kAside * options.columns * options.pixel;
+    place.translate(Eigen::Vector3d(any(aside), any(aside), any(kNearer * options.distance)));
+    place.rotate(Eigen::AngleAxisd(any(kTilt), Eigen::Vector3d::UnitX()) *
+                 Eigen::AngleAxisd(any(kTilt), Eigen::Vector3d::UnitY()) *
+                 Eigen::AngleAxisd(any(kTurn), Eigen::Vector3d::UnitZ()));
+  }
+  const Eigen::Vector2d half = board.extent() / 2;
+  place.translate(Eigen::Vector3d(-half.x(), -half.y(), 0));
+  for (auto corner : surface.positions.colwise()) corner = place * Eigen::Vector3d(corner);
+  return surface;
+}
+
+std::string pictures_yaml(const VirtualCameras& options, const char* folder) {
+  std::string text;
+  for (int c = 0; c < options.count; ++c) {
+    text += fmt::format("{}{}: \"{}/{}/*.png\"", c == 0 ? "" : ", ", camera_name(c), folder,
+                        camera_name(c));
+  }
+  return text;
+}
+
+std::string rig_text(const VirtualCameras& options) {
+  std::string text = "pliant: rig/1\ncameras:\n";
+  for (int c = 0; c < options.count; ++c) text += fmt::format("  {}: {{}}\n", camera_name(c));
+  return text + fmt::format(
+                    "calibration:\n  boards: [board.yaml]\n  pictures:\n    - {{{}}}\n"
+                    "  gravity: {{level: boards/camera1/000.png}}\n",
+                    pictures_yaml(options, "boards"));
+}
+
+std::string capture_text(const Session& session, const VirtualCameras& options,
+                         const std::vector<DrawnClip>& clips, const CameraModel& first) {
+  const double width = session.sample.width, height = session.sample.height;
+  constexpr int kDigits = 6;
+  const auto length = [](double metres) {
+    return format_quantity(metres, Dimension::length, kDigits);
+  };
+  std::string corners;
+  for (const auto& [u, v] : std::array{std::pair(0.0, 0.0), std::pair(width, 0.0),
+                                       std::pair(width, height), std::pair(0.0, height)}) {
+    const auto pixel = first.project({u, v, 0});
+    corners +=
+        fmt::format("{}[{:.2f}, {:.2f}]", corners.empty() ? "" : ", ", pixel->x(), pixel->y());
+  }
+  std::string text = fmt::format(
+      "# pliant calibrate rig.yaml -o calibration\n# pliant import --dic capture.yaml -o seen\n"
+      "pliant: dic/1\ntest: {}\nsample: {{width: {}, height: {}, mass: {}}}\n"
+      "views:\n  calibration: calibration/calibration.json\n  pictures: {{{}}}\n"
+      "  corners: [{}]\nclips:\n",
+      session.test, length(width), length(height),
+      exact_quantity(*session.sample.mass, Dimension::mass), pictures_yaml(options, "pictures"),
+      corners);
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    const DrawnClip& clip = clips[c];
+    const bool across_u = clip.cloth.sizes().x() <= clip.cloth.sizes().y();
+    const Eigen::Index deep = across_u ? 0 : 1;
+    text += fmt::format(
+        "  - {{name: {}, side: {}, depth: {}, along: [{}, {}], labels: [{}], mass: {}}}\n",
+        session.clips[c].name, clip.side, length(clip.cloth.sizes()(deep)),
+        length(clip.cloth.min()(1 - deep)), length(clip.cloth.max()(1 - deep)), fmt::join(codes_of(clips, c), ", "),
+        exact_quantity(session.clips[c].mass, Dimension::mass));
+  }
+  return text + "forces: {cords: cords.csv}\n";
+}
+
+/// The session's cords; its first frame is the second picture.
+std::string cords_text(const Session& session) {
+  Session shifted = session;
+  SessionFrame rest;
+  rest.cords.resize(session.clips.size());
+  shifted.frames.insert(shifted.frames.begin(), rest);
+  return cord_force_table(shifted);
+}
+
+}  // namespace
+
+std::vector<CameraModel> virtual_rig(const VirtualCameras& options, const Eigen::Vector2d& middle) {
+  std::vector<CameraModel> cameras;
+  const double focal = options.distance / options.pixel;
+  for (int c = 0; c < options.count; ++c) {
+    CameraModel camera;
+    camera.columns = options.columns;
+    camera.rows = options.rows;
+    camera.intrinsics << focal * (1 + 0.004 * c), focal * (1.0015 + 0.004 * c),
+        options.columns / 2.0 + 3 * c, options.rows / 2.0 - 2 * c, -0.12 + 0.01 * c, 0.05, 0.0004,
+        -0.0003, 0;
+    const double around = 2 * std::numbers::pi * (c - 0.5) / options.count;
+    const Eigen::Vector3d target(middle.x(), middle.y(), 0);
+    const Eigen::Vector3d out(std::sin(options.angle) * std::cos(around),
+                              std::sin(options.angle) * std::sin(around), std::cos(options.angle));
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear().row(2) = -out;
+    pose.linear().row(0) = Eigen::Vector3d::UnitY().cross(out).normalized();
+    pose.linear().row(1) = pose.linear().row(2).cross(pose.linear().row(0));
+    pose.translation() = -pose.linear() * (target + options.distance * out);
+    camera.pose = RigidMotion::of(pose);
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+void require_seen(const VirtualTest& test) {
+  const auto* session = dynamic_cast<const VirtualSessionTest*>(&test);
+  if (!session) return;
+  const std::string& name = session->session.test;
+  if (session_test_kind(name).clip_mass > 0 && name != "bias-extension") return;
+  throw InputError(test.where, quoted_value(name) + " is not a test that cameras are drawn of yet",
+                   "sheets between clips, cut along weft and warp; or a lab without `cameras`");
+}
+
+void draw_capture(const Session& session, const VirtualCameras& options, const RunContext& context,
+                  const WriteFile& write) {
+  const Eigen::Vector2d middle(session.sample.width / 2, session.sample.height / 2);
+  const std::vector<CameraModel> cameras = virtual_rig(options, middle);
+  const RandomStream random = RandomStream(context.seed).split("pictures");
+  const ChipNoise noise{options.read_noise, options.shot_noise, options.bits};
+  ViewOptions light;
+  light.light = {0.4, -0.3, 1};
+  light.blur = options.blur;
+  const auto draw = [&](const std::string& folder, int number,
+                        const std::vector<DrawnSurface>& surfaces) {
+    constexpr float kWhite = 255;
+    context.stop.throw_if_requested();
+    for (int c = 0; c < options.count; ++c) {
+      const std::string name = fmt::format("{}/{}/{:03}.png", folder, camera_name(c), number);
+      GreyPicture picture;
+      with_threads(context.threads, [&] {
+        picture = draw_view(cameras[static_cast<std::size_t>(c)], surfaces, light);
+      });
+      RandomStream own = random.split(name);
+      add_chip_noise(picture, noise, own);
+      std::vector<std::uint8_t> levels;
+      for (const float pixel : picture.reshaped<Eigen::RowMajor>()) {
+        levels.push_back(static_cast<std::uint8_t>(std::lround(kWhite * pixel)));
+      }
+      write(name, grey_png_bytes(levels, options.columns, options.rows, 1 / options.pixel));
+    }
+  };
+
+  const TagBoard board = board_for(options);
+  const int frames = session.frame_count();
+  ProgressTask task(context.progress, "pictures", options.boards + frames + 1);
+  for (int shot = 0; shot < options.boards; ++shot) {
+    draw("boards", shot, {placed_board(board, options, middle, shot, random)});
+    task.advance(shot + 1);
+  }
+  const DrawnSession drawn(session, options, context.seed);
+  for (int frame = -1; frame < frames; ++frame) {
+    draw("pictures", frame + 1, drawn.surfaces(frame));
+    task.advance(options.boards + frame + 2);
+  }
+  Pattern print;
+  print.kind = board;
+  write("board.yaml", pattern_text(print));
+  write("rig.yaml", rig_text(options));
+  write("cords.csv", cords_text(session));
+  write("capture.yaml", capture_text(session, options, drawn.clips(), cameras.front()));
+}
+
+}  // namespace pliant

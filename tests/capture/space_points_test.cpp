@@ -1,0 +1,157 @@
+// Points in space by several cameras, on pictures that are drawn.
+#include "pliant/capture/space_points.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/errors.h"
+
+#include "capture/drawn_rig.h"
+
+namespace pliant {
+namespace {
+
+struct Errors {
+  double in_plane = 0, off_plane = 0, largest = 0;  ///< root mean squares (m)
+  int points = 0;
+};
+
+/// Of the points of a frame against how the sheet was moved.
+Errors errors_of(const PointFrame& points, const test::SheetMotion& motion) {
+  Errors errors;
+  errors.points = points.count();
+  double in_plane = 0, off_plane = 0;
+  for (int i = 0; i < points.count(); ++i) {
+    const Eigen::Vector3d off = points.moved.col(i) - motion(points.rest.col(i).head<2>());
+    in_plane += off.head<2>().squaredNorm() / 2;
+    off_plane += off.z() * off.z();
+    errors.largest = std::max(errors.largest, off.norm());
+  }
+  errors.in_plane = std::sqrt(in_plane / points.count());
+  errors.off_plane = std::sqrt(off_plane / points.count());
+  return errors;
+}
+
+Eigen::Vector3d at_rest(const Eigen::Vector2d& place) { return {place.x(), place.y(), 0}; }
+
+/// On a cylinder about an axis along v.
+Eigen::Vector3d rolled(const Eigen::Vector2d& place, double radius) {
+  const double angle = (place.x() - 0.03) / radius;
+  return {0.03 + radius * std::sin(angle), place.y(), radius * (std::cos(angle) - 1)};
+}
+
+Eigen::Vector3d pulled_askew(const Eigen::Vector2d& place) {
+  return {1.05 * place.x(), 0.98 * place.y() + 0.03 * place.x(), 0.002};
+}
+
+Eigen::Vector3d tilted_sheet(const Eigen::Vector2d& place) {
+  return Eigen::AngleAxisd(0.2, Eigen::Vector3d(1, 0.5, 0.3).normalized()) * at_rest(place);
+}
+
+RunContext with(int threads) {
+  RunContext context;
+  context.threads = threads;
+  return context;
+}
+
+TEST(SlowSpacePoints, FollowASheetThatIsStretchedTurnedAndRolled) {
+  constexpr double kRadius = 0.05;
+  test::DrawnRig rig(3, 480, 420, 0.06);
+  rig.frames = {at_rest, pulled_askew, tilted_sheet,
+                [](const Eigen::Vector2d& place) { return rolled(place, kRadius); }, at_rest};
+  const DicFile dic = rig.dic();
+  SpacePoints points(dic, rig.reader(), with(2));
+  const Errors first = errors_of(points.read(0), rig.frames[0]);
+  EXPECT_GT(first.points, 400);
+  EXPECT_LT(first.off_plane, 0.006e-3);
+  for (const int f : {1, 2}) {
+    const PointFrame frame = points.read(f);
+    const Errors errors = errors_of(frame, rig.frames[f]);
+    EXPECT_EQ(frame.lost, 0) << f;
+    EXPECT_LT(errors.in_plane, 0.004e-3) << f;
+    EXPECT_LT(errors.off_plane, 0.006e-3) << f;
+  }
+  // A patch is as wide as 21 pixels, and lies where its middle and its rim are on average.
+  const double patch = 21 * 0.25e-3;
+  const Errors bent = errors_of(points.read(3), rig.frames[3]);
+  EXPECT_LT(bent.off_plane, 1.3 * patch * patch / (24 * kRadius));
+  EXPECT_LT(bent.in_plane, 0.012e-3);
+  // Nothing adds up on the way there and back.
+  const Errors back = errors_of(points.read(4), rig.frames[4]);
+  EXPECT_EQ(back.points, first.points);
+  EXPECT_LT(back.in_plane, 0.004e-3);
+  EXPECT_LT(back.off_plane, 0.006e-3);
+}
+
+/// A board in front of a part of the sheet.
+DrawnSurface board_before(double from, double to) {
+  DrawnSurface board;
+  board.positions.resize(3, 4);
+  board.positions << from, to, to, from, -0.01, -0.01, 0.05, 0.05, 0.02, 0.02, 0.02, 0.02;
+  board.triangles.resize(3, 2);
+  board.triangles << 0, 0, 1, 2, 2, 3;
+  board.places = board.positions.topRows<2>();
+  board.brightness = [](const Eigen::Vector2d&) { return 0.4; };
+  return board;
+}
+
+TEST(SlowSpacePoints, AreLostBehindSomethingAndFoundAgain) {
+  test::DrawnRig rig(2, 360, 340, 0.04);
+  rig.frames = {at_rest, pulled_askew, pulled_askew};
+  rig.others = [](int frame) {
+    std::vector<DrawnSurface> boards;
+    if (frame == 1) boards.push_back(board_before(0.028, 0.06));
+    return boards;
+  };
+  const DicFile dic = rig.dic();
+  SpacePoints points(dic, rig.reader(), with(1));
+  const int all = points.read(0).count();
+  const PointFrame hidden = points.read(1);
+  EXPECT_GT(hidden.lost, all / 3);
+  EXPECT_GT(hidden.count(), all / 5);
+  EXPECT_LT(errors_of(hidden, rig.frames[1]).largest, 0.1e-3);
+  const PointFrame again = points.read(2);
+  EXPECT_EQ(again.count(), all);
+  EXPECT_LT(errors_of(again, rig.frames[2]).off_plane, 0.006e-3);
+}
+
+TEST(SlowSpacePoints, AreTheSameOnAnyNumberOfThreads) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest, tilted_sheet};
+  const DicFile dic = rig.dic();
+  SpacePoints one(dic, rig.reader(), with(1)), two(dic, rig.reader(), with(2));
+  EXPECT_EQ(one.read(1).moved, two.read(1).moved);
+}
+
+TEST(SlowSpacePoints, RefuseCamerasThatWereExchanged) {
+  test::DrawnRig rig(3, 300, 280, 0.035);
+  rig.frames = {at_rest};
+  DicFile dic = rig.dic();
+  std::swap(dic.views->files[1], dic.views->files[2]);
+  EXPECT_THAT([&] { SpacePoints(dic, rig.reader(), with(1)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("exchanged")));
+}
+
+TEST(SlowSpacePoints, RefuseACameraThatWasTurned) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest};
+  DicFile dic = rig.dic();
+  dic.views->cameras[1].pose.rotation.x() += 0.01;  // 20 pixels
+  EXPECT_THAT([&] { SpacePoints(dic, rig.reader(), with(1)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("moved")));
+}
+
+TEST(SlowSpacePoints, RefuseASampleWithoutTexture) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest};
+  rig.noise = {0, 0, 8};
+  rig.others = [](int) { return std::vector<DrawnSurface>{board_before(-0.01, 0.06)}; };
+  const DicFile dic = rig.dic();
+  EXPECT_THAT([&] { SpacePoints(dic, rig.reader(), with(1)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("no texture")));
+}
+
+}  // namespace
+}  // namespace pliant

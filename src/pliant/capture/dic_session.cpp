@@ -23,10 +23,11 @@
 namespace pliant {
 namespace {
 
-constexpr double kEdge = 2;     // of the mesh, in spacings of the points
-constexpr double kReach = 2.3;  // points that tell a vertex: some sixteen
-constexpr double kGap = 1.25;   // the nearest of them
-constexpr double kFar = 6;      // points that tell a clip
+constexpr double kEdge = 2;         // of the mesh, in spacings of the points
+constexpr double kReach = 2.3;      // points that tell a vertex: some sixteen
+constexpr double kBentReach = 3.3;  // in space: some thirty
+constexpr double kGap = 1.25;       // the nearest of them
+constexpr double kFar = 6;          // points that tell a clip
 constexpr std::size_t kMostVertices = 40000;
 
 /// Follows the sheet from frame to frame.
@@ -161,7 +162,7 @@ class SheetFollower {
     const Session& session = result_.session;
     SessionFrame frame;
     if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
-    frame.positions = seen_positions(LocalMotion(rest, moved, kReach * result_.spacing), f);
+    frame.positions = seen_positions(motion_of(rest, moved), f);
     const LocalMotion around(rest, moved, kFar * result_.spacing);
     std::size_t slip = 0;
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
@@ -227,6 +228,14 @@ class SheetFollower {
     const double weight =
         area_density(result_.session) * rest_area(result_.session.rest) * kStandardGravity;
     return log_.force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
+  }
+
+  /// Out of its plane cloth bends, which a wider reach tells.
+  LocalMotion motion_of(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved) const {
+    if (!points_->in_space()) return {rest, moved, kReach * result_.spacing};
+    LocalMotion motion(rest, moved, kBentReach * result_.spacing);
+    motion.bend(points_->patch());
+    return motion;
   }
 
   Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f) {

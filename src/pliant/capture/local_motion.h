@@ -18,13 +18,18 @@ struct MovedPlace {
 };
 
 /// Measured motion of scattered points, smoothed: near a place it is affine in the rest
-/// coordinates, by least squares.
+/// coordinates, or of second order where cloth may bend, by least squares.
 class LocalMotion {
  public:
   /// @param rest   2 x points, rest coordinates (m)
   /// @param moved  3 x points (m)
   /// @param reach  points within this distance of a place tell its motion (m)
   LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach);
+
+  /// From now on motions are of second order, where points enough are in reach.
+  /// @param patch  side of the squares whose means the points are (m); where cloth bends these lie
+  ///               off it, by the square of the side over 24 times its Laplacian
+  void bend(double patch) { patch_ = patch; }
 
   /// @param gap  the nearest point may be this far away (m)
   /// @return nothing where no point is so near, fewer than five are in reach or all lie in a line
@@ -34,6 +39,8 @@ class LocalMotion {
   Eigen::Matrix2Xd rest_;
   Eigen::Matrix3Xd moved_;
   NearPlaces near_;
+  double reach_;
+  std::optional<double> patch_;  // none: affine
 };
 
 /// The affine motion of points by least squares: position and slope at their middle. Nothing of

@@ -36,6 +36,8 @@ class PointSource {
   virtual int count() const = 0;
   /// Whether points have three coordinates.
   virtual bool in_space() const = 0;
+  /// Side of the squares of the sample whose means the points are (m); 0 where that is not known.
+  virtual double patch() const { return 0; }
   /// The file of a frame, for messages.
   virtual std::string file(int frame) const = 0;
   /// @param frame  that of the call before, or the one after it

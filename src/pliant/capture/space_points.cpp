@@ -63,6 +63,12 @@ std::string SpacePoints::file(int frame) const {
   return views().files.front()[static_cast<std::size_t>(frame)].string();
 }
 
+double SpacePoints::patch() const {
+  const double pixel = (views().corners.col(1) - views().corners.col(0)).norm() +
+                       (views().corners.col(3) - views().corners.col(0)).norm();
+  return views().patch * corner_sides_.sum() / pixel;
+}
+
 std::vector<GreyPicture> SpacePoints::pictures(int frame) const {
   std::vector<GreyPicture> pictures;
   for (std::size_t c = 0; c < views().cameras.size(); ++c) {

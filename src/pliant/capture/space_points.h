@@ -26,6 +26,7 @@ class SpacePoints : public PointSource {
 
   int count() const override;
   bool in_space() const override { return true; }
+  double patch() const override;
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;

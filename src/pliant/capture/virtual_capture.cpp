@@ -44,7 +44,7 @@ TagBoard board_for(const VirtualCameras& options) {
 /// Where a clip is beside the sheet, and what it covers.
 struct DrawnClip {
   const char* side = "left";
-  Eigen::AlignedBox2d cloth;  // at rest (m)
+  Eigen::AlignedBox2d cloth;            // at rest (m)
   std::vector<Eigen::Vector2d> labels;  // their middles
 };
 
@@ -255,7 +255,8 @@ std::string capture_text(const Session& session, const VirtualCameras& options,
     text += fmt::format(
         "  - {{name: {}, side: {}, depth: {}, along: [{}, {}], labels: [{}], mass: {}}}\n",
         session.clips[c].name, clip.side, length(clip.cloth.sizes()(deep)),
-        length(clip.cloth.min()(1 - deep)), length(clip.cloth.max()(1 - deep)), fmt::join(codes_of(clips, c), ", "),
+        length(clip.cloth.min()(1 - deep)), length(clip.cloth.max()(1 - deep)),
+        fmt::join(codes_of(clips, c), ", "),
         exact_quantity(session.clips[c].mass, Dimension::mass));
   }
   return text + "forces: {cords: cords.csv}\n";

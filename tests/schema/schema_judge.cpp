@@ -65,8 +65,9 @@ bool can_judge_schemas() {
 
 std::vector<std::optional<std::string>> judge_by_schema(const std::vector<SchemaCase>& cases) {
   Json request;
-  for (const std::string& type : schema_types()) {
-    request["schemas"][type] = Json::parse(schema_text(type));
+  for (const SchemaCase& one : cases) {
+    Json& schema = request["schemas"][one.type];
+    if (schema.is_null()) schema = Json::parse(schema_text(one.type));
   }
   request["cases"] = Json::array();
   for (const SchemaCase& one : cases) {

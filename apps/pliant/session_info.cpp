@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
@@ -88,6 +92,29 @@ void describe_frames(const Session& session, FileInfo& info) {
 }
 
 /// Sizes of the cords' forces, of one clip or of all.
+/// Of the positions, where every frame tells them: the median along each axis (m).
+void describe_deviations(const Session& session, FileInfo& info) {
+  std::array<std::vector<double>, 3> along;
+  for (const SessionFrame& frame : session.frames) {
+    if (frame.deviations.cols() == 0) return;
+    for (std::size_t axis = 0; axis < along.size(); ++axis) {
+      for (const double deviation : frame.deviations.row(static_cast<Eigen::Index>(axis))) {
+        if (std::isfinite(deviation)) along[axis].push_back(deviation);
+      }
+    }
+  }
+  std::vector<std::string> texts;
+  for (std::vector<double>& deviations : along) {
+    if (deviations.empty()) return;
+    const auto middle = deviations.begin() + std::ssize(deviations) / 2;
+    std::ranges::nth_element(deviations, middle);
+    info.json["position_deviation"].push_back(*middle);
+    texts.push_back(format_quantity(*middle, Dimension::length, 2));
+  }
+  info.lines.push_back(
+      labelled("positions", fmt::format("to {} along x, y, z", fmt::join(texts, ", "))));
+}
+
 Range forces_of(const Session& session, std::optional<std::size_t> clip = {}) {
   Range forces;
   for (const SessionFrame& frame : session.frames) {
@@ -167,6 +194,7 @@ FileInfo session_info(const std::filesystem::path& path) {
   describe_sample(session, info);
   describe_mesh(session, info);
   describe_frames(session, info);
+  describe_deviations(session, info);
   describe_clips(session, info);
   describe_table(session, info);
   describe_imbalance(session, info);

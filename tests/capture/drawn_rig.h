@@ -96,6 +96,8 @@ class DrawnRig {
     dic.origin = Eigen::Vector2d::Zero();
     DicViews& views = dic.views.emplace();
     views.cameras = cameras;
+    const auto numbers = static_cast<Eigen::Index>(15 * cameras.size());
+    views.covariance = Eigen::MatrixXd::Zero(numbers, numbers);
     for (int c = 0; c < std::ssize(cameras); ++c) {
       views.names.push_back(std::string("camera") + std::to_string(c));
       std::vector<std::filesystem::path> files;

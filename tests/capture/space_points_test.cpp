@@ -2,13 +2,18 @@
 #include "pliant/capture/space_points.h"
 
 #include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
 
+#include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/base/errors.h"
 
 #include "capture/drawn_rig.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -83,6 +88,85 @@ TEST(SlowSpacePoints, FollowASheetThatIsStretchedTurnedAndRolled) {
   EXPECT_EQ(back.points, first.points);
   EXPECT_LT(back.in_plane, 0.004e-3);
   EXPECT_LT(back.off_plane, 0.006e-3);
+}
+
+/// Draws what a picture shows once.
+ReadPicture kept(const ReadPicture& read) {
+  auto known = std::make_shared<std::map<std::filesystem::path, GreyPicture>>();
+  return [known, read](const std::filesystem::path& file) {
+    const auto found = known->find(file);
+    if (found != known->end()) return found->second;
+    return known->emplace(file, read(file)).first->second;
+  };
+}
+
+/// Errors of cameras as a calibration has them: a pixel of focal length, a half of the principal
+/// point, 0.1 mrad and 0.05 mm; those of neighbouring numbers lean on each other.
+Eigen::MatrixXd errors_of_calibration(Eigen::Index cameras) {
+  Eigen::Vector<double, 15> sd;
+  sd << 1, 1, 0.5, 0.5, 1e-3, 5e-3, 5e-5, 5e-5, 0, 1e-4, 1e-4, 1e-4, 5e-5, 5e-5, 5e-5;
+  const Eigen::Index count = sd.size();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count * cameras, count * cameras);
+  for (Eigen::Index c = 0; c < cameras; ++c) {
+    auto own = covariance.block(count * c, count * c, count, count);
+    own.diagonal() = sd.cwiseAbs2();
+    own(0, 1) = own(1, 0) = 0.8 * sd(0) * sd(1);
+    own(9, 13) = own(13, 9) = -0.5 * sd(9) * sd(13);
+  }
+  return covariance;
+}
+
+/// The numbers of cameras off by errors of that covariance.
+std::vector<CameraModel> drawn_cameras(std::vector<CameraModel> cameras,
+                                       const Eigen::MatrixXd& covariance, std::uint64_t seed) {
+  RandomStream random(seed);
+  Eigen::VectorXd normal(covariance.rows());
+  for (double& number : normal) number = random.normal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> split(covariance);
+  const Eigen::VectorXd off =
+      split.eigenvectors() * split.eigenvalues().cwiseMax(0).cwiseSqrt().cwiseProduct(normal);
+  for (std::size_t c = 0; c < cameras.size(); ++c) {
+    const Eigen::VectorXd own = off.segment<15>(15 * static_cast<Eigen::Index>(c));
+    cameras[c].intrinsics += own.head<9>();
+    cameras[c].pose.rotation += own.segment<3>(9);
+    cameras[c].pose.translation += own.tail<3>();
+  }
+  return cameras;
+}
+
+TEST(SlowSpacePoints, StateErrorsThatCoverTheTruth) {
+  test::DrawnRig rig(3, 300, 280, 0.035);
+  rig.frames = {at_rest, pulled_askew, tilted_sheet};
+  const ReadPicture read = kept(rig.reader());
+  const Eigen::MatrixXd covariance = errors_of_calibration(3);
+  const int seeds = test::makes_figures() ? 60 : 20;
+  Eigen::Array3d held = Eigen::Array3d::Zero(), deviation = Eigen::Array3d::Zero();
+  double count = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    DicFile dic = rig.dic();
+    dic.views->covariance = covariance;
+    dic.views->cameras = drawn_cameras(rig.cameras, covariance, static_cast<std::uint64_t>(seed));
+    SpacePoints points(dic, read, with(2));
+    for (int f = 1; f < points.count(); ++f) {
+      const PointFrame frame = points.read(f);
+      // The axes are told by the sample's corners and move with the calibration, too.
+      for (int i = 0; i < frame.count(); ++i) {
+        const Eigen::Array3d off = frame.moved.col(i) - rig.frames[f](frame.rest.col(i).head<2>());
+        held += (off.abs() < 1.96 * frame.deviations.col(i).array()).cast<double>();
+        deviation += frame.deviations.col(i).array();
+        ++count;
+      }
+    }
+  }
+  held /= count;
+  deviation /= count;
+  std::printf(
+      "95 %% intervals hold %.1f, %.1f, %.1f %% along u, v and off the plane, of %.4f, "
+      "%.4f, %.4f mm\n",
+      100 * held.x(), 100 * held.y(), 100 * held.z(), 1e3 * deviation.x(), 1e3 * deviation.y(),
+      1e3 * deviation.z());
+  EXPECT_GT(held.minCoeff(), 0.90);
+  EXPECT_LT(held.maxCoeff(), 0.995);
 }
 
 /// A board in front of a part of the sheet.

@@ -163,6 +163,9 @@ class SheetFollower {
     SessionFrame frame;
     if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
     frame.positions = seen_positions(motion_of(rest, moved), f);
+    if (points.deviations.cols() > 0) {
+      frame.deviations = deviations_of(rest, points.deviations(Eigen::all, free));
+    }
     const LocalMotion around(rest, moved, kFar * result_.spacing);
     std::size_t slip = 0;
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
@@ -252,6 +255,20 @@ class SheetFollower {
       leverage_ += moved->leverage;
     }
     return positions;
+  }
+
+  /// Of a vertex those of the nearest point: the errors of points so near are alike.
+  Eigen::Matrix3Xd deviations_of(const Eigen::Matrix2Xd& rest,
+                                 const Eigen::Matrix3Xd& of_points) const {
+    const TriangleMesh& mesh = result_.session.rest;
+    const NearPlaces near(rest, kFar * result_.spacing);
+    const Eigen::Vector3d largest = of_points.rowwise().maxCoeff();  // where no point is near
+    Eigen::Matrix3Xd deviations = largest.replicate(1, mesh.vertex_count());
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const auto point = near.nearest(mesh.positions.col(v).head<2>());
+      if (point) deviations.col(v) = of_points.col(*point);
+    }
+    return deviations;
   }
 
   Pose pose_of(std::size_t c, int f, const PointFrame& points, const LocalMotion& around,

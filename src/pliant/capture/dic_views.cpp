@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/capture/bundle_adjustment.h"
 #include "pliant/capture/calibration_file.h"
 #include "pliant/capture/pixel_fields.h"
 #include "pliant/measurement/data_source.h"
@@ -58,14 +59,18 @@ DicViews read_views(const Value& value) {
 
 void resolve_views(DicViews& views) {
   const CalibratedRig rig = read_calibration(views.calibration.file);
+  std::vector<Eigen::Index> numbers;  // of the cameras among those of the calibration
   for (const std::string& name : views.names) {
     const auto found = std::ranges::find(rig.names, name);
     if (found == rig.names.end()) {
       throw InputError(views.calibration.where, fmt::format("has no camera {}", quoted_value(name)),
                        fmt::format("the names of its cameras: {}", fmt::join(rig.names, ", ")));
     }
-    views.cameras.push_back(rig.cameras[static_cast<std::size_t>(found - rig.names.begin())]);
+    const auto camera = found - rig.names.begin();
+    views.cameras.push_back(rig.cameras[static_cast<std::size_t>(camera)]);
+    for (int k = 0; k < kCameraNumbers; ++k) numbers.push_back(kCameraNumbers * camera + k);
   }
+  views.covariance = rig.covariance(numbers, numbers);
   views.down = rig.gravity;
 }
 

@@ -24,6 +24,7 @@ struct DicViews {
   int patch = 21, step = 10;  ///< as of DicPictures
   // Of the calibration:
   std::vector<CameraModel> cameras;
+  Eigen::MatrixXd covariance;           ///< of kCameraNumbers of each camera in turn
   std::optional<Eigen::Vector3d> down;  ///< along gravity, rig axes, unit
 };
 

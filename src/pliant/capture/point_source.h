@@ -20,7 +20,10 @@ namespace pliant {
 struct PointFrame {
   Eigen::Matrix3Xd rest;   ///< m, one column a point
   Eigen::Matrix3Xd moved;  ///< m
-  int lost = 0;            ///< points that were not found
+  /// Standard deviations of `moved` along the axes (m), those of the apparatus among them; empty
+  /// where the source does not know them.
+  Eigen::Matrix3Xd deviations;
+  int lost = 0;  ///< points that were not found
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
   double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView

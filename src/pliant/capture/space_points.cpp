@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
@@ -13,27 +12,6 @@
 #include "pliant/capture/camera_picture.h"
 
 namespace pliant {
-namespace {
-
-/// The plane through points: a point of it and its normal.
-struct Plane {
-  Eigen::Vector3d middle, normal;
-};
-
-Plane plane_through(const std::vector<RestPoint>& points) {
-  Eigen::Matrix3Xd places(3, std::ssize(points));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    places.col(static_cast<Eigen::Index>(i)) = points[i].position;
-  }
-  const Eigen::Vector3d middle = places.rowwise().mean();
-  const Eigen::Matrix3Xd centred = places.colwise() - middle;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> spread(centred * centred.transpose(),
-                                                 Eigen::ComputeFullU);
-  return {middle, spread.matrixU().col(2)};
-}
-
-}  // namespace
-
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   std::vector<GreyPicture> first = pictures(0);
@@ -48,13 +26,64 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
     }
   }
   rest_miss_ = rest.median_miss;
-  place_sample(rest);
   begin_views(rest, std::move(first));
   lost_at_rest_ = rest.places - static_cast<int>(rest.points.size());
   rest_ = std::move(rest.points);
+  find_sample();
   for (const RestPoint& point : rest_) {
-    now_.push_back(AgreedPoint{point.position, Eigen::Matrix3d::Zero(), point.miss, {}});
+    AgreedPoint agreed{point.position, Eigen::Matrix3d::Zero(), point.miss, {}};
+    for (const auto& seen : point.seen) agreed.used.push_back(seen.has_value());
+    now_.push_back(std::move(agreed));
   }
+  tell_errors();
+}
+
+Eigen::Vector2d SpacePoints::size() const { return {dic_.sample.width, dic_.sample.height}; }
+
+Eigen::Matrix3Xd SpacePoints::rest_positions() const {
+  Eigen::Matrix3Xd positions(3, std::ssize(rest_));
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = rest_[i].position;
+  }
+  return positions;
+}
+
+void SpacePoints::find_sample() {
+  const auto placement =
+      place_sample(rest_positions(), views().corners, views().cameras.front(), size());
+  if (!placement) {
+    throw InputError({dic_.file, 0, "views.corners"}, "are not all seen in the sample's plane",
+                     "the sample's corners, in pixels of the first camera's first picture");
+  }
+  placement_ = *placement;
+}
+
+// What errors of the calibration do to the points at rest and to the sample's axes.
+void SpacePoints::tell_errors() {
+  calibration_ = CalibrationError(views().cameras, views().covariance);
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    rest_errors_.push_back(calibration_.at(rest_[i].position, now_[i]->used));
+  }
+  const Eigen::Matrix3Xd positions = rest_positions();
+  for (Eigen::Index mode = 0; mode < calibration_.modes(); ++mode) {
+    Eigen::Matrix3Xd moved = positions;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      moved.col(static_cast<Eigen::Index>(i)) += rest_errors_[i].col(mode);
+    }
+    const auto placement =
+        place_sample(moved, views().corners, calibration_.camera(0, mode), size());
+    axes_errors_.push_back(placement ? placement->to_sample : placement_.to_sample);
+  }
+}
+
+Eigen::Matrix3Xd SpacePoints::in_moved_axes(const Eigen::Vector3d& position,
+                                            const Eigen::Matrix3Xd& errors) const {
+  Eigen::Matrix3Xd off(3, errors.cols());
+  for (Eigen::Index mode = 0; mode < errors.cols(); ++mode) {
+    off.col(mode) = axes_errors_[static_cast<std::size_t>(mode)] * (position + errors.col(mode)) -
+                    placement_.to_sample * position;
+  }
+  return off;
 }
 
 int SpacePoints::count() const { return static_cast<int>(views().files.front().size()); }
@@ -66,7 +95,7 @@ std::string SpacePoints::file(int frame) const {
 double SpacePoints::patch() const {
   const double pixel = (views().corners.col(1) - views().corners.col(0)).norm() +
                        (views().corners.col(3) - views().corners.col(0)).norm();
-  return views().patch * corner_sides_.sum() / pixel;
+  return views().patch * placement_.sides.sum() / pixel;
 }
 
 std::vector<GreyPicture> SpacePoints::pictures(int frame) const {
@@ -107,32 +136,6 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
                     rest.median_miss),
         "a calibration of these cameras where they stand now, none exchanged, moved or refocused");
   }
-}
-
-// The axes of the sample are those of its corners in the plane of the points.
-void SpacePoints::place_sample(const StereoRest& rest) {
-  const CameraModel& camera = views().cameras.front();
-  const Plane plane = plane_through(rest.points);
-  Eigen::Matrix<double, 3, 4> corners;
-  for (int k = 0; k < 4; ++k) {
-    const auto ray = camera.ray(views().corners.col(k));
-    const double way =
-        ray ? plane.normal.dot(plane.middle - ray->from) / plane.normal.dot(ray->direction) : -1;
-    if (!(way > 0)) {
-      throw InputError({dic_.file, 0, "pictures.corners"}, "are not all seen in the sample's plane",
-                       "the sample's corners, in pixels of the first camera's first picture");
-    }
-    corners.col(k) = ray->from + way * ray->direction;
-  }
-  corner_sides_ << ((corners.col(1) - corners.col(0)).norm() +
-                    (corners.col(2) - corners.col(3)).norm()) /
-                       2,
-      ((corners.col(3) - corners.col(0)).norm() + (corners.col(2) - corners.col(1)).norm()) / 2;
-  const double width = dic_.sample.width, height = dic_.sample.height;
-  Eigen::Matrix<double, 3, 4> own;
-  own << 0, width, width, 0, 0, 0, height, height, 0, 0, 0, 0;
-  const Eigen::Matrix4d fitted = Eigen::umeyama(corners, own, false);
-  to_sample_ = Eigen::Isometry3d(fitted);
 }
 
 void SpacePoints::begin_views(const StereoRest& rest, std::vector<GreyPicture> pictures) {
@@ -183,7 +186,7 @@ Pose SpacePoints::in_sample(const Pose& motion) const {
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   moved.linear() = motion.rotation.toRotationMatrix();
   moved.translation() = motion.translation;
-  const Eigen::Isometry3d own = to_sample_ * moved * to_sample_.inverse();
+  const Eigen::Isometry3d own = placement_.to_sample * moved * placement_.to_sample.inverse();
   return {Eigen::Quaterniond(own.linear()).normalized(), own.translation()};
 }
 
@@ -197,20 +200,47 @@ PointFrame SpacePoints::read(int frame) {
   for (const auto& clip : clips_) {
     points.clips.push_back(clip ? std::optional(in_sample(*clip)) : std::nullopt);
   }
-  std::vector<Eigen::Vector3d> rest, moved;
+  std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
-    if (!now_[i]) continue;
-    rest.push_back(to_sample_ * rest_[i].position);
-    moved.push_back(to_sample_ * now_[i]->position);
+    if (now_[i]) seen.push_back(i);
   }
-  points.rest.resize(3, std::ssize(rest));
-  points.moved.resize(3, std::ssize(rest));
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    points.rest.col(static_cast<Eigen::Index>(i)) = rest[i];
-    points.moved.col(static_cast<Eigen::Index>(i)) = moved[i];
+  points.rest.resize(3, std::ssize(seen));
+  points.moved.resize(3, std::ssize(seen));
+  for (Eigen::Index k = 0; k < std::ssize(seen); ++k) {
+    const std::size_t i = seen[static_cast<std::size_t>(k)];
+    points.rest.col(k) = placement_.to_sample * rest_[i].position;
+    points.moved.col(k) = placement_.to_sample * now_[i]->position;
   }
-  points.lost = static_cast<int>(rest_.size() - rest.size()) + lost_at_rest_;
+  points.deviations = deviations(seen, points);
+  points.lost = static_cast<int>(rest_.size() - seen.size()) + lost_at_rest_;
   return points;
+}
+
+// A point that the calibration puts elsewhere at rest is taken for another place of the sample:
+// what counts is by how much more, or less, it is put elsewhere now.
+Eigen::Matrix3Xd SpacePoints::deviations(const std::vector<std::size_t>& seen,
+                                         const PointFrame& points) const {
+  constexpr double kReach = 3;  // spacings, over which the sample is stretched and turned evenly
+  const double spacing = patch() * views().step / views().patch;
+  const LocalMotion around(points.rest.topRows<2>(), points.moved, kReach * spacing);
+  const Eigen::Matrix3d turn = placement_.to_sample.linear();
+  Eigen::Matrix3Xd deviations(3, points.count());
+  with_threads(context_.threads, [&] {
+    parallel_for(points.count(), [&](int k) {
+      const std::size_t i = seen[static_cast<std::size_t>(k)];
+      const AgreedPoint& now = *now_[i];
+      const auto local = around.at(points.rest.col(k).head<2>(), spacing);
+      Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Identity();
+      if (local) slope = local->slope;
+      const Eigen::Matrix3Xd here =
+          in_moved_axes(now.position, calibration_.at(now.position, now.used));
+      const Eigen::Matrix3Xd at_rest = in_moved_axes(rest_[i].position, rest_errors_[i]);
+      const Eigen::Matrix3Xd error = here - slope * at_rest.topRows<2>();
+      const Eigen::Vector3d noise = (turn * now.covariance * turn.transpose()).diagonal();
+      deviations.col(k) = (noise + error.rowwise().squaredNorm()).cwiseSqrt();
+    });
+  });
+  return deviations;
 }
 
 std::vector<std::string> SpacePoints::notes() const {
@@ -220,13 +250,13 @@ std::vector<std::string> SpacePoints::notes() const {
                       rest_.size(), rest_miss_),
           fmt::format("by the cameras the sample's corners are {} x {} apart, where it is said to "
                       "be {} x {}",
-                      length(corner_sides_.x()), length(corner_sides_.y()),
+                      length(placement_.sides.x()), length(placement_.sides.y()),
                       length(dic_.sample.width), length(dic_.sample.height))};
 }
 
 std::optional<Eigen::Vector3d> SpacePoints::gravity() const {
   if (!views().down) return std::nullopt;
-  return kStandardGravity * (to_sample_.linear() * *views().down).normalized();
+  return kStandardGravity * (placement_.to_sample.linear() * *views().down).normalized();
 }
 
 }  // namespace pliant

@@ -6,8 +6,10 @@
 
 #include <Eigen/Geometry>
 
+#include "pliant/capture/calibration_error.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
+#include "pliant/capture/sample_placement.h"
 #include "pliant/capture/space_labels.h"
 #include "pliant/capture/stereo_rest.h"
 
@@ -42,20 +44,32 @@ class SpacePoints : public PointSource {
   const DicViews& views() const { return *dic_.views; }
   std::vector<GreyPicture> pictures(int frame) const;
   void require_sight(const StereoRest& rest) const;
-  void place_sample(const StereoRest& rest);
+  Eigen::Vector2d size() const;
+  Eigen::Matrix3Xd rest_positions() const;
+  void find_sample();
+  void tell_errors();
   void begin_views(const StereoRest& rest, std::vector<GreyPicture> pictures);
   /// Says what the pictures lack, or nothing.
   std::string follow(int frame);
   Pose in_sample(const Pose& motion) const;
+  /// By how much a point is put elsewhere in the sample's axes, which move along.
+  /// @param errors  its displacements by errors of the calibration, in rig axes
+  Eigen::Matrix3Xd in_moved_axes(const Eigen::Vector3d& position,
+                                 const Eigen::Matrix3Xd& errors) const;
+  /// Of points that are seen now: standard deviations by the noise of pictures and by errors of the
+  /// calibration, in the sample's axes (m).
+  Eigen::Matrix3Xd deviations(const std::vector<std::size_t>& seen, const PointFrame& points) const;
 
   const DicFile& dic_;
   ReadPicture read_picture_;
   RunContext context_;
-  std::vector<View> follow_;      // by camera
-  std::vector<RestPoint> rest_;   // in rig axes
-  Eigen::Isometry3d to_sample_;   // from rig axes
-  double rest_miss_ = 0;          // median, of points at rest (pixels)
-  Eigen::Vector2d corner_sides_;  // mean distances of the corners along weft and warp (m)
+  std::vector<View> follow_;     // by camera
+  std::vector<RestPoint> rest_;  // in rig axes
+  SamplePlacement placement_;
+  CalibrationError calibration_;
+  std::vector<Eigen::Matrix3Xd> rest_errors_;   // of each point, by the calibration (m)
+  std::vector<Eigen::Isometry3d> axes_errors_;  // from rig axes, under each error of it
+  double rest_miss_ = 0;                        // median, of points at rest (pixels)
   int lost_at_rest_ = 0;
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point

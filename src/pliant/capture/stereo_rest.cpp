@@ -17,22 +17,33 @@ using Seen = std::vector<std::optional<SeenPlace>>;
 /// What interpolation leaves of a match, at least (pixels).
 constexpr double kLeastNoise = 0.005;
 
-std::optional<std::pair<TriangulatedPoint, std::vector<double>>> point_of(
-    const std::vector<CameraModel>& cameras, const Seen& seen) {
+/// A point by some cameras, and by how far each misses it (pixels).
+struct TriedPoint {
+  Eigen::Vector3d position;
+  Eigen::Matrix3d covariance;
+  std::vector<double> misses;
+};
+
+// All cameras count alike. Errors of the calibration are larger than those of matches: were places
+// weighed by these, a point would move with the weights.
+std::optional<TriedPoint> point_of(const std::vector<CameraModel>& cameras, const Seen& seen) {
   std::vector<Sighting> sightings;
   for (std::size_t c = 0; c < cameras.size(); ++c) {
-    if (seen[c]) sightings.push_back({&cameras[c], seen[c]->pixel, seen[c]->noise});
+    if (seen[c]) sightings.push_back({&cameras[c], seen[c]->pixel, 1});
   }
   const auto point = triangulate(sightings);
   if (!point) return std::nullopt;
-  std::vector<double> misses(cameras.size(), 0);
+  TriedPoint tried{point->point, {}, std::vector<double>(cameras.size(), 0)};
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     if (!seen[c]) continue;
-    const auto shown = cameras[c].project(point->point);
+    const auto shown = cameras[c].project_with_derivatives(point->point);
     if (!shown) return std::nullopt;
-    misses[c] = (*shown - seen[c]->pixel).norm();
+    tried.misses[c] = (shown->pixel - seen[c]->pixel).norm();
+    spread += seen[c]->noise * seen[c]->noise * shown->by_point.transpose() * shown->by_point;
   }
-  return std::pair(*point, misses);
+  tried.covariance = point->covariance * spread * point->covariance;
+  return tried;
 }
 
 }  // namespace
@@ -47,13 +58,13 @@ std::optional<AgreedPoint> agreed_point(const std::vector<CameraModel>& cameras,
   while (true) {
     const auto found = point_of(cameras, seen);
     if (!found) return std::nullopt;
-    const auto& [point, misses] = *found;
+    const std::vector<double>& misses = found->misses;
     const auto used = std::ranges::count_if(seen, [](const auto& s) { return s.has_value(); });
     double squares = 0;
     for (const double miss : misses) squares += miss * miss;
     const double miss = std::sqrt(squares / static_cast<double>(2 * used));
     if (miss <= most) {
-      AgreedPoint agreed{point.point, point.covariance, miss, {}};
+      AgreedPoint agreed{found->position, found->covariance, miss, {}};
       for (const auto& place : seen) agreed.used.push_back(place.has_value());
       return agreed;
     }

@@ -166,8 +166,10 @@ Session read_session(const fs::path& directory) {
   session.clips = resolved_clips(document.clips, session.rest.vertex_count());
   session.frames.resize(static_cast<std::size_t>(document.frames.count()));
   for (int f = 0; f < session.frame_count(); ++f) {
-    session.frames[static_cast<std::size_t>(f)].positions =
-        read_frame_sheet(document.frames.file(f), f, rest);
+    FrameSheet sheet = read_frame_sheet(document.frames.file(f), f, rest);
+    SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
+    frame.positions = std::move(sheet.positions);
+    frame.deviations = std::move(sheet.deviations);
   }
   TableReader(directory, document, session).read();
   for (const auto judge :
@@ -185,7 +187,7 @@ std::vector<std::pair<std::string, std::string>> session_files(const Session& se
   for (int f = 0; f < session.frame_count(); ++f) {
     const SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
     files.emplace_back(fmt::format("frames/{:04}.ply", f),
-                       sheet_ply(session.rest, frame.positions, frame.unseen));
+                       sheet_ply(session.rest, frame.positions, frame.unseen, frame.deviations));
   }
   files.emplace_back("clips.csv", clip_pose_table(session));
   files.emplace_back("cords.csv", cord_force_table(session));

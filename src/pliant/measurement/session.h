@@ -62,6 +62,8 @@ struct SessionFrame {
   std::vector<std::vector<CordForce>> cords;  ///< of each clip
   std::optional<double> table_edge;           ///< where the session has a table: m, rest plane
   std::optional<double> time;                 ///< s
+  /// Standard deviations of the positions along the axes (m); empty where they are not known.
+  Eigen::Matrix3Xd deviations = {};
 };
 
 /// Axes of the rest plane.

@@ -19,6 +19,7 @@ using testing::IsEmpty;
 
 void expect_same_frame(const SessionFrame& read, const SessionFrame& written) {
   EXPECT_EQ(read.positions, written.positions);
+  EXPECT_EQ(read.deviations, written.deviations);
   EXPECT_EQ(read.time, written.time);
   ASSERT_EQ(read.poses.size(), written.poses.size());
   for (std::size_t c = 0; c < read.poses.size(); ++c) {
@@ -85,6 +86,19 @@ TEST(Session, KeepsTheNoiseThatItStates) {
   session.noise = {7.5e-5, {}};
   EXPECT_EQ(read_session(SessionFolder(session).path()).noise.position, 7.5e-5);
   EXPECT_FALSE(read_session(SessionFolder(session).path()).noise.force.has_value());
+}
+
+TEST(Session, KeepsHowSureItsPositionsAre) {
+  Session session = stretch_session();
+  for (SessionFrame& frame : session.frames) {
+    frame.deviations = Eigen::Matrix3Xd::Constant(3, frame.positions.cols(), 2e-5);
+    frame.deviations(2, 3) = 7e-5;
+  }
+  expect_same(read_session(SessionFolder(session).path()), session);
+  session.frames[1].deviations(0, 4) = 0;
+  const SessionFolder unsure(session);
+  const InputError error = input_error_of([&] { read_session(unsure.path()); });
+  EXPECT_THAT(error.what(), HasSubstr("frame 1: vertex 4 was seen, with a deviation of 0"));
 }
 
 TEST(Session, OfABendTestComesBack) {

@@ -107,6 +107,7 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
     measured_.conservativeResize(measured_.size() + own.size());
     measured_.tail(own.size()) = own;
   }
+  deviation_ = mean_deviation();
   if (rows() == 0) {
     throw InputError(
         {},
@@ -188,7 +189,24 @@ bool SheetTest::compares_one_axis() const {
          objective_ == SheetObjective::axial_clip_forces;
 }
 
+// Harmonic, so that rows count 1 on average.
+std::optional<double> SheetTest::mean_deviation() const {
+  double sum = 0;
+  int count = 0;
+  for (int frame = 0; frame < frame_count(); ++frame) {
+    const Compared& compared = compared_[static_cast<std::size_t>(frame)];
+    const auto& deviations = session_.frames[static_cast<std::size_t>(frame)].deviations;
+    if (compared.nodes.empty()) continue;
+    if (deviations.cols() == 0) return std::nullopt;
+    sum += deviations(Eigen::all, compared.nodes).cwiseInverse().sum();
+    count += 3 * static_cast<int>(compared.nodes.size());
+  }
+  if (count == 0) return std::nullopt;
+  return count / sum;
+}
+
 std::optional<double> SheetTest::stated_noise() const {
+  if (deviation_) return deviation_;
   return objective_ == SheetObjective::positions ? session_.noise.position : session_.noise.force;
 }
 
@@ -218,6 +236,11 @@ Eigen::VectorXd SheetTest::predicted(int frame, const SheetShape& shape) const {
 Eigen::ArrayXd SheetTest::weights(int frame) const {
   const Compared& compared = compared_[static_cast<std::size_t>(frame)];
   Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(rows(frame));
+  if (deviation_ && !compared.nodes.empty()) {
+    const auto& deviations = session_.frames[static_cast<std::size_t>(frame)].deviations;
+    weights =
+        *deviation_ * deviations(Eigen::all, compared.nodes).cwiseInverse().reshaped().array();
+  }
   if (!friction_.unknown) return weights;
   for (std::size_t i = 0; i < compared.forces.size(); ++i) {
     const bool in_doubt = std::ranges::any_of(cords_, [&](const CordDrag& cord) {

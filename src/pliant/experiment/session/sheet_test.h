@@ -69,9 +69,10 @@ class SheetTest : public Experiment {
   Eigen::VectorXd measured(int frame) const;
   Eigen::VectorXd predicted(int frame, const SheetShape& shape) const;
   /// What each row counts in a fit: 0 where nobody knows which way an unknown cord of the clip
-  /// moves, and so how it drags, else 1.
+  /// moves, and so how it drags; of a position by how much surer it is than others, where the
+  /// session tells it; else 1.
   Eigen::ArrayXd weights(int frame) const;
-  /// Standard deviation of a row (N or m), where the session states it.
+  /// Standard deviation of a row that counts 1 (N or m), where the session states it.
   std::optional<double> stated_noise() const;
   /// rows x parameters
   Eigen::MatrixXd jacobian(int frame, const SheetShape& shape) const;
@@ -97,13 +98,15 @@ class SheetTest : public Experiment {
     std::vector<int> nodes;  // three rows each
   };
   Compared compared_in(int frame) const;
+  std::optional<double> mean_deviation() const;
   void add_cords();
 
   Session session_;
   SheetObjective objective_;
   CordFriction friction_;
   std::vector<CordDrag> cords_;
-  std::vector<Compared> compared_;  // of each frame
+  std::vector<Compared> compared_;   // of each frame
+  std::optional<double> deviation_;  // of positions: harmonic mean, where all are known (m)
 };
 
 /// A session as a study compares it.

@@ -97,6 +97,9 @@ Session on_mesh(const Session& session, const TriangleMesh& mesh) {
   result.clips = clips_on(session, mesh);
   for (SessionFrame& frame : result.frames) {
     frame.positions = interpolated(session.rest, places, frame.positions);
+    if (frame.deviations.cols() > 0) {
+      frame.deviations = interpolated(session.rest, places, frame.deviations);
+    }
     frame.unseen = unseen_nodes(session.rest, places, frame.unseen);
   }
   return result;

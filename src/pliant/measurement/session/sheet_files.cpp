@@ -138,6 +138,35 @@ void require_metres(const Eigen::Matrix3Xd& positions, const TriangleMesh& rest,
       fmt::format("positions in metres, with edges within a factor of {}", kMostFrameScale));
 }
 
+constexpr std::array kDeviations{"sd_x", "sd_y", "sd_z"};
+
+Eigen::Matrix3Xd deviations_of(const PlyMesh& ply, const Eigen::Matrix3Xd& positions,
+                               const fs::path& file, int frame) {
+  Eigen::Matrix3Xd deviations;
+  for (std::size_t axis = 0; axis < kDeviations.size(); ++axis) {
+    const auto column = std::ranges::find(ply.vertex_columns, kDeviations[axis], &PlyColumn::name);
+    const bool known = column != ply.vertex_columns.end();
+    if (!known && deviations.cols() == 0) continue;
+    if (!known || (axis > 0 && deviations.cols() == 0)) {
+      throw InputError({file.string()},
+                       fmt::format("frame {}: not all of sd_x, sd_y, sd_z are told", frame),
+                       "the standard deviations of all coordinates (m), or none");
+    }
+    deviations.conservativeResize(3, positions.cols());
+    deviations.row(static_cast<Eigen::Index>(axis)) =
+        Eigen::Map<const Eigen::RowVectorXd>(column->values.data(), positions.cols());
+  }
+  for (Eigen::Index v = 0; v < deviations.cols(); ++v) {
+    if (!positions.col(v).allFinite()) continue;
+    if (deviations.col(v).allFinite() && deviations.col(v).minCoeff() > 0) continue;
+    throw InputError({file.string()},
+                     fmt::format("frame {}: vertex {} was seen, with a deviation of {}", frame, v,
+                                 deviations.col(v).minCoeff()),
+                     "standard deviations above 0 (m)");
+  }
+  return deviations;
+}
+
 }  // namespace
 
 RestSheet read_rest_sheet(const fs::path& file, const SessionSample& sample) {
@@ -157,7 +186,7 @@ RestSheet read_rest_sheet(const fs::path& file, const SessionSample& sample) {
   return sheet;
 }
 
-Eigen::Matrix3Xd read_frame_sheet(const fs::path& file, int frame, const RestSheet& rest) {
+FrameSheet read_frame_sheet(const fs::path& file, int frame, const RestSheet& rest) {
   const PlyMesh ply = read_ply(file, PlyPositions::any);
   const Eigen::Matrix3Xd positions = to_matrix(ply.positions);
   if (positions.cols() != rest.mesh.vertex_count()) {
@@ -167,11 +196,11 @@ Eigen::Matrix3Xd read_frame_sheet(const fs::path& file, int frame, const RestShe
   }
   require_same_faces(ply.faces, rest.faces, file, frame);
   require_metres(positions, rest.mesh, file, frame);
-  return positions;
+  return {positions, deviations_of(ply, positions, file, frame)};
 }
 
 std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions,
-                      const std::vector<int>& unseen) {
+                      const std::vector<int>& unseen, const Eigen::Matrix3Xd& deviations) {
   PlyMesh ply;
   for (const auto& point : positions.colwise()) {
     ply.positions.push_back({point.x(), point.y(), point.z()});
@@ -179,6 +208,11 @@ std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& position
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const int vertex : unseen) {
     ply.positions[static_cast<std::size_t>(vertex)] = {kNone, kNone, kNone};
+  }
+  for (Eigen::Index axis = 0; deviations.cols() > 0 && axis < 3; ++axis) {
+    PlyColumn column{kDeviations[static_cast<std::size_t>(axis)], {}, PlyType::float64};
+    for (const double value : deviations.row(axis)) column.values.push_back(value);
+    ply.vertex_columns.push_back(std::move(column));
   }
   for (const auto& corners : mesh.triangles.colwise()) {
     ply.faces.add(std::array{corners[0], corners[1], corners[2]});

@@ -30,15 +30,22 @@ struct RestSheet {
 ///         simulation, or whose size is not the sample's
 RestSheet read_rest_sheet(const std::filesystem::path& file, const SessionSample& sample);
 
-/// Reads the positions (m) of a frame; those of vertices that were not seen are not finite.
+/// Where the vertices of a frame are (m), not finite where they were not seen.
+struct FrameSheet {
+  Eigen::Matrix3Xd positions;
+  Eigen::Matrix3Xd deviations;  ///< standard deviations along the axes; empty where not told
+};
+
+/// Reads a frame.
 /// @throws InputError for another number of vertices than at rest, no vertex that was seen, other
-///         faces than at rest (a frame may have none), another unit than metres
-Eigen::Matrix3Xd read_frame_sheet(const std::filesystem::path& file, int frame,
-                                  const RestSheet& rest);
+///         faces than at rest (a frame may have none), another unit than metres, deviations that
+///         are not above 0 where a vertex was seen
+FrameSheet read_frame_sheet(const std::filesystem::path& file, int frame, const RestSheet& rest);
 
 /// The binary PLY file of a mesh with its vertices at `positions`.
-/// @param unseen  vertices that get NaN
+/// @param unseen      vertices that get NaN
+/// @param deviations  of the positions; empty: none are written
 std::string sheet_ply(const TriangleMesh& mesh, const Eigen::Matrix3Xd& positions,
-                      const std::vector<int>& unseen = {});
+                      const std::vector<int>& unseen = {}, const Eigen::Matrix3Xd& deviations = {});
 
 }  // namespace pliant

@@ -9,10 +9,8 @@
 namespace pliant {
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
 /// The motion that undoes `step` first: x -> motion(step^-1(x)), about the middle of the patch.
-PatchMotion after_undoing(const PatchMotion& motion, const Vector6& step) {
+PatchMotion after_undoing(const PatchMotion& motion, const Eigen::Matrix<double, 6, 1>& step) {
   Eigen::Matrix2d by;
   by << 1 + step(2), step(3), step(4), 1 + step(5);
   const Eigen::Matrix2d slope = (Eigen::Matrix2d::Identity() + motion.slope) * by.inverse();
@@ -30,43 +28,69 @@ std::optional<ReferencePatch> ReferencePatch::of(const SplinePicture& picture,
   patch.radius_ = radius;
   patch.noise_left_ = picture.noise_left(place);
   const int side = 2 * radius + 1;
-  patch.values_.resize(side * side);
-  patch.steps_.resize(side * side, 6);
+  const Eigen::Index pixels = side * side;
+  patch.values_.resize(pixels);
+  patch.across_.resize(pixels);
+  patch.down_.resize(pixels);
+  Eigen::Matrix<float, Eigen::Dynamic, 6> steps(pixels, 6);  // d value / d motion
   int i = 0;
   for (int y = -radius; y <= radius; ++y) {
     for (int x = -radius; x <= radius; ++x, ++i) {
       const Eigen::Vector2f off(static_cast<float>(x), static_cast<float>(y));
       const PictureSample sample = picture.sample(place + off.cast<double>());
       patch.values_(i) = sample.value;
-      patch.steps_.row(i) << sample.gradient.x(), sample.gradient.y(),
-          sample.gradient.x() * off.x(), sample.gradient.x() * off.y(),
-          sample.gradient.y() * off.x(), sample.gradient.y() * off.y();
+      patch.across_(i) = sample.gradient.x();
+      patch.down_(i) = sample.gradient.y();
+      steps.row(i) << sample.gradient.x(), sample.gradient.y(), sample.gradient.x() * off.x(),
+          sample.gradient.x() * off.y(), sample.gradient.y() * off.x(),
+          sample.gradient.y() * off.y();
     }
   }
-  patch.project_out_brightness();
-  const Eigen::Matrix<double, 6, 6> normal =
-      (patch.steps_.transpose() * patch.steps_).cast<double>();
+  patch.values_ -= patch.values_.mean();
+  patch.norm_ = patch.values_.matrix().cast<double>().norm();
+  if (!(patch.norm_ > 0)) return std::nullopt;
+  // What a step does beyond a change of brightness and of contrast.
+  const Eigen::RowVectorXf mean = steps.colwise().mean();
+  steps.rowwise() -= mean;
+  const Eigen::VectorXf unit = patch.values_.matrix() / static_cast<float>(patch.norm_);
+  const Eigen::RowVectorXf bright = unit.transpose() * steps;
+  steps -= unit * bright;
+  patch.mean_step_ = mean.transpose().cast<double>();
+  patch.bright_step_ = bright.transpose().cast<double>() / patch.norm_;
+  const Eigen::Matrix<double, 6, 6> normal = (steps.transpose() * steps).cast<double>();
   // A patch without texture, or with stripes alone, could be anywhere, or anywhere along them.
   constexpr double kFlat = 1e-4;
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factor(normal);
   const Eigen::Vector2d along = normal.diagonal().head<2>();
   const double crossed = normal.topLeftCorner<2, 2>().determinant();
-  if (!(patch.norm_ > 0) || factor.info() != Eigen::Success ||
-      !(crossed > kFlat * along.maxCoeff() * along.maxCoeff())) {
+  if (factor.info() != Eigen::Success || !(crossed > kFlat * along.maxCoeff() * along.maxCoeff())) {
     return std::nullopt;
   }
   patch.inverse_ = factor.solve(Eigen::Matrix<double, 6, 6>::Identity());
   return patch;
 }
 
-// What a step does beyond a change of brightness and of contrast.
-void ReferencePatch::project_out_brightness() {
-  values_.array() -= values_.mean();
-  norm_ = values_.cast<double>().norm();
-  if (!(norm_ > 0)) return;
-  steps_.rowwise() -= steps_.colwise().mean();
-  const Eigen::VectorXf unit = values_ / static_cast<float>(norm_);
-  steps_ -= unit * (unit.transpose() * steps_);
+ReferencePatch::Vector6 ReferencePatch::along_steps(const Eigen::ArrayXf& numbers) const {
+  using Square = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Index side = 2 * radius_ + 1;
+  const auto reach = static_cast<float>(radius_);
+  const Eigen::VectorXf off = Eigen::VectorXf::LinSpaced(side, -reach, reach);
+  Vector6 sums;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const Eigen::ArrayXf product = (k == 0 ? across_ : down_) * numbers;
+    const Eigen::Map<const Square> square(product.data(), side, side);
+    const Eigen::VectorXf by_column = square.colwise().sum().transpose();
+    const Eigen::VectorXf by_row = square.rowwise().sum();
+    sums(k) = by_column.sum();
+    sums(2 + 2 * k) = by_column.dot(off);
+    sums(3 + 2 * k) = by_row.dot(off);
+  }
+  return sums;
+}
+
+ReferencePatch::Vector6 ReferencePatch::along_free_steps(const Eigen::ArrayXf& numbers) const {
+  const double sum = numbers.sum(), along_values = (values_ * numbers).sum();
+  return along_steps(numbers) - mean_step_ * sum - bright_step_ * along_values;
 }
 
 bool ReferencePatch::sample(const SplinePicture& picture, const PatchMotion& motion,
@@ -94,7 +118,7 @@ std::optional<double> ReferencePatch::correlation(const SplinePicture& picture,
   values -= values.mean();
   const double norm = values.matrix().cast<double>().norm();
   if (!(norm > 0)) return std::nullopt;
-  return values.matrix().dot(values_) / (norm * norm_);
+  return values.matrix().dot(values_.matrix()) / (norm * norm_);
 }
 
 std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
@@ -110,14 +134,14 @@ std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
     values -= values.mean();
     const double norm = values.matrix().cast<double>().norm();
     if (!(norm > 0)) return std::nullopt;
-    const Eigen::VectorXf missed = values.matrix() * static_cast<float>(norm_ / norm) - values_;
-    const Vector6 step = inverse_ * (steps_.transpose() * missed).cast<double>();
+    const Eigen::ArrayXf missed = values * static_cast<float>(norm_ / norm) - values_;
+    const Vector6 step = inverse_ * along_free_steps(missed);
     result.motion = after_undoing(result.motion, step);
     const double moved = std::max(step.head<2>().norm(), radius_ * step.tail<4>().norm());
     if (!std::isfinite(moved) || moved > radius_) return std::nullopt;
     if (moved > kExact) continue;
-    const double left = missed.cast<double>().squaredNorm();
-    result.correlation = values.matrix().dot(values_) / (norm * norm_);
+    const double left = missed.matrix().cast<double>().squaredNorm();
+    result.correlation = values.matrix().dot(values_.matrix()) / (norm * norm_);
     const auto rows = static_cast<double>(values_.size());
     // Both pictures have the noise. Smoothing and interpolation take some of it from a pixel, and
     // give it to the neighbours: over a patch it counts as before.

@@ -49,20 +49,24 @@ class ReferencePatch {
   std::optional<double> correlation(const SplinePicture& picture, const PatchMotion& motion) const;
 
  private:
-  using Rows = Eigen::Matrix<float, Eigen::Dynamic, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
 
   ReferencePatch() = default;
-  void project_out_brightness();
+  /// Sums of a number a pixel times d value / d motion, before brightness is projected out.
+  Vector6 along_steps(const Eigen::ArrayXf& numbers) const;
+  /// The same after it.
+  Vector6 along_free_steps(const Eigen::ArrayXf& numbers) const;
   bool sample(const SplinePicture& picture, const PatchMotion& motion,
               Eigen::ArrayXf& values) const;
 
   Eigen::Vector2d place_ = Eigen::Vector2d::Zero();
   int radius_ = 0;
-  double noise_left_ = 1;                // of the variance of its picture's pixels
-  Eigen::VectorXf values_;               // less their mean
-  double norm_ = 0;                      // of them
-  Rows steps_;                           // d value / d motion
-  Eigen::Matrix<double, 6, 6> inverse_;  // of their normal matrix
+  double noise_left_ = 1;            // of the variance of its picture's pixels
+  Eigen::ArrayXf values_;            // less their mean, row by row
+  double norm_ = 0;                  // of them
+  Eigen::ArrayXf across_, down_;     // gradients: thousands of patches are kept, and these alone
+  Vector6 mean_step_, bright_step_;  // what brightness and contrast do of a step
+  Eigen::Matrix<double, 6, 6> inverse_;  // of the steps' normal matrix
 };
 
 }  // namespace pliant

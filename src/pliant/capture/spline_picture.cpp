@@ -38,25 +38,15 @@ void smooth(Line line, float share) {
 
 /// Weights of four neighbouring coefficients at a share of the way between the middle two.
 struct Weights {
-  float value[4], slope[4];
+  Eigen::Vector4f value, slope;
 
   explicit Weights(float t) {
     const float s = 1 - t;
-    value[0] = s * s * s / 6;
-    value[1] = 2.0F / 3 - t * t * (2 - t) / 2;
-    value[2] = 2.0F / 3 - s * s * (2 - s) / 2;
-    value[3] = t * t * t / 6;
-    slope[0] = -s * s / 2;
-    slope[1] = t * (3 * t - 4) / 2;
-    slope[2] = -s * (3 * s - 4) / 2;
-    slope[3] = t * t / 2;
+    value << s * s * s / 6, 2.0F / 3 - t * t * (2 - t) / 2, 2.0F / 3 - s * s * (2 - s) / 2,
+        t * t * t / 6;
+    slope << -s * s / 2, t * (3 * t - 4) / 2, -s * (3 * s - 4) / 2, t * t / 2;
   }
 };
-
-float dot(const float* coefficients, const float* weights) {
-  return coefficients[0] * weights[0] + coefficients[1] * weights[1] +
-         coefficients[2] * weights[2] + coefficients[3] * weights[3];
-}
 
 }  // namespace
 
@@ -93,22 +83,24 @@ struct SplinePicture::Neighbourhood {
   Eigen::Index stride;  // from row to row
   Weights across, down;
 
-  const float* row(int i) const { return corner + i * stride; }
+  auto row(int i) const { return Eigen::Map<const Eigen::Vector4f>(corner + i * stride); }
+  /// Of the four rows, column by column.
+  Eigen::Vector4f sum(const Eigen::Vector4f& weights) const {
+    return weights(0) * row(0) + weights(1) * row(1) + weights(2) * row(2) + weights(3) * row(3);
+  }
 };
 
 inline SplinePicture::Neighbourhood SplinePicture::around(const Eigen::Vector2d& place) const {
-  const double column = std::floor(place.x()), row = std::floor(place.y());
-  return {&coefficients_(static_cast<Eigen::Index>(row) + kBorder - 1,
-                         static_cast<Eigen::Index>(column) + kBorder - 1),
-          coefficients_.cols(), Weights(static_cast<float>(place.x() - column)),
+  // Places are not negative: cut off is rounded down.
+  const auto column = static_cast<int>(place.x()), row = static_cast<int>(place.y());
+  return {&coefficients_(row + kBorder - 1, column + kBorder - 1), coefficients_.cols(),
+          Weights(static_cast<float>(place.x() - column)),
           Weights(static_cast<float>(place.y() - row))};
 }
 
 float SplinePicture::value(const Eigen::Vector2d& place) const {
   const Neighbourhood near = around(place);
-  float result = 0;
-  for (int i = 0; i < 4; ++i) result += near.down.value[i] * dot(near.row(i), near.across.value);
-  return result;
+  return near.sum(near.down.value).dot(near.across.value);
 }
 
 double SplinePicture::noise_left(const Eigen::Vector2d& place) const {
@@ -137,14 +129,9 @@ double SplinePicture::noise_left_along(double place) const {
 
 PictureSample SplinePicture::sample(const Eigen::Vector2d& place) const {
   const Neighbourhood near = around(place);
-  PictureSample result{0, Eigen::Vector2f::Zero()};
-  for (int i = 0; i < 4; ++i) {
-    const float along = dot(near.row(i), near.across.value);
-    result.value += near.down.value[i] * along;
-    result.gradient.x() += near.down.value[i] * dot(near.row(i), near.across.slope);
-    result.gradient.y() += near.down.slope[i] * along;
-  }
-  return result;
+  const Eigen::Vector4f columns = near.sum(near.down.value);
+  return {columns.dot(near.across.value),
+          {columns.dot(near.across.slope), near.sum(near.down.slope).dot(near.across.value)}};
 }
 
 }  // namespace pliant

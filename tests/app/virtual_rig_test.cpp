@@ -81,15 +81,8 @@ ProgramRun run_on(const std::filesystem::path& folder, std::vector<std::string> 
 
 TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   const TemporaryFolder folder;
-  folder.write("lab.yaml", fmt::format(R"(pliant: lab/1
-material: {}/examples/assumed-cloth.json
-cameras: {{count: 3, picture: 480x440, boards: 10}}
-experiments:
-  - {{name: stretch, type: session, test: stretch-warp, size: 60 mm x 60 mm, strain: 6 %, frames: 3,
-     mesh: {{edge: 2 mm}}}}
-)",
-                                       PLIANT_SOURCE_DIR));
-  ASSERT_EQ(run_on(folder.path(), {"lab", "lab.yaml"}, "lab").status, 0);
+  const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
+  ASSERT_EQ(run_program({"lab", lab, "-o", (folder.path() / "lab").string()}).status, 0);
   const auto seen = folder.path() / "lab" / "stretch-seen";
   const ProgramRun calibrated = run_on(seen, {"calibrate", "rig.yaml"}, "calibration");
   ASSERT_EQ(calibrated.status, 0) << calibrated.err;

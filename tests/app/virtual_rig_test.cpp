@@ -116,6 +116,22 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   EXPECT_NEAR(found, known, 0.03 * known);
 }
 
+// The same pictures, but for one that the second camera took a frame later.
+TEST(SlowVirtualRig, NamesAFrameWhosePicturesAreOfDifferentMoments) {
+  const TemporaryFolder folder;
+  const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
+  ASSERT_EQ(run_program({"lab", lab, "-o", (folder.path() / "lab").string()}).status, 0);
+  const auto seen = folder.path() / "lab" / "stretch-seen";
+  ASSERT_EQ(run_on(seen, {"calibrate", "rig.yaml"}, "calibration").status, 0);
+  const auto pictures = seen / "pictures" / "camera2";
+  std::filesystem::copy_file(pictures / "001.png", pictures / "002.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  const ProgramRun imported = run_on(seen, {"import", "--dic", "capture.yaml"}, "made");
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_THAT(imported.err, HasSubstr("agrees with the others, first in frame 2 of camera2"));
+  EXPECT_TRUE(std::filesystem::exists(seen / "made" / "frames.csv"));
+}
+
 TEST(VirtualRig, IsNotDrawnOfATestOverATable) {
   const TemporaryFolder folder;
   folder.write("lab.yaml", fmt::format(R"(pliant: lab/1

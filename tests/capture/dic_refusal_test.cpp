@@ -128,5 +128,43 @@ TEST(DicRefusal, OfAMeshTooFine) {
   EXPECT_THAT(refused(folder, std::string(kTwoClips) + "mesh: 0.1 mm\n"), HasSubstr("401 x 801"));
 }
 
+TEST(DicRefusal, OfAClipThatHoldsHalfOfTheSample) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  EXPECT_THAT(refused(folder, "clips: [{name: a, side: bottom, depth: 40 mm}]\n"),
+              HasSubstr("holds more than there is"));
+}
+
+constexpr const char* kViews =
+    "pliant: dic/1\ntest: shear\nsample: {width: 40 mm, height: 80 mm, density: 0.1 kg/m^2}\n"
+    "clips: [{name: a, side: bottom}]\n";
+
+std::string refused_views(const TemporaryFolder& folder, const std::string& views) {
+  for (const char* name : {"left/0.png", "left/1.png", "right/0.png"}) folder.write(name, "");
+  const auto file = folder.write("views.yaml", kViews + views);
+  return test::input_error_of([&] { read_dic(file); }).what();
+}
+
+TEST(DicRefusal, OfUnequalNumbersOfPictures) {
+  EXPECT_THAT(refused_views(TemporaryFolder(),
+                            "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", "
+                            "right: \"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+              HasSubstr("has 1 pictures, and left has 2"));
+}
+
+TEST(DicRefusal, OfACameraAlone) {
+  EXPECT_THAT(refused_views(TemporaryFolder(),
+                            "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\"}\n"
+                            "  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+              HasSubstr("less than two cameras"));
+}
+
+TEST(DicRefusal, OfACalibrationThatIsNotThere) {
+  EXPECT_THAT(refused_views(TemporaryFolder(),
+                            "views:\n  calibration: c.json\n  pictures: {left: \"left/0.png\", "
+                            "right: \"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+              HasSubstr("c.json"));
+}
+
 }  // namespace
 }  // namespace pliant

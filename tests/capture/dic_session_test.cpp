@@ -216,5 +216,29 @@ TEST(DicSession, StatesTheNoiseThatItsVerticesHave) {
   EXPECT_NEAR(missed, *session.noise.position, 0.3 * missed);
 }
 
+TEST(DicSession, HasLinesAlongTheEdgesOfClipsThatHoldSomeOfTheCloth) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, stretched);
+  folder.write(
+      "cords.csv",
+      "frame,clip,px,py,pz,fx,fy,fz\n1,upper,0.02,0.085,0,0,2,0\n1,lower,0.02,-0.005,0,0,-2,0\n");
+  const auto file = PointTables::describe(folder,
+                                          "clips:\n  - {name: lower, side: bottom, depth: 7 mm}\n"
+                                          "  - {name: upper, side: top, depth: 7 mm, along: [5 mm, "
+                                          "35 mm]}\nforces: {cords: cords.csv}\n");
+  const DicSession made = make_dic_session(read_dic(file));
+  const Session& session = made.session;
+  // Nothing pulls in the first frame: it lies on something.
+  ASSERT_EQ(session.frame_count(), 1);
+  EXPECT_EQ(made.slack, std::vector<int>{0});
+  EXPECT_EQ(session.frames[0].cords[1].at(0).force.y(), 2);
+  const auto upper = session.rest.positions(Eigen::all, session.clips[1].clamped);
+  EXPECT_NEAR(upper.row(1).minCoeff(), 0.073, 1e-12);
+  EXPECT_NEAR(upper.row(0).minCoeff(), 0.005, 1e-12);
+  EXPECT_NEAR(upper.row(0).maxCoeff(), 0.035, 1e-12);
+  const auto lower = session.rest.positions(Eigen::all, session.clips[0].clamped);
+  EXPECT_NEAR(lower.row(1).maxCoeff(), 0.007, 1e-12);
+}
+
 }  // namespace
 }  // namespace pliant

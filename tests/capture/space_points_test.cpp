@@ -171,14 +171,8 @@ TEST(SlowSpacePoints, StateErrorsThatCoverTheTruth) {
 
 /// A board in front of a part of the sheet.
 DrawnSurface board_before(double from, double to) {
-  DrawnSurface board;
-  board.positions.resize(3, 4);
-  board.positions << from, to, to, from, -0.01, -0.01, 0.05, 0.05, 0.02, 0.02, 0.02, 0.02;
-  board.triangles.resize(3, 2);
-  board.triangles << 0, 0, 1, 2, 2, 3;
-  board.places = board.positions.topRows<2>();
-  board.brightness = [](const Eigen::Vector2d&) { return 0.4; };
-  return board;
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(from, -0.01), Eigen::Vector2d(to, 0.05));
+  return flat_rectangle(box, 0.02, [](const Eigen::Vector2d&) { return 0.4; });
 }
 
 TEST(SlowSpacePoints, AreLostBehindSomethingAndFoundAgain) {

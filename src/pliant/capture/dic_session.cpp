@@ -58,6 +58,7 @@ class SheetFollower {
       task.advance(f + 1);
     }
     result_.notes = points_->notes();
+    result_.cameras = points_->cameras();
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
       const double leverage = leverage_ / static_cast<double>(residuals_.size());
@@ -182,6 +183,7 @@ class SheetFollower {
     }
     if (result_.middle) add_middle(rest, moved, f);
     result_.nearer.push_back(points.nearer);
+    result_.qualities.push_back(points.quality);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
     if (is_slack(f) || lies_somewhere(f)) {
@@ -209,6 +211,7 @@ class SheetFollower {
     result_.lost.push_back(0);
     result_.unseen.push_back(0);
     result_.nearer.push_back(kNone);
+    result_.qualities.emplace_back();
     for (ClipSlip& slip : result_.slips) slip.slip.push_back(kNone);
     if (!result_.middle) return;
     result_.middle->strain.push_back(kNone);

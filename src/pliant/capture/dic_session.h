@@ -44,9 +44,11 @@ struct DicSession {
   std::vector<int> slack;
   std::optional<MiddleRecord> middle;  ///< where two clips at opposite sides pull
   std::vector<ClipSlip> slips;
-  std::vector<double> nearer;       ///< of each frame, by what share of its distance a clip has
-                                    ///< come nearer to the camera against the other
-  std::vector<std::string> notes;   ///< of where the points come from
+  std::vector<double> nearer;        ///< of each frame, by what share of its distance a clip has
+                                     ///< come nearer to the camera against the other
+  std::vector<std::string> cameras;  ///< names, where there are several
+  std::vector<std::optional<SightQuality>> qualities;  ///< of each frame; of several cameras
+  std::vector<std::string> notes;                      ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
 
   /// Of the files; the session may have fewer.

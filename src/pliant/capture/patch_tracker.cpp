@@ -17,6 +17,20 @@ constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, 
 constexpr int kFactor = 4;                // of reduced pictures
 constexpr int kReducedRadius = 8;
 
+/// Some of the numbers below `count`, spread by the golden ratio: those of a grid, row by row, lie
+/// in no line.
+std::vector<int> scattered(int count, int wanted) {
+  constexpr double kGolden = 0.6180339887498949;
+  std::vector<int> numbers;
+  for (int i = 1; i <= wanted; ++i) {
+    const double share = kGolden * i - std::floor(kGolden * i);
+    numbers.push_back(static_cast<int>(share * count));
+  }
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 }  // namespace
 
 /// Both pictures, made smaller.
@@ -147,13 +161,14 @@ void PatchTracker::match_where_they_were(const SplinePicture& now) {
 void PatchTracker::search(
     const GreyPicture& grey, const SplinePicture& now,
     const std::function<std::optional<PatchMotion>(const Reduced&, const TrackedPatch&)>& coarse) {
-  constexpr std::size_t kSeeds = 40;
+  constexpr int kSeeds = 40;
   const Reduced pictures(first_, grey);
   for (TrackedPatch& point : tracked_) point.is_seen = false;  // what was found may be anything
-  const std::size_t every = std::max<std::size_t>(tracked_.size() / kSeeds, 1);
+  const std::vector<int> seeds = scattered(count(), kSeeds);
   with_threads(context_.threads, [&] {
-    parallel_for(static_cast<int>(tracked_.size() / every), [&](int seed) {
-      TrackedPatch& point = tracked_[static_cast<std::size_t>(seed) * every];
+    parallel_for(static_cast<int>(seeds.size()), [&](int seed) {
+      const int number = seeds[static_cast<std::size_t>(seed)];
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(number)];
       const auto patch =
           ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
       const auto start = coarse(pictures, point);
@@ -179,11 +194,23 @@ void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& n
 
 // From what was found to what is around it.
 void PatchTracker::spread(const SplinePicture& now) {
+  tried_.assign(tracked_.size(), std::nullopt);
   while (match_beside_found(now, kNear) || match_beside_found(now, kWide) ||
          match_beside_neighbour(now)) {
     context_.stop.throw_if_requested();
   }
   leave_out_strays();
+}
+
+bool PatchTracker::is_new(int patch, const PatchMotion& start) {
+  constexpr double kNearby = 0.5;  // pixels, of the middle and of the rim
+  std::optional<PatchMotion>& tried = tried_[static_cast<std::size_t>(patch)];
+  if (tried && (tried->shift - start.shift).norm() < kNearby &&
+      radius_ * (tried->slope - start.slope).norm() < kNearby) {
+    return false;
+  }
+  tried = start;
+  return true;
 }
 
 LocalMotion PatchTracker::motion_of_found(double reach) const {
@@ -212,7 +239,7 @@ bool PatchTracker::match_beside_found(const SplinePicture& now, double steps) {
       if (!moved) return;
       const PatchMotion start{moved->position.head<2>() - point.place,
                               moved->slope.topRows<2>() - Eigen::Matrix2d::Identity()};
-      look_for(point, now, start);
+      if (is_new(i, start)) look_for(point, now, start);
     });
   });
   return seen() > before;
@@ -239,8 +266,9 @@ bool PatchTracker::match_beside_neighbour(const SplinePicture& now) {
       if (!nearest) return;
       const TrackedPatch& leader = *found[static_cast<std::size_t>(*nearest)];
       const PatchMotion& motion = leader.motion;
-      look_for(point, now,
-               {motion.shift + motion.slope * (point.place - leader.place), motion.slope});
+      const PatchMotion start{motion.shift + motion.slope * (point.place - leader.place),
+                              motion.slope};
+      if (is_new(i, start)) look_for(point, now, start);
     });
   });
   return seen() > before;

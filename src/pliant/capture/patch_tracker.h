@@ -67,6 +67,8 @@ class PatchTracker {
   bool match_beside_found(const SplinePicture& now, double steps);
   bool match_beside_neighbour(const SplinePicture& now);
   void spread(const SplinePicture& now);
+  /// Whether a patch has not been looked for there since it was lost.
+  bool is_new(int patch, const PatchMotion& start);
   LocalMotion motion_of_found(double reach) const;
   void leave_out_strays();
 
@@ -76,6 +78,7 @@ class PatchTracker {
   double step_;
   RunContext context_;
   std::vector<TrackedPatch> tracked_;
+  std::vector<std::optional<PatchMotion>> tried_;  // of each patch, in this picture
 };
 
 /// A picture whose pixels are the means of squares of `factor` x `factor`.

@@ -16,6 +16,13 @@
 
 namespace pliant {
 
+/// How well several cameras saw a frame.
+struct SightQuality {
+  double miss = 0;  ///< median by which cameras disagree (pixels a coordinate)
+  std::vector<double> share =
+      {};  ///< of the patches of each camera: found, in agreement with others
+};
+
 /// The points of a sheet that were seen in a frame: where they are at rest, and where by now.
 struct PointFrame {
   Eigen::Matrix3Xd rest;   ///< m, one column a point
@@ -26,6 +33,7 @@ struct PointFrame {
   int lost = 0;  ///< points that were not found
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
+  std::optional<SightQuality> quality = {};  ///< of several cameras
   double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView
   std::string left_out;  ///< why the frame cannot be used; it has no points then
 
@@ -48,6 +56,8 @@ class PointSource {
   virtual PointFrame read(int frame) = 0;
   /// In the axes of the points (m/s^2), where the source knows it.
   virtual std::optional<Eigen::Vector3d> gravity() const { return std::nullopt; }
+  /// Names of the cameras, where there are several.
+  virtual std::vector<std::string> cameras() const { return {}; }
   /// What is worth telling of how the points were found, a sentence each.
   virtual std::vector<std::string> notes() const { return {}; }
 };

@@ -25,20 +25,12 @@ double PrintedBoard::at(const Eigen::Vector2d& place) const {
 }
 
 DrawnSurface board_surface(const TagBoard& board, double dark, double bright) {
-  const Eigen::Vector2d extent = board.extent(), margin = Eigen::Vector2d::Constant(board.gap);
-  const Eigen::Vector2d least = -margin, most = extent + margin;
-  DrawnSurface surface;
-  surface.positions.resize(3, 4);
-  surface.positions << least.x(), most.x(), most.x(), least.x(), least.y(), least.y(), most.y(),
-      most.y(), 0, 0, 0, 0;
-  surface.triangles.resize(3, 2);
-  surface.triangles << 0, 0, 1, 2, 2, 3;
-  surface.places = surface.positions.topRows<2>();
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(board.gap);
   const auto printed = std::make_shared<const PrintedBoard>(board);
-  surface.brightness = [printed, dark, bright](const Eigen::Vector2d& place) {
-    return dark + (bright - dark) * printed->at(place);
-  };
-  return surface;
+  return flat_rectangle({-margin, board.extent() + margin}, 0,
+                        [printed, dark, bright](const Eigen::Vector2d& place) {
+                          return dark + (bright - dark) * printed->at(place);
+                        });
 }
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include "pliant/base/parallel.h"
 #include "pliant/base/quantity.h"
 #include "pliant/capture/camera_picture.h"
+#include "pliant/capture/median.h"
 
 namespace pliant {
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
@@ -212,8 +213,27 @@ PointFrame SpacePoints::read(int frame) {
     points.moved.col(k) = placement_.to_sample * now_[i]->position;
   }
   points.deviations = deviations(seen, points);
+  points.quality = quality();
   points.lost = static_cast<int>(rest_.size() - seen.size()) + lost_at_rest_;
+  constexpr std::size_t kFewest = 10;
+  if (seen.size() < kFewest) points.left_out = "shows hardly a point on which two cameras agree";
   return points;
+}
+
+SightQuality SpacePoints::quality() const {
+  SightQuality quality;
+  std::vector<double> misses;
+  std::vector<double> used(follow_.size(), 0);
+  for (const auto& point : now_) {
+    if (!point) continue;
+    misses.push_back(point->miss);
+    for (std::size_t c = 0; c < used.size(); ++c) used[c] += point->used[c] ? 1 : 0;
+  }
+  quality.miss = median(std::move(misses));
+  for (std::size_t c = 0; c < used.size(); ++c) {
+    quality.share.push_back(used[c] / std::max(follow_[c].tracker->count(), 1));
+  }
+  return quality;
 }
 
 // A point that the calibration puts elsewhere at rest is taken for another place of the sample:

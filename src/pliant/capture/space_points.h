@@ -33,6 +33,7 @@ class SpacePoints : public PointSource {
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
   std::optional<Eigen::Vector3d> gravity() const override;
+  std::vector<std::string> cameras() const override { return views().names; }
 
  private:
   /// What one camera follows.
@@ -56,6 +57,7 @@ class SpacePoints : public PointSource {
   /// @param errors  its displacements by errors of the calibration, in rig axes
   Eigen::Matrix3Xd in_moved_axes(const Eigen::Vector3d& position,
                                  const Eigen::Matrix3Xd& errors) const;
+  SightQuality quality() const;
   /// Of points that are seen now: standard deviations by the noise of pictures and by errors of the
   /// calibration, in the sample's axes (m).
   Eigen::Matrix3Xd deviations(const std::vector<std::size_t>& seen, const PointFrame& points) const;

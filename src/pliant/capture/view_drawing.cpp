@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -202,6 +203,20 @@ GreyPicture blurred(const GreyPicture& picture, double sd) {
 }
 
 }  // namespace
+
+DrawnSurface flat_rectangle(const Eigen::AlignedBox2d& box, double height,
+                            std::function<double(const Eigen::Vector2d& place)> brightness) {
+  const Eigen::Vector2d least = box.min(), most = box.max();
+  DrawnSurface surface;
+  surface.positions.resize(3, 4);
+  surface.positions << least.x(), most.x(), most.x(), least.x(), least.y(), least.y(), most.y(),
+      most.y(), height, height, height, height;
+  surface.triangles.resize(3, 2);
+  surface.triangles << 0, 0, 1, 2, 2, 3;
+  surface.places = surface.positions.topRows<2>();
+  surface.brightness = std::move(brightness);
+  return surface;
+}
 
 GreyPicture draw_view(const CameraModel& camera, const std::vector<DrawnSurface>& surfaces,
                       const ViewOptions& options) {

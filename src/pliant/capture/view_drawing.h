@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "pliant/base/random.h"
 #include "pliant/capture/camera_model.h"
@@ -20,6 +20,10 @@ struct DrawnSurface {
   std::function<double(const Eigen::Vector2d& place)> brightness;
 };
 
+/// A rectangle at a height; its places are its first two coordinates.
+DrawnSurface flat_rectangle(const Eigen::AlignedBox2d& box, double height,
+                            std::function<double(const Eigen::Vector2d& place)> brightness);
+
 /// Light, lens and chip of a camera that draws.
 struct ViewOptions {
   Eigen::Vector3d light{0.3, -0.4, -1};  ///< towards it, rig axes; any length
@@ -31,8 +35,9 @@ struct ViewOptions {
 
 /// What a camera would see, by rays through its lens: brightness, 0 to 1, without noise.
 ///
-/// A triangle is a plane piece; of two surfaces the nearer one hides the other. The same bits on
-/// any number of threads.
+/// A triangle is a plane piece; one with a corner that the lens does not show at all, behind the
+/// camera or far aside, is left out. Of two surfaces the nearer one hides the other. The same bits
+/// on any number of threads.
 GreyPicture draw_view(const CameraModel& camera, const std::vector<DrawnSurface>& surfaces,
                       const ViewOptions& options = {});
 

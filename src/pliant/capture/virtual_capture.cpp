@@ -75,18 +75,10 @@ DrawnClip drawn_clip(const Session& session, const SessionClip& clip) {
   return drawn;
 }
 
-/// A rectangle at a height over the sheet.
-DrawnSurface plate(const Eigen::AlignedBox2d& box, double height, double brightness) {
-  DrawnSurface surface;
-  const Eigen::Vector2d least = box.min(), most = box.max();
-  surface.positions.resize(3, 4);
-  surface.positions << least.x(), most.x(), most.x(), least.x(), least.y(), least.y(), most.y(),
-      most.y(), height, height, height, height;
-  surface.triangles.resize(3, 2);
-  surface.triangles << 0, 0, 1, 2, 2, 3;
-  surface.places = surface.positions.topRows<2>();
-  surface.brightness = [brightness](const Eigen::Vector2d&) { return brightness; };
-  return surface;
+/// A half of a clip, over the cloth or under it.
+DrawnSurface plate(const Eigen::AlignedBox2d& box, double height) {
+  constexpr double kMetal = 0.45;
+  return flat_rectangle(box, height, [](const Eigen::Vector2d&) { return kMetal; });
 }
 
 DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
@@ -151,11 +143,10 @@ class DrawnSession {
 
   /// @param frame  -1: at rest
   std::vector<DrawnSurface> surfaces(int frame) const {
-    constexpr double kMetal = 0.45;
     std::vector<DrawnSurface> surfaces;
     for (std::size_t c = 0; c < clips_.size(); ++c) {
-      std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate, kMetal),
-                                    plate(clips_[c].cloth, -kPlate, kMetal)};
+      std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
+                                    plate(clips_[c].cloth, -kPlate)};
       const std::vector<int> codes = codes_of(clips_, c);
       for (std::size_t i = 0; i < codes.size(); ++i) {
         own.push_back(label_at(clips_[c].labels[i], codes[i]));

@@ -128,7 +128,7 @@ TEST(SlowVirtualRig, NamesAFrameWhosePicturesAreOfDifferentMoments) {
                              std::filesystem::copy_options::overwrite_existing);
   const ProgramRun imported = run_on(seen, {"import", "--dic", "capture.yaml"}, "made");
   ASSERT_EQ(imported.status, 0) << imported.err;
-  EXPECT_THAT(imported.err, HasSubstr("agrees with the others, first in frame 2 of camera2"));
+  EXPECT_THAT(imported.err, HasSubstr("1 frames are to be distrusted, first frame 2"));
   EXPECT_TRUE(std::filesystem::exists(seen / "made" / "frames.csv"));
 }
 

@@ -80,13 +80,14 @@ std::string middle_table(const DicSession& dic) {
 
 /// A row a frame: how much of the sample was seen, and how well cameras agree.
 std::string frame_table(const DicSession& dic) {
-  std::vector<std::string> header{"frame", "lost", "unseen", "miss_px"};
+  std::vector<std::string> header{"frame", "lost", "unseen", "agreeing", "miss_px"};
   for (const std::string& camera : dic.cameras) header.push_back("share_" + camera);
   CsvWriter csv(header);
   for (std::size_t f = 0; f < dic.qualities.size(); ++f) {
     const auto& quality = dic.qualities[f];
     if (!quality) continue;
-    csv.cell(static_cast<int>(f)).cell(dic.lost[f]).cell(dic.unseen[f]).cell(quality->miss);
+    csv.cell(static_cast<int>(f)).cell(dic.lost[f]).cell(dic.unseen[f]);
+    csv.cell(quality->agreeing).cell(quality->miss);
     for (const double share : quality->share) csv.cell(share);
     csv.end_row();
   }
@@ -95,31 +96,29 @@ std::string frame_table(const DicSession& dic) {
 
 /// Frames in which cameras disagree as if one had been moved, or hardly see the sample.
 std::vector<std::string> distrusted(const DicSession& dic) {
-  constexpr double kTimes = 3, kMore = 0.1;  // of the miss at rest; pixels
-  constexpr double kFewest = 0.5;            // of a camera's patches
+  constexpr double kFewest = 0.5;  // of the points, or of a camera's patches
   std::vector<std::string> warnings;
-  const auto& rest = dic.qualities.front();
-  if (!rest) return warnings;
   std::vector<std::size_t> apart, blind;
   for (std::size_t f = 1; f < dic.qualities.size(); ++f) {
     const auto& quality = dic.qualities[f];
     if (!quality) continue;
-    if (quality->miss > std::max(kTimes * rest->miss, rest->miss + kMore)) apart.push_back(f);
-    if (std::ranges::min(quality->share) < kFewest) blind.push_back(f);
+    if (quality->agreeing < kFewest) {
+      apart.push_back(f);
+    } else if (std::ranges::min(quality->share) < kFewest) {
+      blind.push_back(f);
+    }
   }
   if (!apart.empty()) {
     warnings.push_back(fmt::format(
-        "{} frames are to be distrusted, first frame {}: what cameras see of a point misses by "
-        "{:.2g} pixels there and by {:.2g} at rest, as if a camera had been moved, or pictures "
-        "were of different moments",
-        apart.size(), apart.front(), dic.qualities[apart.front()]->miss, rest->miss));
+        "{} frames are to be distrusted, first frame {}: cameras agree on {:.0f} % of the points, "
+        "as if one had been moved, or pictures were of different moments",
+        apart.size(), apart.front(), 100 * dic.qualities[apart.front()]->agreeing));
   }
   if (!blind.empty()) {
     const std::vector<double>& share = dic.qualities[blind.front()]->share;
     const auto camera = std::ranges::min_element(share) - share.begin();
     warnings.push_back(fmt::format(
-        "in {} frames less than half of what a camera saw at rest is found and agrees with the "
-        "others, first in frame {} of {}: it was moved, or its pictures are of other moments",
+        "in {} frames a camera finds less than half of what it saw at rest, first in frame {}: {}",
         blind.size(), blind.front(), dic.cameras[static_cast<std::size_t>(camera)]));
   }
   return warnings;

@@ -18,7 +18,8 @@ namespace pliant {
 
 /// How well several cameras saw a frame.
 struct SightQuality {
-  double miss = 0;  ///< median by which cameras disagree (pixels a coordinate)
+  double agreeing = 1;  ///< share of the points on which all cameras that see them agree
+  double miss = 0;      ///< median by which cameras disagree (pixels a coordinate)
   std::vector<double> share =
       {};  ///< of the patches of each camera: found, in agreement with others
 };

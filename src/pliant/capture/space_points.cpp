@@ -180,6 +180,15 @@ std::string SpacePoints::follow(int frame) {
       now_[point] = agreed_point(views().cameras, seen[point], most);
     });
   });
+  int several = 0, agreeing = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto views_of_it =
+        std::ranges::count_if(seen[i], [](const auto& place) { return place.has_value(); });
+    if (views_of_it < 2) continue;
+    ++several;
+    agreeing += now_[i] && std::ranges::count(now_[i]->used, true) == views_of_it;
+  }
+  agreeing_ = several > 0 ? static_cast<double>(agreeing) / several : 1;
   return "";
 }
 
@@ -222,6 +231,7 @@ PointFrame SpacePoints::read(int frame) {
 
 SightQuality SpacePoints::quality() const {
   SightQuality quality;
+  quality.agreeing = agreeing_;
   std::vector<double> misses;
   std::vector<double> used(follow_.size(), 0);
   for (const auto& point : now_) {

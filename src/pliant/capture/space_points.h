@@ -75,6 +75,7 @@ class SpacePoints : public PointSource {
   int lost_at_rest_ = 0;
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
+  double agreeing_ = 1;                          // as of SightQuality
   std::vector<std::optional<Pose>> clips_;       // in rig axes
   int frame_ = 0;
 };

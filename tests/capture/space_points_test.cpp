@@ -71,6 +71,7 @@ TEST(SlowSpacePoints, FollowASheetThatIsStretchedTurnedAndRolled) {
   const Errors first = errors_of(points.read(0), rig.frames[0]);
   EXPECT_GT(first.points, 400);
   EXPECT_LT(first.off_plane, 0.006e-3);
+  EXPECT_GT(points.read(0).deviations.minCoeff(), 0.3e-6);
   for (const int f : {1, 2}) {
     const PointFrame frame = points.read(f);
     const Errors errors = errors_of(frame, rig.frames[f]);

@@ -22,7 +22,7 @@ constexpr int kReducedRadius = 8;
 std::vector<int> scattered(int count, int wanted) {
   constexpr double kGolden = 0.6180339887498949;
   std::vector<int> numbers;
-  for (int i = 1; i <= wanted; ++i) {
+  for (int i = 1; i <= std::min(wanted, count); ++i) {
     const double share = kGolden * i - std::floor(kGolden * i);
     numbers.push_back(static_cast<int>(share * count));
   }

@@ -32,9 +32,7 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
   rest_ = std::move(rest.points);
   find_sample();
   for (const RestPoint& point : rest_) {
-    AgreedPoint agreed{point.position, Eigen::Matrix3d::Zero(), point.miss, {}};
-    for (const auto& seen : point.seen) agreed.used.push_back(seen.has_value());
-    now_.push_back(std::move(agreed));
+    now_.push_back(agreed_point(views().cameras, point.seen, INFINITY));
   }
   tell_errors();
 }
@@ -131,7 +129,7 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
   }
   if (rest.median_miss > kMostMiss || static_cast<double>(rest.points.size()) < kFewest * places) {
     throw InputError(
-        {dic_.file, 0, "pictures.calibration"},
+        {dic_.file, 0, "views.calibration"},
         fmt::format("does not fit the first pictures: what two cameras see of a point misses by "
                     "{:.2g} pixels",
                     rest.median_miss),
@@ -160,11 +158,24 @@ std::string SpacePoints::follow(int frame) {
     if (!motions.missing.empty()) return motions.missing;
     clips_ = std::move(motions.clips);
   }
-  using Seen = std::vector<std::optional<SeenPlace>>;
-  std::vector<Seen> seen(rest_.size(), Seen(follow_.size()));
+  const std::vector<SeenPlaces> seen = seen_in(now);
+  const double most = most_miss(rest_miss_);
+  with_threads(context_.threads, [&] {
+    parallel_for(static_cast<int>(rest_.size()), [&](int i) {
+      const auto point = static_cast<std::size_t>(i);
+      now_[point] = agreed_point(views().cameras, seen[point], most);
+    });
+  });
+  note_agreement(seen);
+  return "";
+}
+
+std::vector<SpacePoints::SeenPlaces> SpacePoints::seen_in(
+    const std::vector<GreyPicture>& pictures) const {
+  std::vector<SeenPlaces> seen(rest_.size(), SeenPlaces(follow_.size()));
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     const View& view = follow_[c];
-    view.tracker->follow(now[c]);
+    view.tracker->follow(pictures[c]);
     for (std::size_t i = 0; i < view.points.size(); ++i) {
       const TrackedPatch& patch = view.tracker->patches()[i];
       if (!patch.is_seen) continue;
@@ -173,23 +184,19 @@ std::string SpacePoints::follow(int frame) {
       seen[point][c] = SeenPlace{patch.now(), std::hypot(noise, rest_[point].seen[c]->noise)};
     }
   }
-  const double most = most_miss(rest_miss_);
-  with_threads(context_.threads, [&] {
-    parallel_for(static_cast<int>(rest_.size()), [&](int i) {
-      const auto point = static_cast<std::size_t>(i);
-      now_[point] = agreed_point(views().cameras, seen[point], most);
-    });
-  });
+  return seen;
+}
+
+void SpacePoints::note_agreement(const std::vector<SeenPlaces>& seen) {
   int several = 0, agreeing = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const auto views_of_it =
+    const auto cameras =
         std::ranges::count_if(seen[i], [](const auto& place) { return place.has_value(); });
-    if (views_of_it < 2) continue;
+    if (cameras < 2) continue;
     ++several;
-    agreeing += now_[i] && std::ranges::count(now_[i]->used, true) == views_of_it;
+    agreeing += now_[i] && std::ranges::count(now_[i]->used, true) == cameras;
   }
   agreeing_ = several > 0 ? static_cast<double>(agreeing) / several : 1;
-  return "";
 }
 
 Pose SpacePoints::in_sample(const Pose& motion) const {

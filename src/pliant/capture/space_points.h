@@ -36,6 +36,8 @@ class SpacePoints : public PointSource {
   std::vector<std::string> cameras() const override { return views().names; }
 
  private:
+  /// Of a point, by camera.
+  using SeenPlaces = std::vector<std::optional<SeenPlace>>;
   /// What one camera follows.
   struct View {
     std::unique_ptr<PatchTracker> tracker;
@@ -52,6 +54,8 @@ class SpacePoints : public PointSource {
   void begin_views(const StereoRest& rest, std::vector<GreyPicture> pictures);
   /// Says what the pictures lack, or nothing.
   std::string follow(int frame);
+  std::vector<SeenPlaces> seen_in(const std::vector<GreyPicture>& pictures) const;
+  void note_agreement(const std::vector<SeenPlaces>& seen);
   Pose in_sample(const Pose& motion) const;
   /// By how much a point is put elsewhere in the sample's axes, which move along.
   /// @param errors  its displacements by errors of the calibration, in rig axes

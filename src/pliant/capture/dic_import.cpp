@@ -162,7 +162,7 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
   }
   if (session.noise.position) {
     notes.push_back(fmt::format(
-        "points miss an affine motion of those around them by {}, a vertex so by {} (`noise` of "
+        "points miss a smooth motion of those around them by {}, a vertex so by {} (`noise` of "
         "the session): noise, and what bends within {}",
         millimetres(made.point_noise), millimetres(*session.noise.position),
         millimetres(2 * made.spacing)));

@@ -7,7 +7,6 @@
 #include "apps/pliant/file_info.h"
 
 namespace pliant {
-
 namespace {
 
 std::string forces_of(const DicFile& dic) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
+#include "pliant/capture/median.h"
 #include "pliant/measurement/session.h"
 #include "pliant/measurement/session/balance.h"
 
@@ -91,7 +93,6 @@ void describe_frames(const Session& session, FileInfo& info) {
   info.lines.push_back(labelled("time", times.text(Dimension::time, "not told"), 1));
 }
 
-/// Sizes of the cords' forces, of one clip or of all.
 /// Of the positions, where every frame tells them: the median along each axis (m).
 void describe_deviations(const Session& session, FileInfo& info) {
   std::array<std::vector<double>, 3> along;
@@ -106,15 +107,15 @@ void describe_deviations(const Session& session, FileInfo& info) {
   std::vector<std::string> texts;
   for (std::vector<double>& deviations : along) {
     if (deviations.empty()) return;
-    const auto middle = deviations.begin() + std::ssize(deviations) / 2;
-    std::ranges::nth_element(deviations, middle);
-    info.json["position_deviation"].push_back(*middle);
-    texts.push_back(format_quantity(*middle, Dimension::length, 2));
+    const double middle = median(std::move(deviations));
+    info.json["position_deviation"].push_back(middle);
+    texts.push_back(format_quantity(middle, Dimension::length, 2));
   }
   info.lines.push_back(
       labelled("positions", fmt::format("to {} along x, y, z", fmt::join(texts, ", "))));
 }
 
+/// Sizes of the cords' forces, of one clip or of all.
 Range forces_of(const Session& session, std::optional<std::size_t> clip = {}) {
   Range forces;
   for (const SessionFrame& frame : session.frames) {

@@ -8,7 +8,6 @@
 #include "pliant/base/quantity.h"
 
 namespace pliant {
-
 namespace {
 
 /// The axis across a side, and whether the side is that of its least coordinate.

@@ -157,8 +157,9 @@ class SheetFollower {
   void follow(int f) {
     const PointFrame points = read(f);
     if (!points.left_out.empty()) return leave_out(f, points.left_out);
-    const std::vector<int> free = outside_of_clips(axes_.of(points.rest));
-    const Eigen::Matrix2Xd rest = axes_.of(points.rest)(Eigen::all, free).topRows<2>();
+    const Eigen::Matrix2Xd all = axes_.of(points.rest).topRows<2>();
+    const std::vector<int> free = outside_of_clips(all);
+    const Eigen::Matrix2Xd rest = all(Eigen::all, free);
     const Eigen::Matrix3Xd moved = axes_.of(points.moved)(Eigen::all, free);
     const Session& session = result_.session;
     SessionFrame frame;
@@ -194,11 +195,11 @@ class SheetFollower {
   }
 
   /// What is seen where a clip is, is the clip.
-  std::vector<int> outside_of_clips(const Eigen::Matrix3Xd& rest) const {
+  std::vector<int> outside_of_clips(const Eigen::Matrix2Xd& rest) const {
     std::vector<int> free;
     for (Eigen::Index i = 0; i < rest.cols(); ++i) {
       const bool is_hidden = std::ranges::any_of(held_, [&](const HeldPlace& held) {
-        return held.cloth.volume() > 0 && held.cloth.contains(rest.col(i).head<2>());
+        return held.cloth.volume() > 0 && held.cloth.contains(Eigen::Vector2d(rest.col(i)));
       });
       if (!is_hidden) free.push_back(static_cast<int>(i));
     }

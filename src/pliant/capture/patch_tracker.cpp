@@ -109,6 +109,18 @@ int PatchTracker::seen() const {
   return static_cast<int>(std::ranges::count_if(tracked_, &TrackedPatch::is_seen));
 }
 
+FoundPatches PatchTracker::found() const {
+  FoundPatches found{{}, Eigen::Matrix2Xd(2, seen()), Eigen::Matrix2Xd(2, seen())};
+  for (int i = 0; i < count(); ++i) {
+    const TrackedPatch& patch = tracked_[static_cast<std::size_t>(i)];
+    if (!patch.is_seen) continue;
+    found.places.col(std::ssize(found.numbers)) = patch.place;
+    found.now.col(std::ssize(found.numbers)) = patch.now();
+    found.numbers.push_back(i);
+  }
+  return found;
+}
+
 void PatchTracker::follow(const GreyPicture& grey) {
   const SplinePicture now(grey, kMatchSmoothing);
   match_where_they_were(now);
@@ -119,21 +131,19 @@ void PatchTracker::follow(const GreyPicture& grey) {
 void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
   constexpr double kLeast = 0.5;
   const SplinePicture now(grey, kMatchSmoothing);
-  search(grey, now, [&](const Reduced& pictures, const TrackedPatch& point) {
-    std::optional<PatchMotion> best;
-    const auto patch =
-        ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
-    if (!patch) return best;
-    double most = kLeast;
-    for (PatchMotion motion : candidates(point.place)) {
-      motion.shift /= kFactor;
-      const auto correlation = patch->correlation(pictures.now_spline, motion);
-      if (!correlation || *correlation <= most) continue;
-      most = *correlation;
-      best = motion;
-    }
-    return best;
-  });
+  search(grey, now,
+         [&](const Reduced& pictures, const ReferencePatch& patch, const Eigen::Vector2d& place) {
+           std::optional<PatchMotion> best;
+           double most = kLeast;
+           for (PatchMotion motion : candidates(place)) {
+             motion.shift /= kFactor;
+             const auto correlation = patch.correlation(pictures.now_spline, motion);
+             if (!correlation || *correlation <= most) continue;
+             most = *correlation;
+             best = motion;
+           }
+           return best;
+         });
   spread(now);
 }
 
@@ -158,9 +168,8 @@ void PatchTracker::match_where_they_were(const SplinePicture& now) {
 
 // Searches for some patches in reduced pictures; what is found there is refined in them, and then
 // in the pictures themselves.
-void PatchTracker::search(
-    const GreyPicture& grey, const SplinePicture& now,
-    const std::function<std::optional<PatchMotion>(const Reduced&, const TrackedPatch&)>& coarse) {
+void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
+                          const CoarseSearch& coarse) {
   constexpr int kSeeds = 40;
   const Reduced pictures(first_, grey);
   for (TrackedPatch& point : tracked_) point.is_seen = false;  // what was found may be anything
@@ -171,8 +180,9 @@ void PatchTracker::search(
       TrackedPatch& point = tracked_[static_cast<std::size_t>(number)];
       const auto patch =
           ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
-      const auto start = coarse(pictures, point);
-      if (!patch || !start) return;
+      if (!patch) return;
+      const auto start = coarse(pictures, *patch, point.place);
+      if (!start) return;
       const auto found = patch->match(pictures.now_spline, *start);
       if (!found || found->correlation < kAlike) return;
       look_for(point, now, {.shift = kFactor * found->motion.shift, .slope = found->motion.slope});
@@ -183,8 +193,9 @@ void PatchTracker::search(
 void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& now) {
   constexpr int kReach = 40;
   search(grey, now,
-         [](const Reduced& pictures, const TrackedPatch& point) -> std::optional<PatchMotion> {
-           const Eigen::Vector2i place = Reduced::place(point.place).array().round().cast<int>();
+         [](const Reduced& pictures, const ReferencePatch&,
+            const Eigen::Vector2d& full) -> std::optional<PatchMotion> {
+           const Eigen::Vector2i place = Reduced::place(full).array().round().cast<int>();
            const auto shift =
                coarse_shift(pictures.first, pictures.now, place, kReducedRadius, kReach);
            if (!shift) return std::nullopt;
@@ -214,15 +225,10 @@ bool PatchTracker::is_new(int patch, const PatchMotion& start) {
 }
 
 LocalMotion PatchTracker::motion_of_found(double reach) const {
-  Eigen::Matrix2Xd place(2, seen());
-  Eigen::Matrix3Xd now = Eigen::Matrix3Xd::Zero(3, place.cols());
-  Eigen::Index next = 0;
-  for (const TrackedPatch& point : tracked_) {
-    if (!point.is_seen) continue;
-    place.col(next) = point.place;
-    now.col(next++).head<2>() = point.now();
-  }
-  return {place, now, reach};
+  const FoundPatches patches = found();
+  Eigen::Matrix3Xd now = Eigen::Matrix3Xd::Zero(3, patches.now.cols());
+  now.topRows<2>() = patches.now;
+  return {patches.places, now, reach};
 }
 
 // Looks for what is lost where the patches around it say; whether more was found.
@@ -250,21 +256,16 @@ bool PatchTracker::match_beside_found(const SplinePicture& now, double steps) {
 bool PatchTracker::match_beside_neighbour(const SplinePicture& now) {
   const int before = seen();
   if (before == 0 || before == count()) return false;
-  Eigen::Matrix2Xd places(2, before);
-  std::vector<const TrackedPatch*> found;
-  for (const TrackedPatch& point : tracked_) {
-    if (!point.is_seen) continue;
-    places.col(std::ssize(found)) = point.place;
-    found.push_back(&point);
-  }
-  const NearPlaces near(places, kNear * step_);
+  const FoundPatches leaders = found();
+  const NearPlaces near(leaders.places, kNear * step_);
   with_threads(context_.threads, [&] {
     parallel_for(count(), [&](int i) {
       TrackedPatch& point = tracked_[static_cast<std::size_t>(i)];
       if (point.is_seen) return;
       const auto nearest = near.nearest(point.place);
       if (!nearest) return;
-      const TrackedPatch& leader = *found[static_cast<std::size_t>(*nearest)];
+      const int number = leaders.numbers[static_cast<std::size_t>(*nearest)];
+      const TrackedPatch& leader = tracked_[static_cast<std::size_t>(number)];
       const PatchMotion& motion = leader.motion;
       const PatchMotion start{motion.shift + motion.slope * (point.place - leader.place),
                               motion.slope};

@@ -25,6 +25,12 @@ struct TrackedPatch {
   Eigen::Vector2d now() const { return place + motion.shift; }
 };
 
+/// The patches that were found in a picture.
+struct FoundPatches {
+  std::vector<int> numbers;
+  Eigen::Matrix2Xd places, now;  ///< in the first picture and in this one (pixels)
+};
+
 /// Motions that the surroundings of a place may have made (pixels).
 using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vector2d& place)>;
 
@@ -53,16 +59,18 @@ class PatchTracker {
   const std::vector<TrackedPatch>& patches() const { return tracked_; }
   int count() const { return static_cast<int>(tracked_.size()); }
   int seen() const;
+  FoundPatches found() const;
 
  private:
   struct Reduced;
 
   void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
   void match_where_they_were(const SplinePicture& now);
-  /// @param coarse  the motion of a patch of reduced pictures, in their pixels
-  void search(
-      const GreyPicture& grey, const SplinePicture& now,
-      const std::function<std::optional<PatchMotion>(const Reduced&, const TrackedPatch&)>& coarse);
+  /// How a patch of reduced pictures has moved, about, in their pixels.
+  /// @param place  of the patch in the first picture (pixels, not reduced)
+  using CoarseSearch = std::function<std::optional<PatchMotion>(
+      const Reduced&, const ReferencePatch&, const Eigen::Vector2d& place)>;
+  void search(const GreyPicture& grey, const SplinePicture& now, const CoarseSearch& coarse);
   void search_around(const GreyPicture& grey, const SplinePicture& now);
   bool match_beside_found(const SplinePicture& now, double steps);
   bool match_beside_neighbour(const SplinePicture& now);

@@ -142,20 +142,13 @@ std::string TrackedPoints::track(int frame) {
 }
 
 PointFrame TrackedPoints::points() const {
-  const int seen = tracker_->seen();
-  Eigen::Matrix2Xd rest(2, seen), now(2, seen);
-  Eigen::Index next = 0;
-  for (const TrackedPatch& patch : tracker_->patches()) {
-    if (!patch.is_seen) continue;
-    rest.col(next) = patch.place;
-    now.col(next++) = patch.now();
-  }
+  const FoundPatches found = tracker_->found();
   PointFrame frame;
-  frame.rest = Eigen::Matrix3Xd::Zero(3, seen);
+  frame.rest = Eigen::Matrix3Xd::Zero(3, found.now.cols());
   frame.moved = frame.rest;
-  frame.rest.topRows<2>() = first_.on_plane(rest);
-  frame.moved.topRows<2>() = now_.on_plane(now);
-  frame.lost = tracker_->count() - seen + without_texture_;
+  frame.rest.topRows<2>() = first_.on_plane(found.places);
+  frame.moved.topRows<2>() = now_.on_plane(found.now);
+  frame.lost = tracker_->count() - frame.count() + without_texture_;
   frame.clips = now_.clips;
   frame.nearer = now_.nearer;
   return frame;

@@ -79,6 +79,8 @@ double light_on(const Eigen::Vector3d& normal, const ViewOptions& options) {
 
 std::vector<Facet> facets_of(const CameraModel& camera, const std::vector<DrawnSurface>& surfaces,
                              const ViewOptions& options) {
+  const Eigen::Vector2d size(camera.columns, camera.rows);
+  const Eigen::Matrix3d turn = camera.pose.matrix();
   std::vector<Facet> facets;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const DrawnSurface& surface = surfaces[s];
@@ -94,11 +96,9 @@ std::vector<Facet> facets_of(const CameraModel& camera, const std::vector<DrawnS
         least = least.cwiseMin(*pixel);
         most = most.cwiseMax(*pixel);
       }
-      const Eigen::Vector2d size(camera.columns, camera.rows);
       // A lens bends edges a little beyond the corners.
       const Eigen::Vector2d from = least.array() - 2, to = most.array() + 2;
       if (!is_shown || (to.array() < 0).any() || (from.array() >= size.array()).any()) continue;
-      const Eigen::Matrix3d turn = camera.pose.matrix();
       const Eigen::Matrix3d own = (turn * corners).colwise() + camera.pose.translation;
       const Eigen::Vector3d normal =
           (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));

@@ -43,12 +43,15 @@ TagBoard board_for(const VirtualCameras& options) {
 
 /// Where a clip is beside the sheet, and what it covers.
 struct DrawnClip {
+  Eigen::Index axis = 0;  // across its side
   const char* side = "left";
   Eigen::AlignedBox2d cloth;            // at rest (m)
   std::vector<Eigen::Vector2d> labels;  // their middles
+  std::vector<int> codes;               // of these
 };
 
-DrawnClip drawn_clip(const Session& session, const SessionClip& clip) {
+/// @param first_code  of its labels
+DrawnClip drawn_clip(const Session& session, const SessionClip& clip, int first_code) {
   constexpr std::array kSides{"left", "right", "bottom", "top"};
   DrawnClip drawn;
   for (const int vertex : clip.clamped) {
@@ -59,6 +62,7 @@ DrawnClip drawn_clip(const Session& session, const SessionClip& clip) {
   // Along the shorter extent it is deep, along the longer one it is wide.
   const Eigen::Index axis = drawn.cloth.sizes().x() <= drawn.cloth.sizes().y() ? 0 : 1;
   const bool is_first = low(axis) < high(axis);
+  drawn.axis = axis;
   drawn.side = kSides[static_cast<std::size_t>(2 * axis + (is_first ? 0 : 1))];
   constexpr double kBeside = 1e-3;  // m
   const double room = kLabel / 2 + kLabelMargin, out = room + kBeside;
@@ -72,6 +76,8 @@ DrawnClip drawn_clip(const Session& session, const SessionClip& clip) {
   } else {
     drawn.labels = {label - along, label + along};
   }
+  drawn.codes.resize(drawn.labels.size());
+  std::iota(drawn.codes.begin(), drawn.codes.end(), first_code);
   return drawn;
 }
 
@@ -87,15 +93,6 @@ DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
   surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(kLabel / 2);
   surface.positions.row(2).setConstant(kPlate);
   return surface;
-}
-
-/// Codes of the labels on a clip.
-std::vector<int> codes_of(const std::vector<DrawnClip>& clips, std::size_t clip) {
-  int first = 0;
-  for (std::size_t c = 0; c < clip; ++c) first += static_cast<int>(clips[c].labels.size());
-  std::vector<int> codes(clips[clip].labels.size());
-  std::iota(codes.begin(), codes.end(), first);
-  return codes;
 }
 
 /// The print on the cloth.
@@ -136,7 +133,10 @@ class DrawnSession {
  public:
   DrawnSession(const Session& session, const VirtualCameras& options, std::uint64_t seed)
       : session_(session), print_(session, options.pixel, seed) {
-    for (const SessionClip& clip : session.clips) clips_.push_back(drawn_clip(session, clip));
+    for (const SessionClip& clip : session.clips) {
+      const int first_code = clips_.empty() ? 0 : clips_.back().codes.back() + 1;
+      clips_.push_back(drawn_clip(session, clip, first_code));
+    }
   }
 
   const std::vector<DrawnClip>& clips() const { return clips_; }
@@ -147,9 +147,8 @@ class DrawnSession {
     for (std::size_t c = 0; c < clips_.size(); ++c) {
       std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
                                     plate(clips_[c].cloth, -kPlate)};
-      const std::vector<int> codes = codes_of(clips_, c);
-      for (std::size_t i = 0; i < codes.size(); ++i) {
-        own.push_back(label_at(clips_[c].labels[i], codes[i]));
+      for (std::size_t i = 0; i < clips_[c].labels.size(); ++i) {
+        own.push_back(label_at(clips_[c].labels[i], clips_[c].codes[i]));
       }
       for (DrawnSurface& surface : own) {
         if (frame >= 0) move(surface, session_.frames[static_cast<std::size_t>(frame)].poses[c]);
@@ -241,14 +240,12 @@ std::string capture_text(const Session& session, const VirtualCameras& options,
       corners);
   for (std::size_t c = 0; c < clips.size(); ++c) {
     const DrawnClip& clip = clips[c];
-    const bool across_u = clip.cloth.sizes().x() <= clip.cloth.sizes().y();
-    const Eigen::Index deep = across_u ? 0 : 1;
+    const Eigen::Index deep = clip.axis;
     text += fmt::format(
         "  - {{name: {}, side: {}, depth: {}, along: [{}, {}], labels: [{}], mass: {}}}\n",
         session.clips[c].name, clip.side, length(clip.cloth.sizes()(deep)),
         length(clip.cloth.min()(1 - deep)), length(clip.cloth.max()(1 - deep)),
-        fmt::join(codes_of(clips, c), ", "),
-        exact_quantity(session.clips[c].mass, Dimension::mass));
+        fmt::join(clip.codes, ", "), exact_quantity(session.clips[c].mass, Dimension::mass));
   }
   return text + "forces: {cords: cords.csv}\n";
 }

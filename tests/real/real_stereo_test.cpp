@@ -74,7 +74,7 @@ TEST(RealStereo, NeighboursOfTheTempleAgree) {
           agreed_point(three, {point.seen[0], std::nullopt, point.seen[2]}, INFINITY);
       if (!left || !right) continue;
       apart.push_back((left->position - right->position).norm() / kPixel);
-      misses.push_back(point.miss);
+      misses.push_back(point.agreed.miss);
     }
   }
   fmt::print(

@@ -31,9 +31,7 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
   lost_at_rest_ = rest.places - static_cast<int>(rest.points.size());
   rest_ = std::move(rest.points);
   find_sample();
-  for (const RestPoint& point : rest_) {
-    now_.push_back(agreed_point(views().cameras, point.seen, INFINITY));
-  }
+  for (const RestPoint& point : rest_) now_.emplace_back(point.agreed);
   tell_errors();
 }
 
@@ -42,7 +40,7 @@ Eigen::Vector2d SpacePoints::size() const { return {dic_.sample.width, dic_.samp
 Eigen::Matrix3Xd SpacePoints::rest_positions() const {
   Eigen::Matrix3Xd positions(3, std::ssize(rest_));
   for (std::size_t i = 0; i < rest_.size(); ++i) {
-    positions.col(static_cast<Eigen::Index>(i)) = rest_[i].position;
+    positions.col(static_cast<Eigen::Index>(i)) = rest_[i].agreed.position;
   }
   return positions;
 }
@@ -61,7 +59,7 @@ void SpacePoints::find_sample() {
 void SpacePoints::tell_errors() {
   calibration_ = CalibrationError(views().cameras, views().covariance);
   for (std::size_t i = 0; i < rest_.size(); ++i) {
-    rest_errors_.push_back(calibration_.at(rest_[i].position, now_[i]->used));
+    rest_errors_.push_back(calibration_.at(rest_[i].agreed.position, now_[i]->used));
   }
   const Eigen::Matrix3Xd positions = rest_positions();
   for (Eigen::Index mode = 0; mode < calibration_.modes(); ++mode) {
@@ -225,7 +223,7 @@ PointFrame SpacePoints::read(int frame) {
   points.moved.resize(3, std::ssize(seen));
   for (Eigen::Index k = 0; k < std::ssize(seen); ++k) {
     const std::size_t i = seen[static_cast<std::size_t>(k)];
-    points.rest.col(k) = placement_.to_sample * rest_[i].position;
+    points.rest.col(k) = placement_.to_sample * rest_[i].agreed.position;
     points.moved.col(k) = placement_.to_sample * now_[i]->position;
   }
   points.deviations = deviations(seen, points);
@@ -271,7 +269,7 @@ Eigen::Matrix3Xd SpacePoints::deviations(const std::vector<std::size_t>& seen,
       if (local) slope = local->slope;
       const Eigen::Matrix3Xd here =
           in_moved_axes(now.position, calibration_.at(now.position, now.used));
-      const Eigen::Matrix3Xd at_rest = in_moved_axes(rest_[i].position, rest_errors_[i]);
+      const Eigen::Matrix3Xd at_rest = in_moved_axes(rest_[i].agreed.position, rest_errors_[i]);
       const Eigen::Matrix3Xd error = here - slope * at_rest.topRows<2>();
       const Eigen::Vector3d noise = (turn * now.covariance * turn.transpose()).diagonal();
       deviations.col(k) = (noise + error.rowwise().squaredNorm()).cwiseSqrt();

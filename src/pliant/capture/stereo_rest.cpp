@@ -111,7 +111,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
     for (std::size_t c = 0; c < own.size(); ++c) {
       if (!point->used[c]) own[c].reset();
     }
-    rest.points.push_back({point->position, std::move(own), point->miss});
+    rest.points.push_back({*point, std::move(own)});
   }
   return rest;
 }

@@ -19,11 +19,18 @@ struct SeenPlace {
   double noise = 0;  ///< of a coordinate (pixels)
 };
 
+/// A point by several cameras, of which one at a time is left out that disagrees.
+struct AgreedPoint {
+  Eigen::Vector3d position;    ///< rig axes (m)
+  Eigen::Matrix3d covariance;  ///< by the noise of the places alone (m^2)
+  double miss = 0;             ///< root mean square by which they disagree (pixels a coordinate)
+  std::vector<bool> used;      ///< by camera
+};
+
 /// A point of the sample, by the first pictures of several cameras.
 struct RestPoint {
-  Eigen::Vector3d position;                    ///< rig axes (m)
+  AgreedPoint agreed;
   std::vector<std::optional<SeenPlace>> seen;  ///< by camera; in two at least
-  double miss = 0;  ///< root mean square by which cameras disagree (pixels a coordinate)
 };
 
 /// What the first pictures show of the sample.
@@ -50,14 +57,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
                       const std::vector<GreyPicture>& pictures, const Quadrilateral& corners,
                       const PatchGrid& grid, const RunContext& context);
 
-/// A point by several cameras, of which one at a time is left out that disagrees.
-struct AgreedPoint {
-  Eigen::Vector3d position;    ///< rig axes (m)
-  Eigen::Matrix3d covariance;  ///< by the noise of the places alone (m^2)
-  double miss = 0;             ///< as of RestPoint
-  std::vector<bool> used;      ///< by camera
-};
-
+/// A point by cameras that agree.
 /// @param most  by which cameras may disagree (pixels)
 /// @return nothing where no two cameras agree
 std::optional<AgreedPoint> agreed_point(const std::vector<CameraModel>& cameras,

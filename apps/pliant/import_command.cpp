@@ -11,6 +11,7 @@
 #include "pliant/imaging/refused_photo.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/measurement/session.h"
+#include "pliant/report/capture_report.h"
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/import_photos.h"
@@ -109,9 +110,22 @@ const std::string& only_file(const ImportArguments& arguments, const char* expec
   throw photo;
 }
 
+ImportedStudy import_points(const std::string& file, const RunContext& context) {
+  DicImport imported = import_dic(file, picture_reader(), context);
+  ImportedStudy& study = imported.study;
+  const CaptureRecord record{std::filesystem::path(file).stem().string(),
+                             imported.made,
+                             frame_doubts(imported.made),
+                             study.notes,
+                             study.warnings,
+                             shown_views(imported.made, picture_reader())};
+  study.files.emplace_back(kCaptureReport, make_capture_report(record));
+  return std::move(study);
+}
+
 ImportedStudy import_files(const ImportArguments& arguments, const RunContext& context) {
   if (arguments.dic) {
-    return import_dic(only_file(arguments, "one dic/1 file"), picture_reader(), context);
+    return import_points(only_file(arguments, "one dic/1 file"), context);
   }
   const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
   if (photos == std::ssize(arguments.files))
@@ -181,6 +195,10 @@ void add_import(CommandRegistry& registry) {
       for (const std::string& warning : *warnings) {
         context.run.progress.message(Level::warning, warning);
       }
+    }
+    if (arguments->dic) {
+      context.say(fmt::format(
+          "report: {}", (std::filesystem::path(arguments->output) / kCaptureReport).string()));
     }
     context.say(fmt::format("study: {}",
                             (std::filesystem::path(arguments->output) / "study.yaml").string()));

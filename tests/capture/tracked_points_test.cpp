@@ -96,9 +96,9 @@ TEST(TrackedPoints, FollowAStretchFromFrameToFrame) {
   EXPECT_EQ(points.count(), 4);
   for (int f = 0; f < 4; ++f) {
     const PointFrame frame = points.read(f);
-    EXPECT_EQ(frame.count() + frame.lost, 18 * 26) << f;
+    EXPECT_EQ(frame.count() + frame.lost, 19 * 27) << f;
     // A few at the upper edge leave the picture.
-    EXPECT_LT(frame.lost, 3 * 18) << f;
+    EXPECT_LT(frame.lost, 3 * 19) << f;
     EXPECT_LT(largest_error(frame, 0.02 * f), 0.02) << f;
   }
 }

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "pliant/base/number_text.h"
+#include "pliant/base/quantity.h"
 #include "pliant/capture/calibration_file.h"
 #include "pliant/capture/pattern.h"
 #include "pliant/capture/pixel_fields.h"
@@ -229,6 +230,41 @@ void require_clips_for_motion(const DicFile& dic, const Value& list) {
   }
 }
 
+void read_clips(Fields& fields, DicFile& dic) {
+  const Value list = fields.require("clips");
+  TakenByClips taken;
+  for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken));
+  if (dic.clips.empty()) list.fail("names no clip", "what holds the sample, or a `table`");
+  if (auto v = fields.optional("forces")) dic.forces = read_forces(*v);
+  require_clips_for_motion(dic, list);
+  require_labels(dic, list);
+}
+
+/// A table holds the sample, and its weight pulls.
+void read_table_in_place(const Value& value, Fields& fields, DicFile& dic) {
+  const TableEntry table = read_table(value);
+  dic.table = DicTable{table.axis, table.edge};
+  for (const char* other : {"clips", "forces"}) {
+    if (auto v = fields.optional(other))
+      v->fail("stands beside `table`, which holds the sample", "one");
+  }
+  if (dic.pictures) value.fail("is seen by one camera, which does not see what hangs", "`views`");
+  if (!dic.views && !dic.gravity) {
+    value.fail("needs `gravity`, by which the sample hangs", "e.g. gravity: [0, 0, -9.81]");
+  }
+}
+
+void require_edge_under_sample(const DicFile& dic) {
+  const auto& [axis, edge] = *dic.table;
+  const double length = axis == RestAxis::u ? dic.sample.width : dic.sample.height;
+  if (edge > 0 && edge <= length) return;
+  throw InputError(
+      {dic.file, 0, "table"},
+      fmt::format("has its edge at {} of a sample of {}", format_quantity(edge, Dimension::length),
+                  format_quantity(length, Dimension::length)),
+      "where the edge lies under it in the first frame");
+}
+
 /// The labels of the file that the document names, which have to be those on the clips.
 void resolve_labels(DicFile& dic) {
   const DicReference& file = *dic.labels_file;
@@ -270,6 +306,7 @@ DicFile read_dic(const std::filesystem::path& path) {
   if (dic.labels && carriers_of(dic) < 2) {
     throw InputError({dic.file, 0, "clips"}, "has one clip with labels", kTwoLabelled);
   }
+  if (dic.table) require_edge_under_sample(dic);
   if (dic.labels_file) resolve_labels(dic);
   if (dic.camera) dic.lens = lens_of(*dic.camera);
   if (dic.views) resolve_views(*dic.views);
@@ -315,13 +352,11 @@ DicFile dic_of(const Document& document) {
   if (auto v = fields.optional("points"); v && (pictures || views)) {
     v->fail(views ? "stand beside `views`" : "stand beside `pictures`", "one of them");
   }
-  const Value list = fields.require("clips");
-  TakenByClips taken;
-  for (const Value& clip : list.items()) dic.clips.push_back(read_clip(clip, taken));
-  if (dic.clips.empty()) list.fail("names no clip", "what holds the sample");
-  if (auto v = fields.optional("forces")) dic.forces = read_forces(*v);
-  require_clips_for_motion(dic, list);
-  require_labels(dic, list);
+  if (const auto table = fields.optional("table")) {
+    read_table_in_place(*table, fields, dic);
+  } else {
+    read_clips(fields, dic);
+  }
   fields.finish();
   return dic;
 }

@@ -12,6 +12,7 @@
 #include "pliant/capture/dic_reference.h"
 #include "pliant/capture/dic_views.h"
 #include "pliant/capture/lens.h"
+#include "pliant/capture/table_motion.h"
 #include "pliant/io/document.h"
 #include "pliant/measurement/data_source.h"
 #include "pliant/measurement/session.h"
@@ -92,7 +93,8 @@ struct DicFile {
   PointAxis weft{0, 1}, warp{1, 1};
   std::optional<double> mesh;  ///< edge of the sheet's triangles (m); none: as the points lie
   std::optional<Eigen::Vector3d> gravity;  ///< m/s^2; none: what the cameras tell, or none acts
-  std::vector<DicClip> clips;
+  std::vector<DicClip> clips;              ///< none with a table
+  std::optional<DicTable> table;           ///< holds the sample in place of clips
   std::optional<DicForces> forces;
 };
 

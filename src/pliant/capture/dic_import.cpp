@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
 #include "pliant/capture/dic_session.h"
+#include "pliant/capture/frame_doubts.h"
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
@@ -78,50 +80,29 @@ std::string middle_table(const DicSession& dic) {
   return csv.text();
 }
 
-/// A row a frame: how much of the sample was seen, and how well cameras agree.
+/// A row a frame: how much of the sample was seen, how well cameras agree and matches hold.
 std::string frame_table(const DicSession& dic) {
-  std::vector<std::string> header{"frame", "lost", "unseen", "agreeing", "miss_px"};
+  std::vector<std::string> header{"frame",   "lost",    "unseen",   "agreeing",
+                                  "miss_px", "back_px", "drift_px", "broken"};
   for (const std::string& camera : dic.cameras) header.push_back("share_" + camera);
   CsvWriter csv(header);
   for (std::size_t f = 0; f < dic.qualities.size(); ++f) {
     const auto& quality = dic.qualities[f];
     if (!quality) continue;
     csv.cell(static_cast<int>(f)).cell(dic.lost[f]).cell(dic.unseen[f]);
-    csv.cell(quality->agreeing).cell(quality->miss);
+    csv.cell(quality->agreeing).cell(quality->miss.value_or(NAN));
+    csv.cell(quality->matches.back).cell(quality->matches.drift).cell(quality->matches.broken);
     for (const double share : quality->share) csv.cell(share);
     csv.end_row();
   }
   return csv.text();
 }
 
-/// Frames in which cameras disagree as if one had been moved, or hardly see the sample.
 std::vector<std::string> distrusted(const DicSession& dic) {
-  constexpr double kFewest = 0.5;  // of the points, or of a camera's patches
-  std::vector<std::string> warnings;
-  std::vector<std::size_t> apart, blind;
-  for (std::size_t f = 1; f < dic.qualities.size(); ++f) {
-    const auto& quality = dic.qualities[f];
-    if (!quality) continue;
-    if (quality->agreeing < kFewest) {
-      apart.push_back(f);
-    } else if (std::ranges::min(quality->share) < kFewest) {
-      blind.push_back(f);
-    }
-  }
-  if (!apart.empty()) {
-    warnings.push_back(fmt::format(
-        "{} frames are to be distrusted, first frame {}: cameras agree on {:.0f} % of the points, "
-        "as if one had been moved, or pictures were of different moments",
-        apart.size(), apart.front(), 100 * dic.qualities[apart.front()]->agreeing));
-  }
-  if (!blind.empty()) {
-    const std::vector<double>& share = dic.qualities[blind.front()]->share;
-    const auto camera = std::ranges::min_element(share) - share.begin();
-    warnings.push_back(fmt::format(
-        "in {} frames a camera finds less than half of what it saw at rest, first in frame {}: {}",
-        blind.size(), blind.front(), dic.cameras[static_cast<std::size_t>(camera)]));
-  }
-  return warnings;
+  const std::vector<FrameDoubt> doubts = frame_doubts(dic);
+  if (doubts.empty()) return {};
+  return {fmt::format("{} frames are to be distrusted, first frame {}: {}", doubts.size(),
+                      doubts.front().frame, doubts.front().why)};
 }
 
 /// The frame with the largest of some numbers, NaN left out.
@@ -210,14 +191,14 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
 
 }  // namespace
 
-ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
-                         const RunContext& context) {
+DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
+                     const RunContext& context) {
   const DicFile dic = read_dic(file);
   if ((dic.pictures || dic.views) && !read_picture) {
     throw InputError({dic.file, 0, dic.views ? "views" : "pictures"},
                      "cannot be read: this program was built without them", "tables of `points`");
   }
-  const DicSession made = make_dic_session(dic, read_picture, context);
+  DicSession made = make_dic_session(dic, read_picture, context);
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(made, name);
@@ -228,11 +209,11 @@ ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& r
     study.files.emplace_back("middle.csv", middle_table(made));
     study.files.emplace_back("strip.yaml", strip_study(made, name));
   }
-  if (dic.views) {
+  if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
     study.warnings = distrusted(made);
   }
-  if (!dic.forces) {
+  if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(
         "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
         "forces");
@@ -246,7 +227,7 @@ ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& r
                     format_quantity(made.force.front(), Dimension::force, 3)));
   }
   study.notes = notes_of(dic, made);
-  return study;
+  return {std::move(study), std::move(made)};
 }
 
 }  // namespace pliant

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pliant/capture/point_source.h"
+#include "pliant/capture/dic_session.h"
 #include "pliant/study/imported_study.h"
 
 namespace pliant {
@@ -10,12 +10,18 @@ namespace pliant {
 /// The folder of the session among the files of an import.
 inline constexpr const char* kDicSessionFolder = "sheet";
 
+/// A study, and what it was made from.
+struct DicImport {
+  ImportedStudy study;
+  DicSession made;
+};
+
 /// What a dic/1 file describes as a study: a session/1 directory `sheet/`, study.yaml that fits
 /// it; and where two clips pull and their force is known, the table of what the middle of the
 /// sample did, middle.csv, with strip.yaml, the study of it in one dimension.
 /// @param read_picture  where the program can; else pictures are refused
 /// @throws InputError
-ImportedStudy import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
-                         const RunContext& context);
+DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
+                     const RunContext& context);
 
 }  // namespace pliant

@@ -27,6 +27,7 @@ constexpr double kEdge = 2;         // of the mesh, in spacings of the points
 constexpr double kReach = 2.3;      // points that tell a vertex: some sixteen
 constexpr double kBentReach = 3.3;  // in space: some thirty
 constexpr double kGap = 1.25;       // the nearest of them
+constexpr double kRim = 0.6;        // or as near, in sides of its square
 constexpr double kFar = 6;          // points that tell a clip
 constexpr std::size_t kMostVertices = 40000;
 
@@ -40,8 +41,10 @@ class SheetFollower {
     result_.off_plane = axes_.off_plane;
     result_.spacing = point_spacing(axes_.of(first.rest).topRows<2>());
     make_rest();
+    if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
     if (dic.forces) read_forces(*dic.forces);
+    result_.cameras = points_->cameras();
     result_.force = log_.force;
     result_.time = log_.time;
     begin_middle();
@@ -58,7 +61,7 @@ class SheetFollower {
       task.advance(f + 1);
     }
     result_.notes = points_->notes();
-    result_.cameras = points_->cameras();
+    result_.misses = points_->misses();
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
       const double leverage = leverage_ / static_cast<double>(residuals_.size());
@@ -160,9 +163,16 @@ class SheetFollower {
     const Eigen::Matrix2Xd all = axes_.of(points.rest).topRows<2>();
     const std::vector<int> free = outside_of_clips(all);
     const Eigen::Matrix2Xd rest = all(Eigen::all, free);
-    const Eigen::Matrix3Xd moved = axes_.of(points.moved)(Eigen::all, free);
+    Eigen::Matrix3Xd moved = axes_.of(points.moved)(Eigen::all, free);
     const Session& session = result_.session;
     SessionFrame frame;
+    if (dic_.table) {
+      const auto pushed = pushed_over_edge(rest, moved);
+      if (!pushed) return leave_out(f, "shows hardly a point that lies on the table");
+      frame.table_edge = edge_ = pushed->edge;
+      pushed_ = pushed->motion;
+      moved = pushed_.inverse() * moved;
+    }
     if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
     frame.positions = seen_positions(motion_of(rest, moved), f);
     if (points.deviations.cols() > 0) {
@@ -187,11 +197,30 @@ class SheetFollower {
     result_.qualities.push_back(points.quality);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
+    if (is_shown(f)) show(f, frame.positions);
     if (is_slack(f) || lies_somewhere(f)) {
       result_.slack.push_back(f);
       return;
     }
+    result_.used.push_back(f);
     result_.session.frames.push_back(std::move(frame));
+  }
+
+  /// At rest, under the largest force or half way, and at the end.
+  bool is_shown(int f) const {
+    const auto peak = log_.force.empty()
+                          ? points_->count() / 2
+                          : std::ranges::max_element(log_.force) - log_.force.begin();
+    return f == 0 || f == peak || f == points_->count() - 1;
+  }
+
+  void show(int f, const Eigen::Matrix3Xd& positions) {
+    const Eigen::Matrix3Xd points =
+        (axes_.axes.transpose() * (pushed_ * positions)).colwise() + axes_.corner;
+    std::vector<PointsInPicture> pictures = points_->in_pictures(points);
+    for (std::size_t c = 0; c < pictures.size(); ++c) {
+      result_.views.push_back({f, result_.cameras[c], std::move(pictures[c])});
+    }
   }
 
   /// What is seen where a clip is, is the clip.
@@ -221,7 +250,9 @@ class SheetFollower {
 
   /// Whether the first frame shows the sample where it lies on something: nothing pulls it there.
   bool lies_somewhere(int f) const {
-    return f == 0 && !cords_.empty() &&
+    if (f > 0) return false;
+    if (dic_.table) return true;
+    return !cords_.empty() &&
            std::ranges::all_of(cords_.front(), [](const auto& cords) { return cords.empty(); });
   }
 
@@ -248,9 +279,11 @@ class SheetFollower {
   Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const TriangleMesh& rest = result_.session.rest;
+    // All of a square is seen, its rim too.
+    const double gap = std::max(kGap * result_.spacing, kRim * points_->patch());
     Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Constant(3, rest.vertex_count(), kNone);
     for (int v = 0; v < rest.vertex_count(); ++v) {
-      const auto moved = motion.at(rest.positions.col(v).head<2>(), kGap * result_.spacing);
+      const auto moved = motion.at(rest.positions.col(v).head<2>(), gap);
       if (!moved) continue;
       positions.col(v) = moved->position;
       if (f == 0) continue;  // it is where displacements are counted from
@@ -314,6 +347,29 @@ class SheetFollower {
             axes_.axes * (motion.apply(axes_.corner) - axes_.corner)};
   }
 
+  /// Such a sheet hangs, and its frames are in its own axes.
+  void begin_table(const DicTable& table) {
+    result_.session.table = table.axis;
+    edge_ = table.edge;
+    if (!points_->in_space()) {
+      throw InputError({dic_.file, 0, "table"}, "is seen in points without `z`, and cloth hangs",
+                       "points in space");
+    }
+    if (result_.session.gravity.isZero()) {
+      throw InputError({dic_.file, 0, "gravity"}, "is not known, by which the sample hangs",
+                       "`gravity` here, or in the calibration of the cameras (a levelled board)");
+    }
+  }
+
+  std::optional<PushedSheet> pushed_over_edge(const Eigen::Matrix2Xd& rest,
+                                              const Eigen::Matrix3Xd& moved) const {
+    Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Zero(3, rest.cols());
+    flat.topRows<2>() = rest;
+    const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
+    const double middle = size(1 - static_cast<Eigen::Index>(dic_.table->axis)) / 2;
+    return pushed_sheet(flat, moved, *dic_.table, middle, edge_, 2 * result_.spacing);
+  }
+
   /// The force of the log at its clip, and what answers it at the only other one.
   void pull(int f, SessionFrame& frame) const {
     const double force = log_.force[static_cast<std::size_t>(f)];
@@ -357,8 +413,10 @@ class SheetFollower {
   FrameLog log_;
   std::vector<std::vector<std::vector<CordForce>>> cords_;  // by frame and clip
   DicSession result_;
-  std::vector<HeldPlace> held_;    // of each clip
-  int pull_ = 1;                   // rest coordinate along it
+  std::vector<HeldPlace> held_;                               // of each clip
+  int pull_ = 1;                                              // rest coordinate along it
+  double edge_ = 0;                                           // of the table in the frame before
+  Eigen::Isometry3d pushed_ = Eigen::Isometry3d::Identity();  // of a sheet on a table
   std::vector<double> residuals_;  // mean squares, of each vertex and frame
   double leverage_ = 0;            // their sum
 };

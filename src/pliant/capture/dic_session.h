@@ -30,6 +30,13 @@ struct LeftOutFrame {
   std::string why;
 };
 
+/// The vertices of the session's mesh in a picture.
+struct MeshView {
+  int frame = 0;
+  std::string camera;
+  PointsInPicture seen;
+};
+
 /// A session that was made from measured points.
 struct DicSession {
   Session session;
@@ -46,8 +53,11 @@ struct DicSession {
   std::vector<ClipSlip> slips;
   std::vector<double> nearer;        ///< of each frame, by what share of its distance a clip has
                                      ///< come nearer to the camera against the other
-  std::vector<std::string> cameras;  ///< names, where there are several
-  std::vector<std::optional<SightQuality>> qualities;  ///< of each frame; of several cameras
+  std::vector<std::string> cameras;  ///< names, where there are pictures
+  std::vector<std::optional<SightQuality>> qualities;  ///< of each frame, where there are pictures
+  std::vector<MeshView> views;                         ///< of some frames, where there are pictures
+  std::vector<RegionMisses> misses;                    ///< of each of several cameras
+  std::vector<int> used;                               ///< the frames that the session has
   std::vector<std::string> notes;                      ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
 

@@ -15,6 +15,7 @@ namespace {
 constexpr int kFewestPoints = 5;
 constexpr int kBentUnknowns = 6;
 constexpr int kFewestBent = 15;  // points of which a motion of second order is told
+constexpr double kWider = 1.4;   // reach at edges, where points lie on one side
 
 /// Whether places lie in all directions about as far.
 bool spreads(const Eigen::Matrix2Xd& rest) {
@@ -25,7 +26,7 @@ bool spreads(const Eigen::Matrix2Xd& rest) {
   return spread(0) > kThinnest * kThinnest * spread(1);
 }
 
-/// Whether places lie on all sides of one: elsewhere a motion of second order runs away.
+/// Whether places lie on all sides of one.
 bool surrounds(const Eigen::Matrix2Xd& rest, const Eigen::Vector2d& place) {
   constexpr double kFewest = 0.15;  // of the places, on each side
   const Eigen::Matrix2Xd off = rest.colwise() - place;
@@ -84,18 +85,36 @@ MovedPlace bent_at(const Eigen::Vector2d& place, const Eigen::Matrix2Xd& rest,
 LocalMotion::LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach)
     : rest_(std::move(rest)), moved_(std::move(moved)), near_(rest_, reach), reach_(reach) {}
 
+void LocalMotion::bend(double patch) {
+  patch_ = patch;
+  wide_.emplace(rest_, kWider * reach_);
+}
+
+/// Of second order where points lie all around; at edges where more of them tell it well.
+std::optional<MovedPlace> LocalMotion::bent_motion(const Eigen::Vector2d& place,
+                                                   const std::vector<int>& near) const {
+  constexpr double kMostLeverage = 1.5;
+  if (std::ssize(near) >= kFewestBent && surrounds(rest_(Eigen::all, near), place)) {
+    return bent_at(place, rest_(Eigen::all, near), moved_(Eigen::all, near), reach_, *patch_);
+  }
+  const std::vector<int> more = wide_->around(place);
+  const Eigen::Matrix2Xd rest = rest_(Eigen::all, more);
+  if (std::ssize(more) < kFewestBent || !spreads(rest)) return std::nullopt;
+  const MovedPlace moved = bent_at(place, rest, moved_(Eigen::all, more), reach_, *patch_);
+  return moved.leverage <= kMostLeverage ? std::optional(moved) : std::nullopt;
+}
+
 std::optional<MovedPlace> LocalMotion::at(const Eigen::Vector2d& place, double gap) const {
   const std::vector<int> near = near_.around(place);
   if (static_cast<int>(near.size()) < kFewestPoints) return std::nullopt;
   const bool is_close =
       std::ranges::any_of(near, [&](int i) { return near_.distance(i, place) <= gap; });
   if (!is_close) return std::nullopt;
-  const Eigen::Matrix2Xd rest = rest_(Eigen::all, near);
-  const Eigen::Matrix3Xd moved = moved_(Eigen::all, near);
-  if (patch_ && std::ssize(near) >= kFewestBent && surrounds(rest, place)) {
-    return bent_at(place, rest, moved, reach_, *patch_);
+  if (patch_) {
+    const auto bent = bent_motion(place, near);
+    if (bent) return bent;
   }
-  return affine_at(place, rest, moved);
+  return affine_at(place, rest_(Eigen::all, near), moved_(Eigen::all, near));
 }
 
 std::optional<MovedPlace> affine_motion(const Eigen::Matrix2Xd& rest,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -29,16 +30,20 @@ class LocalMotion {
   /// From now on motions are of second order, where points enough are in reach.
   /// @param patch  side of the squares whose means the points are (m); where cloth bends these lie
   ///               off it, by the square of the side over 24 times its Laplacian
-  void bend(double patch) { patch_ = patch; }
+  void bend(double patch);
 
   /// @param gap  the nearest point may be this far away (m)
   /// @return nothing where no point is so near, fewer than five are in reach or all lie in a line
   std::optional<MovedPlace> at(const Eigen::Vector2d& place, double gap) const;
 
  private:
+  std::optional<MovedPlace> bent_motion(const Eigen::Vector2d& place,
+                                        const std::vector<int>& near) const;
+
   Eigen::Matrix2Xd rest_;
   Eigen::Matrix3Xd moved_;
   NearPlaces near_;
+  std::optional<NearPlaces> wide_;  // at edges, where motions are of second order
   double reach_;
   std::optional<double> patch_;  // none: affine
 };

@@ -7,29 +7,15 @@
 #include "pliant/base/parallel.h"
 #include "pliant/capture/median.h"
 #include "pliant/capture/near_places.h"
+#include "pliant/capture/scattered.h"
 
 namespace pliant {
 namespace {
 
-constexpr double kAlike = 0.75;           // correlation of a patch that was found
 constexpr int kFewestFound = 5;           // that say where others have gone
 constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
 constexpr int kFactor = 4;                // of reduced pictures
 constexpr int kReducedRadius = 8;
-
-/// Some of the numbers below `count`, spread by the golden ratio: those of a grid, row by row, lie
-/// in no line.
-std::vector<int> scattered(int count, int wanted) {
-  constexpr double kGolden = 0.6180339887498949;
-  std::vector<int> numbers;
-  for (int i = 1; i <= std::min(wanted, count); ++i) {
-    const double share = kGolden * i - std::floor(kGolden * i);
-    numbers.push_back(static_cast<int>(share * count));
-  }
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
-}
 
 }  // namespace
 
@@ -61,7 +47,8 @@ GreyPicture reduced(const GreyPicture& picture, int factor) {
 }
 
 std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
-                                            const Eigen::Vector2i& place, int radius, int reach) {
+                                            const Eigen::Vector2i& place,
+                                            const Eigen::Vector2i& about, int radius, int reach) {
   constexpr float kLeast = 0.5;
   const int side = 2 * radius + 1;
   const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
@@ -80,7 +67,7 @@ std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyP
   float most = kLeast;
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
-      const Eigen::Vector2i shift(x, y);
+      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
       if (!within(now, place + shift)) continue;
       const GreyPicture other = patch_at(now, place + shift);
       const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
@@ -122,20 +109,22 @@ FoundPatches PatchTracker::found() const {
 }
 
 void PatchTracker::follow(const GreyPicture& grey) {
-  const SplinePicture now(grey, kMatchSmoothing);
-  match_where_they_were(now);
-  if (2 * seen() < count()) search_around(grey, now);
-  spread(now);
+  now_.emplace(grey, kMatchSmoothing);
+  const int before = seen();
+  match_where_they_were(*now_);
+  // What is lost little by little is hidden; what is lost at once has jumped.
+  if (2 * seen() < before || seen() < kFewestFound) search_around(grey, *now_);
+  spread(*now_);
 }
 
 void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
   constexpr double kLeast = 0.5;
   const SplinePicture now(grey, kMatchSmoothing);
   search(grey, now,
-         [&](const Reduced& pictures, const ReferencePatch& patch, const Eigen::Vector2d& place) {
+         [&](const Reduced& pictures, const ReferencePatch& patch, const TrackedPatch& whole) {
            std::optional<PatchMotion> best;
            double most = kLeast;
-           for (PatchMotion motion : candidates(place)) {
+           for (PatchMotion motion : candidates(whole.place)) {
              motion.shift /= kFactor;
              const auto correlation = patch.correlation(pictures.now_spline, motion);
              if (!correlation || *correlation <= most) continue;
@@ -181,7 +170,7 @@ void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
       const auto patch =
           ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
       if (!patch) return;
-      const auto start = coarse(pictures, *patch, point.place);
+      const auto start = coarse(pictures, *patch, point);
       if (!start) return;
       const auto found = patch->match(pictures.now_spline, *start);
       if (!found || found->correlation < kAlike) return;
@@ -194,10 +183,11 @@ void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& n
   constexpr int kReach = 40;
   search(grey, now,
          [](const Reduced& pictures, const ReferencePatch&,
-            const Eigen::Vector2d& full) -> std::optional<PatchMotion> {
-           const Eigen::Vector2i place = Reduced::place(full).array().round().cast<int>();
+            const TrackedPatch& whole) -> std::optional<PatchMotion> {
+           const Eigen::Vector2i place = Reduced::place(whole.place).array().round().cast<int>();
+           const Eigen::Vector2i last = (whole.motion.shift / kFactor).array().round().cast<int>();
            const auto shift =
-               coarse_shift(pictures.first, pictures.now, place, kReducedRadius, kReach);
+               coarse_shift(pictures.first, pictures.now, place, last, kReducedRadius, kReach);
            if (!shift) return std::nullopt;
            return PatchMotion{.shift = shift->cast<double>()};
          });

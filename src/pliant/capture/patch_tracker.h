@@ -38,8 +38,8 @@ using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vec
 /// matched, so that nothing adds up from picture to picture.
 ///
 /// A patch is looked for where it was in the picture before, and if it is not there where the
-/// patches around it have gone; where most are lost, a few are searched for far around, and lead
-/// the others. One that has gone elsewhere than those around it counts as lost.
+/// patches around it have gone; where half are lost at once, a few are searched for far around, and
+/// lead the others. One that has gone elsewhere than those around it counts as lost.
 class PatchTracker {
  public:
   /// @param radius  patches have 2 radius + 1 pixels a side
@@ -56,6 +56,10 @@ class PatchTracker {
   void find_across(const GreyPicture& now, const MotionCandidates& candidates);
 
   const GreyPicture& first() const { return first_; }
+  const SplinePicture& first_spline() const { return first_spline_; }
+  /// The picture that was followed last, smoothed like the first; there is one.
+  const SplinePicture& now() const { return *now_; }
+  int radius() const { return radius_; }
   const std::vector<TrackedPatch>& patches() const { return tracked_; }
   int count() const { return static_cast<int>(tracked_.size()); }
   int seen() const;
@@ -66,10 +70,10 @@ class PatchTracker {
 
   void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
   void match_where_they_were(const SplinePicture& now);
-  /// How a patch of reduced pictures has moved, about, in their pixels.
-  /// @param place  of the patch in the first picture (pixels, not reduced)
+  /// How a patch of reduced pictures, and with it that of the whole ones, has moved, about, in
+  /// pixels of the reduced ones.
   using CoarseSearch = std::function<std::optional<PatchMotion>(
-      const Reduced&, const ReferencePatch&, const Eigen::Vector2d& place)>;
+      const Reduced&, const ReferencePatch&, const TrackedPatch&)>;
   void search(const GreyPicture& grey, const SplinePicture& now, const CoarseSearch& coarse);
   void search_around(const GreyPicture& grey, const SplinePicture& now);
   bool match_beside_found(const SplinePicture& now, double steps);
@@ -82,6 +86,7 @@ class PatchTracker {
 
   GreyPicture first_;
   SplinePicture first_spline_;
+  std::optional<SplinePicture> now_;
   int radius_;
   double step_;
   RunContext context_;
@@ -92,9 +97,12 @@ class PatchTracker {
 /// A picture whose pixels are the means of squares of `factor` x `factor`.
 GreyPicture reduced(const GreyPicture& picture, int factor);
 
-/// Where a patch has gone by whole pixels: the largest correlation within `reach`.
-/// @return nothing where it leaves the picture everywhere, or nowhere correlates by a half
+/// Where a patch has gone by whole pixels: the largest correlation within `reach` of a shift.
+/// @param about  that shift
+/// @return its whole shift; nothing where it leaves the picture everywhere, or nowhere correlates
+/// by a half
 std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
-                                            const Eigen::Vector2i& place, int radius, int reach);
+                                            const Eigen::Vector2i& place,
+                                            const Eigen::Vector2i& about, int radius, int reach);
 
 }  // namespace pliant

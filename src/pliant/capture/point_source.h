@@ -11,17 +11,27 @@
 
 #include "pliant/base/run_context.h"
 #include "pliant/capture/dic_file.h"
+#include "pliant/capture/match_check.h"
+#include "pliant/capture/region_misses.h"
 #include "pliant/capture/spline_picture.h"
 #include "pliant/geometry/pose.h"
 
 namespace pliant {
 
-/// How well several cameras saw a frame.
+/// How well cameras saw a frame.
 struct SightQuality {
   double agreeing = 1;  ///< share of the points on which all cameras that see them agree
-  double miss = 0;      ///< median by which cameras disagree (pixels a coordinate)
-  std::vector<double> share =
-      {};  ///< of the patches of each camera: found, in agreement with others
+  /// Median by which cameras disagree, or by which labels miss the view of one (pixels a
+  /// coordinate); nothing of one camera without labels.
+  std::optional<double> miss;
+  std::vector<double> share;  ///< of the patches of each camera: found, in agreement with others
+  MatchQuality matches;
+};
+
+/// Where a picture shows some points.
+struct PointsInPicture {
+  std::filesystem::path file;
+  Eigen::Matrix2Xd pixels;  ///< one column a point; NaN of those that are not known or not shown
 };
 
 /// The points of a sheet that were seen in a frame: where they are at rest, and where by now.
@@ -34,7 +44,7 @@ struct PointFrame {
   int lost = 0;  ///< points that were not found
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
-  std::optional<SightQuality> quality = {};  ///< of several cameras
+  std::optional<SightQuality> quality = {};  ///< where there are pictures
   double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView
   std::string left_out;  ///< why the frame cannot be used; it has no points then
 
@@ -57,8 +67,15 @@ class PointSource {
   virtual PointFrame read(int frame) = 0;
   /// In the axes of the points (m/s^2), where the source knows it.
   virtual std::optional<Eigen::Vector3d> gravity() const { return std::nullopt; }
-  /// Names of the cameras, where there are several.
+  /// Names of the cameras, where there are pictures.
   virtual std::vector<std::string> cameras() const { return {}; }
+  /// What is where in the pictures of the frame that was read last, by camera.
+  /// @param points  3 x points, in the axes of the points; NaN where they are not known
+  virtual std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& /*points*/) const {
+    return {};
+  }
+  /// Of each of several cameras, over all frames.
+  virtual std::vector<RegionMisses> misses() const { return {}; }
   /// What is worth telling of how the points were found, a sentence each.
   virtual std::vector<std::string> notes() const { return {}; }
 };

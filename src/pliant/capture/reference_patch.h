@@ -10,6 +10,8 @@ namespace pliant {
 
 /// Smoothing of pictures in which patches are looked for (SplinePicture).
 inline constexpr double kMatchSmoothing = 0.125;
+/// Correlation from which on a patch counts as found.
+inline constexpr double kAlike = 0.75;
 
 /// How a patch has moved: a place d off its middle is at `shift + slope d` beyond where it was.
 struct PatchMotion {

@@ -144,7 +144,9 @@ void SpacePoints::begin_views(const StereoRest& rest, std::vector<GreyPicture> p
       const auto& seen = rest.points[i].seen[c];
       if (seen && view.tracker->add(seen->pixel)) view.points.push_back(static_cast<int>(i));
     }
+    view.check.emplace(*view.tracker);
     follow_.push_back(std::move(view));
+    misses_.emplace_back(views().cameras[c].columns, views().cameras[c].rows);
   }
 }
 
@@ -165,6 +167,9 @@ std::string SpacePoints::follow(int frame) {
     });
   });
   note_agreement(seen);
+  note_misses(seen);
+  matches_ = {};
+  for (View& view : follow_) matches_.add(view.check->of(*view.tracker, context_.threads));
   return "";
 }
 
@@ -195,6 +200,35 @@ void SpacePoints::note_agreement(const std::vector<SeenPlaces>& seen) {
     agreeing += now_[i] && std::ranges::count(now_[i]->used, true) == cameras;
   }
   agreeing_ = several > 0 ? static_cast<double>(agreeing) / several : 1;
+}
+
+void SpacePoints::note_misses(const std::vector<SeenPlaces>& seen) {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!now_[i]) continue;
+    for (std::size_t c = 0; c < misses_.size(); ++c) {
+      const auto expected = views().cameras[c].project(now_[i]->position);
+      if (!now_[i]->used[c] || !expected) continue;
+      const Eigen::Vector2d& pixel = seen[i][c]->pixel;
+      misses_[c].add(pixel, pixel - *expected);
+    }
+  }
+}
+
+std::vector<PointsInPicture> SpacePoints::in_pictures(const Eigen::Matrix3Xd& points) const {
+  const Eigen::Isometry3d to_rig = placement_.to_sample.inverse();
+  std::vector<PointsInPicture> pictures;
+  for (std::size_t c = 0; c < views().cameras.size(); ++c) {
+    const CameraModel& camera = views().cameras[c];
+    PointsInPicture picture{views().files[c][static_cast<std::size_t>(frame_)],
+                            Eigen::Matrix2Xd::Constant(2, points.cols(), NAN)};
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      if (!points.col(i).allFinite()) continue;
+      const auto pixel = camera.project(to_rig * points.col(i));
+      if (pixel) picture.pixels.col(i) = *pixel;
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
 }
 
 Pose SpacePoints::in_sample(const Pose& motion) const {
@@ -245,6 +279,7 @@ SightQuality SpacePoints::quality() const {
     for (std::size_t c = 0; c < used.size(); ++c) used[c] += point->used[c] ? 1 : 0;
   }
   quality.miss = median(std::move(misses));
+  quality.matches = matches_.quality();
   for (std::size_t c = 0; c < used.size(); ++c) {
     quality.share.push_back(used[c] / std::max(follow_[c].tracker->count(), 1));
   }

@@ -34,6 +34,8 @@ class SpacePoints : public PointSource {
   std::vector<std::string> notes() const override;
   std::optional<Eigen::Vector3d> gravity() const override;
   std::vector<std::string> cameras() const override { return views().names; }
+  std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
+  std::vector<RegionMisses> misses() const override { return misses_; }
 
  private:
   /// Of a point, by camera.
@@ -41,6 +43,7 @@ class SpacePoints : public PointSource {
   /// What one camera follows.
   struct View {
     std::unique_ptr<PatchTracker> tracker;
+    std::optional<MatchCheck> check;
     std::vector<int> points;  // of each of its patches
   };
 
@@ -56,6 +59,7 @@ class SpacePoints : public PointSource {
   std::string follow(int frame);
   std::vector<SeenPlaces> seen_in(const std::vector<GreyPicture>& pictures) const;
   void note_agreement(const std::vector<SeenPlaces>& seen);
+  void note_misses(const std::vector<SeenPlaces>& seen);
   Pose in_sample(const Pose& motion) const;
   /// By how much a point is put elsewhere in the sample's axes, which move along.
   /// @param errors  its displacements by errors of the calibration, in rig axes
@@ -80,6 +84,8 @@ class SpacePoints : public PointSource {
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
   double agreeing_ = 1;                          // as of SightQuality
+  MatchMisses matches_;                          // of this frame
+  std::vector<RegionMisses> misses_;             // of each camera
   std::vector<std::optional<Pose>> clips_;       // in rig axes
   int frame_ = 0;
 };

@@ -43,6 +43,15 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
   tracker_ =
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
   place_patches();
+  check_.emplace(*tracker_);
+}
+
+double TrackedPoints::patch() const {
+  const Eigen::Vector2d middle = tracker_->patches().front().place;
+  Eigen::Matrix2d pixel;
+  pixel << middle, middle + Eigen::Vector2d::UnitX();
+  const Eigen::Matrix2Xd on_plane = first_.on_plane(pixel);
+  return dic_.pictures->patch * (on_plane.col(1) - on_plane.col(0)).norm();
 }
 
 std::string TrackedPoints::file(int frame) const {
@@ -138,6 +147,7 @@ std::string TrackedPoints::track(int frame) {
     ++views_;
   }
   tracker_->follow(grey);
+  matches_ = check_->of(*tracker_, context_.threads);
   return "";
 }
 
@@ -151,7 +161,17 @@ PointFrame TrackedPoints::points() const {
   frame.lost = tracker_->count() - frame.count() + without_texture_;
   frame.clips = now_.clips;
   frame.nearer = now_.nearer;
+  const double tracked = std::max(tracker_->count(), 1);
+  SightQuality& quality = frame.quality.emplace();
+  quality.share = {frame.count() / tracked};
+  quality.matches = matches_.quality();
+  if (labels_) quality.miss = now_.miss;
   return frame;
+}
+
+std::vector<PointsInPicture> TrackedPoints::in_pictures(const Eigen::Matrix3Xd& points) const {
+  return {{dic_.pictures->files[static_cast<std::size_t>(frame_)],
+           now_.in_picture(points.topRows<2>())}};
 }
 
 }  // namespace pliant

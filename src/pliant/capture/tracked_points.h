@@ -21,9 +21,12 @@ class TrackedPoints : public PointSource {
 
   int count() const override { return static_cast<int>(dic_.pictures->files.size()); }
   bool in_space() const override { return false; }
+  double patch() const override;
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
+  std::vector<std::string> cameras() const override { return {"camera"}; }
+  std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
 
  private:
   void place_patches();
@@ -39,6 +42,8 @@ class TrackedPoints : public PointSource {
   double label_squares_ = 0;  // of the misses of all views since the first (pixels)
   int views_ = 0;
   std::unique_ptr<PatchTracker> tracker_;
+  std::optional<MatchCheck> check_;
+  MatchMisses matches_;  // of this frame
   int without_texture_ = 0;
   int frame_ = 0;
 };

@@ -144,6 +144,7 @@ class DrawnSession {
   /// @param frame  -1: at rest
   std::vector<DrawnSurface> surfaces(int frame) const {
     std::vector<DrawnSurface> surfaces;
+    if (session_.table) surfaces.push_back(table_top());
     for (std::size_t c = 0; c < clips_.size(); ++c) {
       std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
                                     plate(clips_[c].cloth, -kPlate)};
@@ -161,11 +162,34 @@ class DrawnSession {
     sheet.triangles = session_.rest.triangles;
     sheet.places = session_.rest.positions.topRows<2>();
     sheet.brightness = [this](const Eigen::Vector2d& place) { return print_.at(place); };
+    if (session_.table) push(sheet, frame);
     surfaces.push_back(std::move(sheet));
     return surfaces;
   }
 
  private:
+  /// The table stays where it is, its edge where the sheet ends at rest.
+  double edge() const {
+    return *session_.table == RestAxis::u ? session_.sample.width : session_.sample.height;
+  }
+
+  DrawnSurface table_top() const {
+    constexpr double kBelow = 0.3e-3, kBeside = 0.05, kWood = 0.3;  // m, m
+    const auto axis = static_cast<Eigen::Index>(*session_.table);
+    Eigen::AlignedBox2d box(Eigen::Vector2d::Constant(-kBeside),
+                            Eigen::Vector2d(session_.sample.width, session_.sample.height) +
+                                Eigen::Vector2d::Constant(kBeside));
+    box.max()(axis) = edge();
+    return flat_rectangle(box, -kBelow, [](const Eigen::Vector2d&) { return kWood; });
+  }
+
+  /// Frames are in the sheet's own axes.
+  void push(DrawnSurface& sheet, int frame) const {
+    if (frame < 0) return;
+    const double by = edge() - *session_.frames[static_cast<std::size_t>(frame)].table_edge;
+    sheet.positions.row(static_cast<Eigen::Index>(*session_.table)).array() += by;
+  }
+
   static void move(DrawnSurface& surface, const Pose& pose) {
     for (auto place : surface.positions.colwise()) place = pose.apply(place);
   }
@@ -234,10 +258,16 @@ std::string capture_text(const Session& session, const VirtualCameras& options,
       "# pliant calibrate rig.yaml -o calibration\n# pliant import --dic capture.yaml -o seen\n"
       "pliant: dic/1\ntest: {}\nsample: {{width: {}, height: {}, mass: {}}}\n"
       "views:\n  calibration: calibration/calibration.json\n  pictures: {{{}}}\n"
-      "  corners: [{}]\nclips:\n",
+      "  corners: [{}]\n",
       session.test, length(width), length(height),
       exact_quantity(*session.sample.mass, Dimension::mass), pictures_yaml(options, "pictures"),
       corners);
+  if (session.table) {
+    const bool across_weft = *session.table == RestAxis::u;
+    return text + fmt::format("table: {{{}: {}}}\n", across_weft ? "edge_x" : "edge_y",
+                              length(across_weft ? width : height));
+  }
+  text += "clips:\n";
   for (std::size_t c = 0; c < clips.size(); ++c) {
     const DrawnClip& clip = clips[c];
     const Eigen::Index deep = clip.axis;
@@ -248,6 +278,13 @@ std::string capture_text(const Session& session, const VirtualCameras& options,
         fmt::join(clip.codes, ", "), exact_quantity(session.clips[c].mass, Dimension::mass));
   }
   return text + "forces: {cords: cords.csv}\n";
+}
+
+/// What the cameras look at: the middle of the sheet, or of the edge over which it is pushed.
+Eigen::Vector2d middle_of(const Session& session) {
+  Eigen::Vector2d middle(session.sample.width / 2, session.sample.height / 2);
+  if (session.table) middle(static_cast<Eigen::Index>(*session.table)) *= 2;
+  return middle;
 }
 
 /// The session's cords; its first frame is the second picture.
@@ -290,14 +327,16 @@ void require_seen(const VirtualTest& test) {
   const auto* session = dynamic_cast<const VirtualSessionTest*>(&test);
   if (!session) return;
   const std::string& name = session->session.test;
-  if (session_test_kind(name).clip_mass > 0 && name != "bias-extension") return;
+  const bool has_clips = session_test_kind(name).clip_mass > 0 && name != "bias-extension";
+  if (has_clips || name.starts_with("bend-")) return;
   throw InputError(test.where, quoted_value(name) + " is not a test that cameras are drawn of yet",
-                   "sheets between clips, cut along weft and warp; or a lab without `cameras`");
+                   "sheets between clips, cut along weft and warp, or over the edge of a table; or "
+                   "a lab without `cameras`");
 }
 
 void draw_capture(const Session& session, const VirtualCameras& options, const RunContext& context,
                   const WriteFile& write) {
-  const Eigen::Vector2d middle(session.sample.width / 2, session.sample.height / 2);
+  const Eigen::Vector2d middle = middle_of(session);
   const std::vector<CameraModel> cameras = virtual_rig(options, middle);
   const RandomStream random = RandomStream(context.seed).split("pictures");
   const ChipNoise noise{options.read_noise, options.shot_noise, options.bits};
@@ -340,7 +379,7 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
   print.kind = board;
   write("board.yaml", pattern_text(print));
   write("rig.yaml", rig_text(options));
-  write("cords.csv", cords_text(session));
+  if (!session.table) write("cords.csv", cords_text(session));
   write("capture.yaml", capture_text(session, options, drawn.clips(), cameras.front()));
 }
 

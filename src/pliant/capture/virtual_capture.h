@@ -18,7 +18,7 @@ namespace pliant {
 std::vector<CameraModel> virtual_rig(const VirtualCameras& options, const Eigen::Vector2d& middle);
 
 /// @throws InputError for a session that cameras cannot be drawn of: they see sheets between clips,
-///         cut along weft and warp
+///         cut along weft and warp, and sheets over the edge of a table
 void require_seen(const VirtualTest& test);
 
 /// Takes the content of a file.
@@ -29,7 +29,7 @@ using WriteFile = std::function<void(const std::string& name, const std::string&
 /// limited noise is on the cloth, labels on each clip. Writes with them rig.yaml, board.yaml, the
 /// cords of the session and capture.yaml (dic/1), so that what is measured in the pictures stands
 /// beside the session, which is the truth.
-/// @param session  of a test with clips, its sheet cut along weft and warp
+/// @param session  of a test that `require_seen` lets pass
 /// @throws Interrupted
 void draw_capture(const Session& session, const VirtualCameras& options, const RunContext& context,
                   const WriteFile& write);

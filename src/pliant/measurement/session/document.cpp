@@ -36,20 +36,6 @@ ClipEntry read_clip(const Value& value, std::set<std::string>& taken) {
   return clip;
 }
 
-TableEntry read_table(const Value& value) {
-  Fields fields = value.fields();
-  const auto u = fields.optional("edge_x"), v = fields.optional("edge_y");
-  if (u.has_value() == v.has_value()) {
-    value.fail("has no single edge", "either `edge_x` (bends weft) or `edge_y` (bends warp)");
-  }
-  TableEntry table;
-  table.where = value.location();
-  table.axis = u ? RestAxis::u : RestAxis::v;
-  table.edge = (u ? u : v)->quantity(Dimension::length);
-  fields.finish();
-  return table;
-}
-
 SheetNoise read_noise(const Value& value) {
   Fields fields = value.fields();
   SheetNoise noise;
@@ -126,6 +112,20 @@ SessionDocument session_document_of(const Document& document) {
   check_table(session.test, table, session.table, fields.location());
   fields.finish();
   return session;
+}
+
+TableEntry read_table(const Value& value) {
+  Fields fields = value.fields();
+  const auto u = fields.optional("edge_x"), v = fields.optional("edge_y");
+  if (u.has_value() == v.has_value()) {
+    value.fail("has no single edge", "either `edge_x` (bends weft) or `edge_y` (bends warp)");
+  }
+  TableEntry table;
+  table.where = value.location();
+  table.axis = u ? RestAxis::u : RestAxis::v;
+  table.edge = (u ? u : v)->quantity(Dimension::length);
+  fields.finish();
+  return table;
 }
 
 SessionDocument read_session_document(const std::filesystem::path& path) {

@@ -48,6 +48,10 @@ struct SessionDocument {
 /// @throws InputError
 SessionSample read_session_sample(const Value& value, SessionKind kind);
 
+/// `table` of session.yaml.
+/// @throws InputError
+TableEntry read_table(const Value& value);
+
 /// @throws InputError
 SessionDocument read_session_document(const std::filesystem::path& path);
 SessionDocument session_document_of(const Document& document);

@@ -1,0 +1,47 @@
+#include "pliant/capture/frame_doubts.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace pliant {
+namespace {
+
+constexpr double kFewest = 0.5;    // of the points, or of a camera's patches
+constexpr double kMostBack = 0.2;  // pixels
+
+std::string doubt_of(const SightQuality& quality, const std::vector<std::string>& cameras) {
+  if (quality.agreeing < kFewest) {
+    return fmt::format(
+        "cameras agree on {:.0f} % of the points, as if one had been moved, or pictures were of "
+        "different moments",
+        100 * quality.agreeing);
+  }
+  const auto least = std::ranges::min_element(quality.share);
+  if (*least < kFewest) {
+    return fmt::format("{} finds {:.0f} % of what it saw at rest",
+                       cameras[static_cast<std::size_t>(least - quality.share.begin())],
+                       100 * *least);
+  }
+  if (quality.matches.back > kMostBack) {
+    return fmt::format(
+        "patches that are matched there and back miss where they were by {:.2g} "
+        "pixels, as in pictures that are blurred",
+        quality.matches.back);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<FrameDoubt> frame_doubts(const DicSession& made) {
+  std::vector<FrameDoubt> doubts;
+  for (std::size_t f = 1; f < made.qualities.size(); ++f) {
+    if (!made.qualities[f]) continue;
+    std::string why = doubt_of(*made.qualities[f], made.cameras);
+    if (!why.empty()) doubts.push_back({static_cast<int>(f), std::move(why)});
+  }
+  return doubts;
+}
+
+}  // namespace pliant

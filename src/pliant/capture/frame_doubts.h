@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/capture/dic_session.h"
+
+namespace pliant {
+
+/// A frame that the session has, and that is to be distrusted.
+struct FrameDoubt {
+  int frame = 0;
+  std::string why;
+};
+
+/// Frames in which cameras disagree as if one had been moved, that hardly show the sample, or whose
+/// matches do not hold both ways.
+std::vector<FrameDoubt> frame_doubts(const DicSession& made);
+
+}  // namespace pliant

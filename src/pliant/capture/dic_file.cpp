@@ -137,12 +137,20 @@ DicReference read_camera(const Value& value) {
   return camera;
 }
 
+constexpr const char* kByMotion = "by motion";  // of the clip that the log is of
+
+void read_start(const Value& value, DicForces& forces) {
+  if (!forces.rate) value.fail("needs the `rate` of the frames", "both");
+  forces.start = LogStart{{}, value.location()};
+  if (value.text() != kByMotion) forces.start->time = value.quantity(Dimension::time);
+}
+
 DicForces read_forces(const Value& value) {
   Fields fields = value.fields();
   DicForces forces;
   if (auto v = fields.optional("cords")) {
     forces.cords = path_beside(*v, "a table like cords.csv of a session");
-    for (const char* other : {"data", "on", "rate"}) {
+    for (const char* other : {"data", "on", "rate", "start"}) {
       if (auto w = fields.optional(other)) w->fail("stands beside `cords`", "one of them");
     }
     fields.finish();
@@ -153,6 +161,7 @@ DicForces read_forces(const Value& value) {
   forces.clip = on.text("the name of a clip");
   forces.where_clip = on.location();
   if (auto v = fields.optional("rate")) forces.rate = v->positive_quantity(Dimension::frequency);
+  if (auto v = fields.optional("start")) read_start(*v, forces);
   fields.finish();
   return forces;
 }
@@ -206,6 +215,18 @@ void refuse_place(Fields& fields) {
 
 constexpr const char* kTwoLabelled =
     "labels on two clips at least, which tell how the plane of the sample is tilted";
+
+/// A clock is found by labels, which do not need it.
+void require_labels_for_clock(const DicFile& dic) {
+  if (!dic.forces || !dic.forces->needs_clock()) return;
+  const auto pulled = std::ranges::find(dic.clips, dic.forces->clip, &DicClip::name);
+  const bool is_free = std::ranges::none_of(
+      dic.clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
+  if (is_free && pulled != dic.clips.end() && pulled->motion != ClipMotion::held) return;
+  throw InputError(dic.forces->start->where,
+                   "is to be found by how the clip moves, which is not seen",
+                   "labels on the clip that `on` names, or points beside it; or a time");
+}
 
 /// How many clips carry labels.
 std::ptrdiff_t carriers_of(const DicFile& dic) {
@@ -307,6 +328,7 @@ DicFile read_dic(const std::filesystem::path& path) {
     throw InputError({dic.file, 0, "clips"}, "has one clip with labels", kTwoLabelled);
   }
   if (dic.table) require_edge_under_sample(dic);
+  require_labels_for_clock(dic);
   if (dic.labels_file) resolve_labels(dic);
   if (dic.camera) dic.lens = lens_of(*dic.camera);
   if (dic.views) resolve_views(*dic.views);

@@ -47,14 +47,22 @@ struct PointAxis {
   double sign = 1;
 };
 
+/// When the first frame was taken by the clock of a log.
+struct LogStart {
+  std::optional<double> time;  ///< s; none: as the clip's motion tells
+  Location where;
+};
+
 /// The log of a tester or of a load cell; or what cords do, in space.
 struct DicForces {
   std::optional<std::filesystem::path> cords;  ///< like cords.csv of a session; then nothing else
   DataSource data;
   std::string clip;  ///< that the cell pulls
   Location where_clip;
-  std::optional<double>
-      rate;  ///< of the frames (1/s), from the log's time zero; none: a row a frame
+  std::optional<double> rate;     ///< of the frames (1/s); none: a row a frame
+  std::optional<LogStart> start;  ///< none: the log's zero, and it covers all frames
+
+  bool needs_clock() const { return start && !start->time; }
 };
 
 /// Pictures of a flat sample by one camera, in which points are tracked.

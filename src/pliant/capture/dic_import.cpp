@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,7 +72,7 @@ std::string middle_table(const DicSession& dic) {
   if (!dic.time.empty()) header.emplace_back("time_s");
   CsvWriter csv(header);
   for (std::size_t f = 0; f < middle.strain.size(); ++f) {
-    if (std::isnan(middle.strain[f])) continue;
+    if (std::isnan(middle.strain[f]) || std::isnan(dic.force[f])) continue;
     csv.cell(dic.force[f]).cell(100 * middle.strain[f]).cell(100 * middle.lateral_strain[f]);
     for (const ClipSlip& slip : dic.slips) csv.cell(1e3 * slip.slip[f]);
     if (!dic.time.empty()) csv.cell(dic.time[f]);
@@ -211,7 +212,8 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   }
   if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
-    study.warnings = distrusted(made);
+    study.warnings = made.warnings;
+    std::ranges::move(distrusted(made), std::back_inserter(study.warnings));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -10,7 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
 #include "pliant/capture/clip_motion.h"
-#include "pliant/capture/force_log.h"
+#include "pliant/capture/frame_forces.h"
 #include "pliant/capture/local_motion.h"
 #include "pliant/capture/median.h"
 #include "pliant/capture/point_source.h"
@@ -18,7 +19,6 @@
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/measurement/session/clip_grid.h"
-#include "pliant/measurement/session/cord_forces.h"
 
 namespace pliant {
 namespace {
@@ -43,10 +43,8 @@ class SheetFollower {
     make_rest();
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
-    if (dic.forces) read_forces(*dic.forces);
+    forces_.emplace(dic, result_.session.clips, points_->count());
     result_.cameras = points_->cameras();
-    result_.force = log_.force;
-    result_.time = log_.time;
     begin_middle();
     for (const DicClip& clip : dic.clips) {
       if (clip.motion != ClipMotion::points) result_.slips.push_back({clip.name, {}});
@@ -60,7 +58,13 @@ class SheetFollower {
       follow(f);
       task.advance(f + 1);
     }
-    result_.notes = points_->notes();
+    if (forces_->needs_clock()) result_.notes.push_back(forces_->find_clock(ways_));
+    result_.force = forces_->log().force;
+    result_.time = forces_->log().time;
+    for (auto& [f, frame] : followed_) take(f, std::move(frame));
+    std::ranges::sort(result_.left_out, {}, &LeftOutFrame::frame);
+    std::ranges::move(points_->notes(), std::back_inserter(result_.notes));
+    result_.warnings = points_->warnings();
     result_.misses = points_->misses();
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
@@ -125,21 +129,6 @@ class SheetFollower {
     return seen ? Eigen::Vector3d(axes_.axes * *seen) : Eigen::Vector3d(Eigen::Vector3d::Zero());
   }
 
-  void read_forces(const DicForces& forces) {
-    const int frames = points_->count();
-    if (!forces.cords) {
-      log_ = read_force_log(forces, frames);
-      return;
-    }
-    const FrameRows rows(*forces.cords, frames);
-    FrameTimes times(frames);
-    cords_ = read_cord_forces(rows, result_.session.clips, frames, times).cords;
-    for (const auto& time : times.increasing()) {
-      if (!time) return log_.time.clear();
-      log_.time.push_back(*time);
-    }
-  }
-
   void require_pulled_clip() const {
     if (!dic_.forces || dic_.forces->cords) return;
     const std::string& name = dic_.forces->clip;
@@ -160,6 +149,7 @@ class SheetFollower {
   void follow(int f) {
     const PointFrame points = read(f);
     if (!points.left_out.empty()) return leave_out(f, points.left_out);
+    if (lacks_extension(f)) return leave_out(f, kBeyondLog);
     const Eigen::Matrix2Xd all = axes_.of(points.rest).topRows<2>();
     const std::vector<int> free = outside_of_clips(all);
     const Eigen::Matrix2Xd rest = all(Eigen::all, free);
@@ -173,7 +163,6 @@ class SheetFollower {
       pushed_ = pushed->motion;
       moved = pushed_.inverse() * moved;
     }
-    if (!log_.time.empty()) frame.time = log_.time[static_cast<std::size_t>(f)];
     frame.positions = seen_positions(motion_of(rest, moved), f);
     if (points.deviations.cols() > 0) {
       frame.deviations = deviations_of(rest, points.deviations(Eigen::all, free));
@@ -186,32 +175,64 @@ class SheetFollower {
         frame.positions.col(vertex) = frame.poses[c].apply(session.rest.positions.col(vertex));
       }
     }
-    frame.cords.resize(session.clips.size());
-    if (!cords_.empty()) {
-      frame.cords = cords_[static_cast<std::size_t>(f)];
-    } else if (dic_.forces) {
-      pull(f, frame);
-    }
+    ways_.push_back(way_of_pulled(frame));
     if (result_.middle) add_middle(rest, moved, f);
     result_.nearer.push_back(points.nearer);
     result_.qualities.push_back(points.quality);
     result_.lost.push_back(points.lost);
     note_unseen(frame);
     if (is_shown(f)) show(f, frame.positions);
-    if (is_slack(f) || lies_somewhere(f)) {
+    followed_.emplace_back(f, std::move(frame));
+  }
+
+  /// Into the session, with its forces.
+  void take(int f, SessionFrame frame) {
+    const std::string why = forces_->add_to(frame, f, held_);
+    if (!why.empty()) {
+      result_.left_out.push_back({f, why});
+    } else if (is_slack(f) || lies_somewhere(f)) {
       result_.slack.push_back(f);
-      return;
+    } else {
+      result_.used.push_back(f);
+      result_.session.frames.push_back(std::move(frame));
     }
-    result_.used.push_back(f);
-    result_.session.frames.push_back(std::move(frame));
+  }
+
+  /// Whether a clip moves by a log that was not running.
+  bool lacks_extension(int f) const {
+    const std::vector<double>& extension = forces_->log().extension;
+    return !extension.empty() && std::isnan(extension[static_cast<std::size_t>(f)]) &&
+           std::ranges::any_of(dic_.clips, [](const DicClip& clip) {
+             return clip.motion == ClipMotion::extension;
+           });
+  }
+
+  /// Of the clip that the log is of, outwards, against the other (m).
+  double way_of_pulled(const SessionFrame& frame) const {
+    if (!forces_->needs_clock()) return std::numeric_limits<double>::quiet_NaN();
+    const std::size_t pulled = forces_->pulled();
+    double way = 0;
+    for (std::size_t c = 0; c < held_.size(); ++c) {
+      const Eigen::Vector3d middle =
+          result_.session.rest.positions(Eigen::all, held_[c].edge).rowwise().mean();
+      const double out = held_[pulled].outward.dot(frame.poses[c].apply(middle) - middle);
+      way += c == pulled ? out : -out;
+    }
+    return way;
   }
 
   /// At rest, under the largest force or half way, and at the end.
   bool is_shown(int f) const {
-    const auto peak = log_.force.empty()
-                          ? points_->count() / 2
-                          : std::ranges::max_element(log_.force) - log_.force.begin();
+    const std::vector<double>& force = forces_->log().force;
+    const auto peak = force.empty() ? points_->count() / 2 : largest_force() - force.begin();
     return f == 0 || f == peak || f == points_->count() - 1;
+  }
+
+  /// Among the frames that the log covers.
+  std::vector<double>::const_iterator largest_force() const {
+    return std::ranges::max_element(forces_->log().force, {}, [](double force) {
+      return std::isnan(force) ? -std::numeric_limits<double>::infinity() : force;
+    });
   }
 
   void show(int f, const Eigen::Matrix3Xd& positions) {
@@ -242,6 +263,7 @@ class SheetFollower {
     result_.unseen.push_back(0);
     result_.nearer.push_back(kNone);
     result_.qualities.emplace_back();
+    ways_.push_back(kNone);
     for (ClipSlip& slip : result_.slips) slip.slip.push_back(kNone);
     if (!result_.middle) return;
     result_.middle->strain.push_back(kNone);
@@ -252,8 +274,7 @@ class SheetFollower {
   bool lies_somewhere(int f) const {
     if (f > 0) return false;
     if (dic_.table) return true;
-    return !cords_.empty() &&
-           std::ranges::all_of(cords_.front(), [](const auto& cords) { return cords.empty(); });
+    return forces_->is_free(f);
   }
 
   /// Whether a sample that lies in a plane carries nothing after it was pulled: it has buckled out
@@ -261,11 +282,12 @@ class SheetFollower {
   bool is_slack(int f) const {
     // Of the largest force; and of the sample's weight, which still bends it noticeably then.
     constexpr double kNothing = 0.005, kWeights = 4;
-    if (f == 0 || points_->in_space() || !result_.middle || log_.force.empty()) return false;
-    const double peak = *std::ranges::max_element(log_.force);
+    const std::vector<double>& force = forces_->log().force;
+    if (f == 0 || points_->in_space() || !result_.middle || force.empty()) return false;
+    const double peak = *largest_force();
     const double weight =
         area_density(result_.session) * rest_area(result_.session.rest) * kStandardGravity;
-    return log_.force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
+    return force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
   }
 
   /// Out of its plane cloth bends, which a wider reach tells.
@@ -325,11 +347,13 @@ class SheetFollower {
     Pose pose;
     if (clip.motion == ClipMotion::labels) pose = in_sample(*points.clips[c]);
     if (clip.motion == ClipMotion::extension) {
-      if (log_.extension.empty()) {
+      const std::vector<double>& extension = forces_->log().extension;
+      if (extension.empty()) {
         throw InputError(dic_.forces->data.where, "has no column of the extension",
                          fmt::format("one: the clip {} moves by it", clip.name));
       }
-      const double way = log_.extension[static_cast<std::size_t>(f)] - log_.extension.front();
+      const auto first = std::ranges::find_if(extension, [](double e) { return !std::isnan(e); });
+      const double way = extension[static_cast<std::size_t>(f)] - *first;
       pose.translation = way * side.outward;
     }
     const Eigen::Vector3d middle = rest.rowwise().mean();
@@ -370,19 +394,6 @@ class SheetFollower {
     return pushed_sheet(flat, moved, *dic_.table, middle, edge_, 2 * result_.spacing);
   }
 
-  /// The force of the log at its clip, and what answers it at the only other one.
-  void pull(int f, SessionFrame& frame) const {
-    const double force = log_.force[static_cast<std::size_t>(f)];
-    const auto clip = static_cast<std::size_t>(
-        std::ranges::find(dic_.clips, dic_.forces->clip, &DicClip::name) - dic_.clips.begin());
-    const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
-      const Eigen::Vector3d middle = frame.positions(Eigen::all, held_[c].edge).rowwise().mean();
-      frame.cords[c].push_back({"", middle, by});
-    };
-    add(clip, force * held_[clip].outward);
-    if (dic_.clips.size() == 2) add(1 - clip, -force * held_[clip].outward);
-  }
-
   /// The affine motion of the middle third.
   void add_middle(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved, int f) {
     const double size = pull_ == 1 ? dic_.sample.height : dic_.sample.width;
@@ -410,8 +421,9 @@ class SheetFollower {
   RunContext context_;
   std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
-  FrameLog log_;
-  std::vector<std::vector<std::vector<CordForce>>> cords_;  // by frame and clip
+  std::optional<FrameForces> forces_;
+  std::vector<std::pair<int, SessionFrame>> followed_;  // without forces yet
+  std::vector<double> ways_;  // of each frame, of the clip whose log has no clock yet
   DicSession result_;
   std::vector<HeldPlace> held_;                               // of each clip
   int pull_ = 1;                                              // rest coordinate along it

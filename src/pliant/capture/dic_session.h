@@ -58,7 +58,7 @@ struct DicSession {
   std::vector<MeshView> views;                         ///< of some frames, where there are pictures
   std::vector<RegionMisses> misses;                    ///< of each of several cameras
   std::vector<int> used;                               ///< the frames that the session has
-  std::vector<std::string> notes;                      ///< of where the points come from
+  std::vector<std::string> notes, warnings;            ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
 
   /// Of the files; the session may have fewer.

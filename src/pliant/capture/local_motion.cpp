@@ -90,12 +90,14 @@ void LocalMotion::bend(double patch) {
   wide_.emplace(rest_, kWider * reach_);
 }
 
-/// Of second order where points lie all around; at edges where more of them tell it well.
+/// Of second order: at edges, and where points are few, by points from further around, as far as
+/// these tell it. An affine motion would lead straight on where cloth bends.
 std::optional<MovedPlace> LocalMotion::bent_motion(const Eigen::Vector2d& place,
                                                    const std::vector<int>& near) const {
-  constexpr double kMostLeverage = 1.5;
-  if (std::ssize(near) >= kFewestBent && surrounds(rest_(Eigen::all, near), place)) {
-    return bent_at(place, rest_(Eigen::all, near), moved_(Eigen::all, near), reach_, *patch_);
+  constexpr double kMostLeverage = 6;
+  const Eigen::Matrix2Xd beside = rest_(Eigen::all, near);
+  if (std::ssize(near) >= kFewestBent && surrounds(beside, place)) {
+    return bent_at(place, beside, moved_(Eigen::all, near), reach_, *patch_);
   }
   const std::vector<int> more = wide_->around(place);
   const Eigen::Matrix2Xd rest = rest_(Eigen::all, more);
@@ -110,10 +112,7 @@ std::optional<MovedPlace> LocalMotion::at(const Eigen::Vector2d& place, double g
   const bool is_close =
       std::ranges::any_of(near, [&](int i) { return near_.distance(i, place) <= gap; });
   if (!is_close) return std::nullopt;
-  if (patch_) {
-    const auto bent = bent_motion(place, near);
-    if (bent) return bent;
-  }
+  if (patch_) return bent_motion(place, near);
   return affine_at(place, rest_(Eigen::all, near), moved_(Eigen::all, near));
 }
 

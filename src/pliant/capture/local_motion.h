@@ -27,13 +27,14 @@ class LocalMotion {
   /// @param reach  points within this distance of a place tell its motion (m)
   LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach);
 
-  /// From now on motions are of second order, where points enough are in reach.
+  /// From now on motions are of second order.
   /// @param patch  side of the squares whose means the points are (m); where cloth bends these lie
   ///               off it, by the square of the side over 24 times its Laplacian
   void bend(double patch);
 
   /// @param gap  the nearest point may be this far away (m)
-  /// @return nothing where no point is so near, fewer than five are in reach or all lie in a line
+  /// @return nothing where no point is so near, or those in reach do not tell the motion: fewer
+  ///         than five, or all in a line
   std::optional<MovedPlace> at(const Eigen::Vector2d& place, double gap) const;
 
  private:

@@ -78,6 +78,8 @@ class PointSource {
   virtual std::vector<RegionMisses> misses() const { return {}; }
   /// What is worth telling of how the points were found, a sentence each.
   virtual std::vector<std::string> notes() const { return {}; }
+  /// What speaks against the points.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 /// Reads a picture as brightness, 0 to 1.

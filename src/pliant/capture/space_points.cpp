@@ -33,6 +33,8 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
   find_sample();
   for (const RestPoint& point : rest_) now_.emplace_back(point.agreed);
   tell_errors();
+  const PatchTracker& tracker = *follow_.front().tracker;
+  repeat_ = texture_repeat(tracker.first(), tracker.found().places, context_.threads);
 }
 
 Eigen::Vector2d SpacePoints::size() const { return {dic_.sample.width, dic_.sample.height}; }
@@ -322,6 +324,11 @@ std::vector<std::string> SpacePoints::notes() const {
                       "be {} x {}",
                       length(placement_.sides.x()), length(placement_.sides.y()),
                       length(dic_.sample.width), length(dic_.sample.height))};
+}
+
+std::vector<std::string> SpacePoints::warnings() const {
+  if (!repeat_) return {};
+  return {repeat_warning(*repeat_)};
 }
 
 std::optional<Eigen::Vector3d> SpacePoints::gravity() const {

@@ -9,6 +9,7 @@
 #include "pliant/capture/calibration_error.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
+#include "pliant/capture/repeating_texture.h"
 #include "pliant/capture/sample_placement.h"
 #include "pliant/capture/space_labels.h"
 #include "pliant/capture/stereo_rest.h"
@@ -32,6 +33,7 @@ class SpacePoints : public PointSource {
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
+  std::vector<std::string> warnings() const override;
   std::optional<Eigen::Vector3d> gravity() const override;
   std::vector<std::string> cameras() const override { return views().names; }
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
@@ -81,6 +83,7 @@ class SpacePoints : public PointSource {
   std::vector<Eigen::Isometry3d> axes_errors_;  // from rig axes, under each error of it
   double rest_miss_ = 0;                        // median, of points at rest (pixels)
   int lost_at_rest_ = 0;
+  std::optional<TextureRepeat> repeat_;          // of the first camera's first picture
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
   double agreeing_ = 1;                          // as of SightQuality

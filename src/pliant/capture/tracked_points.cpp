@@ -44,6 +44,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
   place_patches();
   check_.emplace(*tracker_);
+  repeat_ = texture_repeat(tracker_->first(), tracker_->found().places, context_.threads);
 }
 
 double TrackedPoints::patch() const {
@@ -120,6 +121,11 @@ std::vector<std::string> TrackedPoints::notes() const {
                                 std::sqrt(label_squares_ / views_)));
   }
   return notes;
+}
+
+std::vector<std::string> TrackedPoints::warnings() const {
+  if (!repeat_) return {};
+  return {repeat_warning(*repeat_)};
 }
 
 PointFrame TrackedPoints::read(int frame) {

@@ -1,0 +1,82 @@
+#include "pliant/capture/frame_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+#include "pliant/capture/log_clock.h"
+#include "pliant/measurement/session/cord_forces.h"
+
+namespace pliant {
+
+FrameForces::FrameForces(const DicFile& dic, const std::vector<SessionClip>& clips, int frames)
+    : dic_(dic), frames_(frames) {
+  if (!dic.forces) return;
+  const DicForces& forces = *dic.forces;
+  if (!forces.cords) {
+    rows_ = read_log_rows(forces);
+    needs_clock_ = forces.needs_clock();
+    const double start = forces.start ? forces.start->time.value_or(0) : 0;
+    if (!needs_clock_) log_ = log_of_frames(rows_, forces, frames, start);
+    return;
+  }
+  const FrameRows rows(*forces.cords, frames);
+  FrameTimes times(frames);
+  cords_ = read_cord_forces(rows, clips, frames, times).cords;
+  for (const auto& time : times.increasing()) {
+    if (time) log_.time.push_back(*time);
+  }
+  if (std::ssize(log_.time) < frames) log_.time.clear();
+}
+
+bool FrameForces::is_free(int frame) const {
+  return !cords_.empty() && std::ranges::all_of(cords_[static_cast<std::size_t>(frame)],
+                                                [](const auto& cords) { return cords.empty(); });
+}
+
+std::size_t FrameForces::pulled() const {
+  return static_cast<std::size_t>(std::ranges::find(dic_.clips, dic_.forces->clip, &DicClip::name) -
+                                  dic_.clips.begin());
+}
+
+std::string FrameForces::find_clock(const std::vector<double>& ways) {
+  const DicForces& forces = *dic_.forces;
+  const char* expected = "`start`, the time of the first frame by the log's clock";
+  if (rows_.extension.empty()) {
+    throw InputError(forces.data.where, "has no column of the extension to find its clock by",
+                     expected);
+  }
+  const ClockSearch search = pliant::find_clock(rows_.time, rows_.extension, ways, *forces.rate);
+  if (!search.clock) throw InputError(forces.start->where, "is not found: " + search.why, expected);
+  log_ = log_of_frames(rows_, forces, frames_, search.clock->start);
+  needs_clock_ = false;
+  return fmt::format(
+      "by the clip {} the first frame was taken at {:.4g} s of the log, to {:.2g} s (both motions "
+      "correlate by {:.5f})",
+      forces.clip, search.clock->start, search.clock->error, search.clock->correlation);
+}
+
+std::string FrameForces::add_to(SessionFrame& frame, int number,
+                                const std::vector<HeldPlace>& held) const {
+  const auto f = static_cast<std::size_t>(number);
+  if (!log_.time.empty()) frame.time = log_.time[f];
+  frame.cords.resize(dic_.clips.size());
+  if (!cords_.empty()) frame.cords = cords_[f];
+  if (cords_.empty() && dic_.forces) {
+    const double force = log_.force[f];
+    if (std::isnan(force)) return kBeyondLog;
+    const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
+      const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
+      frame.cords[c].push_back({"", middle, by});
+    };
+    // What answers it is at the only other clip.
+    add(pulled(), force * held[pulled()].outward);
+    if (dic_.clips.size() == 2) add(1 - pulled(), -force * held[pulled()].outward);
+  }
+  return {};
+}
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/capture/clip_motion.h"
+#include "pliant/capture/dic_file.h"
+#include "pliant/capture/force_log.h"
+#include "pliant/measurement/session.h"
+
+namespace pliant {
+
+/// Why a frame has no force.
+inline constexpr const char* kBeyondLog = "was taken when the log was not running";
+
+/// What pulls at the clips of a sample in each frame: cords, or a tester's log, whose clock may
+/// have to be found first.
+class FrameForces {
+ public:
+  /// @param dic    outlives the forces
+  /// @param clips  of the session
+  /// @throws InputError
+  FrameForces(const DicFile& dic, const std::vector<SessionClip>& clips, int frames);
+
+  /// Empty where there is none, or its clock is to be found yet.
+  const FrameLog& log() const { return log_; }
+  /// Whether cords are told, and none of them in a frame.
+  bool is_free(int frame) const;
+  bool needs_clock() const { return needs_clock_; }
+  /// @param ways  of the clip that the log is of, outwards and against the other, NaN where it is
+  ///              not known (m)
+  /// @return what was found, for the user
+  /// @throws InputError
+  std::string find_clock(const std::vector<double>& ways);
+  /// Of the clip that the log is of.
+  std::size_t pulled() const;
+
+  /// Puts time and forces into a frame.
+  /// @param held  of each clip
+  /// @return why that frame cannot be used, or nothing
+  std::string add_to(SessionFrame& frame, int number, const std::vector<HeldPlace>& held) const;
+
+ private:
+  const DicFile& dic_;
+  int frames_;
+  FrameLog rows_, log_;
+  bool needs_clock_ = false;
+  std::vector<std::vector<std::vector<CordForce>>> cords_;  // by frame and clip
+};
+
+}  // namespace pliant

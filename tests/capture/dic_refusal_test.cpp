@@ -135,6 +135,23 @@ TEST(DicRefusal, OfAClipThatHoldsHalfOfTheSample) {
               HasSubstr("holds more than there is"));
 }
 
+TEST(DicRefusal, OfAClockThatNoMotionTells) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 8, still);
+  folder.write("log.csv", "time_s,force_N\n0,0\n9,1\n");
+  const std::string clips = "clips: [{name: a, side: bottom}, {name: b, side: top}]\n";
+  EXPECT_THAT(refused(folder, clips + "forces: {data: log.csv, on: b, start: by motion}\n"),
+              HasSubstr("forces.start: needs the `rate`"));
+  const std::string forces = "forces: {data: log.csv, on: b, rate: 1 Hz, start: by motion}\n";
+  EXPECT_THAT(refused(folder, clips + forces), HasSubstr("has no column of the extension"));
+  EXPECT_THAT(
+      refused(folder,
+              "clips: [{name: a, side: bottom}, {name: b, side: top, motion: held}]\n" + forces),
+      HasSubstr("forces.start: is to be found by how the clip moves, which is not seen"));
+  folder.write("log.csv", "time_s,force_N,extension_mm\n0,0,0\n9,1,1\n");
+  EXPECT_THAT(refused(folder, clips + forces), HasSubstr("forces.start: is not found"));
+}
+
 constexpr const char* kViews =
     "pliant: dic/1\ntest: shear\nsample: {width: 40 mm, height: 80 mm, density: 0.1 kg/m^2}\n"
     "clips: [{name: a, side: bottom}]\n";

@@ -96,6 +96,44 @@ TEST(DicSession, TellsWhatHasLeftAClip) {
   }
 }
 
+// The tester runs from 3 s after the first frame on, and by another clock.
+TEST(DicSession, FindsTheClockOfALogByHowItsClipMoves) {
+  constexpr double kRate = 2, kLate = 3, kOther = 100, kSpeed = 0.4e-3;  // 1/s, s, s, m/s
+  const auto way = [&](double time) {
+    return kSpeed * std::max(0.0, std::min(time - 5, 21 - time));
+  };
+  const TemporaryFolder folder;
+  PointTables::write(folder, 44, [&](int f, const Eigen::Vector2d& place) -> Eigen::Vector3d {
+    return {place.x(), (1 + way(f / kRate) / PointTables::kHeight) * place.y(), 0};
+  });
+  std::string log = "time_s,force_N,extension_mm\n";
+  for (int row = 0; row < 200; ++row) {
+    const double time = kLate + 0.1 * row;
+    log += fmt::format("{},{},{}\n", time + kOther, 1e3 * way(time), 1e3 * way(time));
+  }
+  folder.write("log.csv", log);
+  const std::string more =
+      "clips: [{name: lower, side: bottom, motion: held}, {name: upper, side: top}]\n"
+      "forces: {data: log.csv, on: upper, rate: 2 Hz, start: by motion}\n";
+  const DicSession made = session_of(PointTables::describe(folder, more));
+  ASSERT_FALSE(made.notes.empty());
+  EXPECT_THAT(made.notes.front(), testing::HasSubstr("first frame was taken at 100 s of the log"));
+  EXPECT_EQ(made.left_out.size(), 6U);
+  EXPECT_EQ(made.left_out.front().why, "was taken when the log was not running");
+  const SessionFrame& frame = made.session.frames[12];
+  const int number = made.used[12];
+  EXPECT_NEAR(*frame.time, kOther + number / kRate, 1e-3);
+  EXPECT_NEAR(frame.cords[1][0].force.y(), 1e3 * way(number / kRate), 2e-3);
+
+  const DicSession told = session_of(
+      PointTables::describe(folder,
+                            "clips: [{name: lower, side: bottom, motion: held}, "
+                            "{name: upper, side: top, motion: extension}]\n"
+                            "forces: {data: log.csv, on: upper, rate: 2 Hz, start: 100 s}\n"));
+  EXPECT_EQ(told.left_out.size(), 6U);
+  EXPECT_EQ(told.used, made.used);
+}
+
 TEST(DicSession, ClipsWithoutALogMoveAndTurnWithThePointsBesideThem) {
   const TemporaryFolder folder;
   const Eigen::AngleAxisd turn(0.05, Eigen::Vector3d::UnitZ());

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kFewestFound = 5;           // that say where others have gone
 constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
+constexpr int kSeeds = 40;                // that are looked for first
 constexpr int kFactor = 4;                // of reduced pictures
 constexpr int kReducedRadius = 8;
 
@@ -110,10 +111,11 @@ FoundPatches PatchTracker::found() const {
 
 void PatchTracker::follow(const GreyPicture& grey) {
   now_.emplace(grey, kMatchSmoothing);
-  const int before = seen();
-  match_where_they_were(*now_);
-  // What is lost little by little is hidden; what is lost at once has jumped.
-  if (2 * seen() < before || seen() < kFewestFound) search_around(grey, *now_);
+  if (has_jumped(*now_)) {
+    search_around(grey, *now_);
+  } else {
+    match_where_they_were(*now_);
+  }
   spread(*now_);
 }
 
@@ -146,6 +148,20 @@ void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,
   point.covariance = match->covariance;
 }
 
+// What is lost little by little is hidden; what is lost at once has jumped.
+bool PatchTracker::has_jumped(const SplinePicture& now) {
+  if (seen() < kFewestFound) return true;
+  int before = 0, after = 0;
+  for (const int number : scattered(count(), kSeeds)) {
+    TrackedPatch& point = tracked_[static_cast<std::size_t>(number)];
+    if (!point.is_seen) continue;
+    ++before;
+    look_for(point, now, point.motion);
+    after += point.is_seen;
+  }
+  return 2 * after < before;
+}
+
 void PatchTracker::match_where_they_were(const SplinePicture& now) {
   with_threads(context_.threads, [&] {
     parallel_for(count(), [&](int i) {
@@ -159,7 +175,6 @@ void PatchTracker::match_where_they_were(const SplinePicture& now) {
 // in the pictures themselves.
 void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
                           const CoarseSearch& coarse) {
-  constexpr int kSeeds = 40;
   const Reduced pictures(first_, grey);
   for (TrackedPatch& point : tracked_) point.is_seen = false;  // what was found may be anything
   const std::vector<int> seeds = scattered(count(), kSeeds);

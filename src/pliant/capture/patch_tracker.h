@@ -69,6 +69,7 @@ class PatchTracker {
   struct Reduced;
 
   void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
+  bool has_jumped(const SplinePicture& now);
   void match_where_they_were(const SplinePicture& now);
   /// How a patch of reduced pictures, and with it that of the whole ones, has moved, about, in
   /// pixels of the reduced ones.

@@ -102,11 +102,11 @@ bool ReferencePatch::sample(const SplinePicture& picture, const PatchMotion& mot
       if (!picture.contains(middle + slope * Eigen::Vector2d(x, y))) return false;
     }
   }
-  int i = 0;
-  for (int y = -radius_; y <= radius_; ++y) {
-    for (int x = -radius_; x <= radius_; ++x, ++i) {
-      values(i) = picture.value(middle + slope * Eigen::Vector2d(x, y));
-    }
+  const auto side = static_cast<std::size_t>(2 * radius_ + 1);
+  const std::span<float> all(values.data(), side * side);
+  for (std::size_t row = 0; row < side; ++row) {
+    const Eigen::Vector2d first(-radius_, static_cast<double>(row) - radius_);
+    picture.values(middle + slope * first, slope.col(0), all.subspan(row * side, side));
   }
   return true;
 }
@@ -126,6 +126,8 @@ std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
   constexpr int kMostIterations = 30;
   constexpr double kExact = 1e-4;  // pixels
   constexpr int kUnknowns = 8;     // six of the motion, brightness and contrast
+  constexpr int kFirstSteps = 5;
+  constexpr double kHopeless = 0.5;  // correlation after these: it goes astray
   PatchMatch result;
   result.motion = start;
   Eigen::ArrayXf values(values_.size());
@@ -134,6 +136,8 @@ std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
     values -= values.mean();
     const double norm = values.matrix().cast<double>().norm();
     if (!(norm > 0)) return std::nullopt;
+    result.correlation = values.matrix().dot(values_.matrix()) / (norm * norm_);
+    if (result.iterations > kFirstSteps && result.correlation < kHopeless) return std::nullopt;
     const Eigen::ArrayXf missed = values * static_cast<float>(norm_ / norm) - values_;
     const Vector6 step = inverse_ * along_free_steps(missed);
     result.motion = after_undoing(result.motion, step);
@@ -141,7 +145,6 @@ std::optional<PatchMatch> ReferencePatch::match(const SplinePicture& picture,
     if (!std::isfinite(moved) || moved > radius_) return std::nullopt;
     if (moved > kExact) continue;
     const double left = missed.matrix().cast<double>().squaredNorm();
-    result.correlation = values.matrix().dot(values_.matrix()) / (norm * norm_);
     const auto rows = static_cast<double>(values_.size());
     // Both pictures have the noise. Smoothing and interpolation take some of it from a pixel, and
     // give it to the neighbours: over a patch it counts as before.

@@ -36,15 +36,21 @@ void smooth(Line line, float share) {
   }
 }
 
-/// Weights of four neighbouring coefficients at a share of the way between the middle two.
+/// Weights of four neighbouring coefficients at a share of the way between the middle two: four
+/// polynomials of it at once.
 struct Weights {
-  Eigen::Vector4f value, slope;
+  float t;
 
-  explicit Weights(float t) {
-    const float s = 1 - t;
-    value << s * s * s / 6, 2.0F / 3 - t * t * (2 - t) / 2, 2.0F / 3 - s * s * (2 - s) / 2,
-        t * t * t / 6;
-    slope << -s * s / 2, t * (3 * t - 4) / 2, -s * (3 * s - 4) / 2, t * t / 2;
+  explicit Weights(float share) : t(share) {}
+
+  Eigen::Vector4f value() const {
+    const Eigen::Array4f cubic(-1, 3, -3, 1), square(3, -6, 3, 0), linear(-3, 0, 3, 0),
+        constant(1, 4, 1, 0);
+    return (((cubic * t + square) * t + linear) * t + constant) * (1.0F / 6);
+  }
+  Eigen::Vector4f slope() const {
+    const Eigen::Array4f square(-1, 3, -3, 1), linear(2, -4, 2, 0), constant(-1, 0, 1, 0);
+    return ((square * t + linear) * t + constant) * 0.5F;
   }
 };
 
@@ -98,9 +104,18 @@ inline SplinePicture::Neighbourhood SplinePicture::around(const Eigen::Vector2d&
           Weights(static_cast<float>(place.y() - row))};
 }
 
-float SplinePicture::value(const Eigen::Vector2d& place) const {
+inline float SplinePicture::value_at(const Eigen::Vector2d& place) const {
   const Neighbourhood near = around(place);
-  return near.sum(near.down.value).dot(near.across.value);
+  return near.sum(near.down.value()).dot(near.across.value());
+}
+
+float SplinePicture::value(const Eigen::Vector2d& place) const { return value_at(place); }
+
+void SplinePicture::values(const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+                           std::span<float> values) const {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = value_at(from + static_cast<double>(i) * step);
+  }
 }
 
 double SplinePicture::noise_left(const Eigen::Vector2d& place) const {
@@ -112,10 +127,10 @@ double SplinePicture::noise_left_along(double place) const {
   // further away than this does not count.
   constexpr int kReach = 12;
   const double pole = std::sqrt(3.0) - 2, factor = 6 * pole / (pole * pole - 1);
-  const Weights weights(static_cast<float>(place - std::floor(place)));
+  const Eigen::Vector4f values = Weights(static_cast<float>(place - std::floor(place))).value();
   const auto weight_of = [&](int sample) {
     double weight = 0;
-    for (int i = 0; i < 4; ++i) weight += weights.value[i] * std::pow(pole, std::abs(sample - i));
+    for (int i = 0; i < 4; ++i) weight += values[i] * std::pow(pole, std::abs(sample - i));
     return factor * weight;
   };
   double sum = 0;
@@ -129,9 +144,10 @@ double SplinePicture::noise_left_along(double place) const {
 
 PictureSample SplinePicture::sample(const Eigen::Vector2d& place) const {
   const Neighbourhood near = around(place);
-  const Eigen::Vector4f columns = near.sum(near.down.value);
-  return {columns.dot(near.across.value),
-          {columns.dot(near.across.slope), near.sum(near.down.slope).dot(near.across.value)}};
+  const Eigen::Vector4f across = near.across.value();
+  const Eigen::Vector4f columns = near.sum(near.down.value());
+  return {columns.dot(across),
+          {columns.dot(near.across.slope()), near.sum(near.down.slope()).dot(across)}};
 }
 
 }  // namespace pliant

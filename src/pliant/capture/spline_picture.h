@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 
 namespace pliant {
@@ -34,6 +36,9 @@ class SplinePicture {
   }
   /// @param place  in the picture
   float value(const Eigen::Vector2d& place) const;
+  /// Of places in a line, one step apart.
+  void values(const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+              std::span<float> values) const;
   PictureSample sample(const Eigen::Vector2d& place) const;
   /// Share of the variance of independent noise of the picture's pixels that is left at a place.
   double noise_left(const Eigen::Vector2d& place) const;
@@ -43,6 +48,7 @@ class SplinePicture {
 
   struct Neighbourhood;
 
+  float value_at(const Eigen::Vector2d& place) const;
   Neighbourhood around(const Eigen::Vector2d& place) const;
   double noise_left_along(double place) const;
 

@@ -16,6 +16,7 @@
 #include "pliant/capture/median.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/sample_axes.h"
+#include "pliant/capture/vertex_deviations.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/measurement/session/clip_grid.h"
@@ -163,9 +164,11 @@ class SheetFollower {
       pushed_ = pushed->motion;
       moved = pushed_.inverse() * moved;
     }
-    frame.positions = seen_positions(motion_of(rest, moved), f);
+    Eigen::VectorXd leverages;
+    frame.positions = seen_positions(motion_of(rest, moved), f, leverages);
     if (points.deviations.cols() > 0) {
-      frame.deviations = deviations_of(rest, points.deviations(Eigen::all, free));
+      frame.deviations = vertex_deviations(session.rest, rest, points.deviations(Eigen::all, free),
+                                           leverages, kFar * result_.spacing);
     }
     const LocalMotion around(rest, moved, kFar * result_.spacing);
     std::size_t slip = 0;
@@ -298,36 +301,25 @@ class SheetFollower {
     return motion;
   }
 
-  Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f) {
+  /// @param[out] leverages  of the vertices, as of MovedPlace; 1 of those that are not seen
+  Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f, Eigen::VectorXd& leverages) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const TriangleMesh& rest = result_.session.rest;
     // All of a square is seen, its rim too.
     const double gap = std::max(kGap * result_.spacing, kRim * points_->patch());
     Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Constant(3, rest.vertex_count(), kNone);
+    leverages.setOnes(rest.vertex_count());
     for (int v = 0; v < rest.vertex_count(); ++v) {
       const auto moved = motion.at(rest.positions.col(v).head<2>(), gap);
       if (!moved) continue;
       positions.col(v) = moved->position;
+      leverages(v) = moved->leverage;
       if (f == 0) continue;  // it is where displacements are counted from
       // Of a flat test the third coordinate misses nothing.
       residuals_.push_back(moved->residual * (points_->in_space() ? 1 : 1.5));
       leverage_ += moved->leverage;
     }
     return positions;
-  }
-
-  /// Of a vertex those of the nearest point: the errors of points so near are alike.
-  Eigen::Matrix3Xd deviations_of(const Eigen::Matrix2Xd& rest,
-                                 const Eigen::Matrix3Xd& of_points) const {
-    const TriangleMesh& mesh = result_.session.rest;
-    const NearPlaces near(rest, kFar * result_.spacing);
-    const Eigen::Vector3d largest = of_points.rowwise().maxCoeff();  // where no point is near
-    Eigen::Matrix3Xd deviations = largest.replicate(1, mesh.vertex_count());
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-      const auto point = near.nearest(mesh.positions.col(v).head<2>());
-      if (point) deviations.col(v) = of_points.col(*point);
-    }
-    return deviations;
   }
 
   Pose pose_of(std::size_t c, int f, const PointFrame& points, const LocalMotion& around,

@@ -15,6 +15,7 @@
 #include "pliant/report/report.h"
 #include "pliant/report/simulation_report.h"
 
+#include "report/sample_capture.h"
 #include "report/sample_model_fits.h"
 #include "report/sample_results.h"
 #include "report/sample_sheets.h"
@@ -158,6 +159,14 @@ TEST_F(BrowserReport, OfASimulationIsDrawnWithItsPictures) {
   const std::string document = without_script(document_of(html));
   EXPECT_EQ(count(document, "data-drawn=\"true\""), 1u);
   EXPECT_THAT(document, HasSubstr("data-width=\"1\""));
+  EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
+  EXPECT_THAT(document, Not(HasSubstr("data-violation")));
+}
+
+TEST_F(BrowserReport, OfACaptureIsDrawnToo) {
+  const std::string document = without_script(document_of(testing::sample_capture_report()));
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), 2u) << "what was seen, and matches";
+  EXPECT_THAT(document, HasSubstr("data-ready=\"true\""));
   EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
   EXPECT_THAT(document, Not(HasSubstr("data-violation")));
 }

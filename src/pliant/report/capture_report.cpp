@@ -21,9 +21,11 @@ std::string verdict(const CaptureRecord& record) {
   if (!made.left_out.empty()) {
     text += fmt::format(" {} could not be used.", made.left_out.size());
   }
-  text += record.doubts.empty()
-              ? std::string(" None of them is to be distrusted.")
-              : fmt::format(" {} of them are to be distrusted.", record.doubts.size());
+  if (!record.doubts.empty()) {
+    text += fmt::format(" {} of them are to be distrusted.", record.doubts.size());
+  } else if (!made.cameras.empty()) {
+    text += " None of them is to be distrusted.";
+  }
   const bool is_clean = record.doubts.empty() && record.warnings.empty();
   return fmt::format("<p class=\"verdict{}\">{}</p>\n", is_clean ? "" : " reservations",
                      escape_html(text));
@@ -54,10 +56,10 @@ std::string warning_section(const CaptureRecord& record) {
 
 std::string picture_section(const CaptureRecord& record) {
   if (record.views.empty()) return {};
-  const auto cameras = std::clamp<std::size_t>(record.made.cameras.size(), 1, 3);
+  const bool is_even = record.made.cameras.size() % 2 == 0;
   std::string html =
       fmt::format("<section><h2>The mesh over the pictures</h2>\n<div class=\"loops{}\">\n",
-                  cameras == 2 ? " loops-2" : "");
+                  is_even ? " loops-2" : "");
   for (const ShownView& view : record.views) {
     html += mesh_picture(view, record.made.session.rest);
   }

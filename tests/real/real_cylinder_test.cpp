@@ -222,12 +222,7 @@ SeenCylinder seen_cylinder(const std::filesystem::path& folder, const Eigen::Mat
   return seen;
 }
 
-TEST(RealCylinder, ControlPointsThatWereLeftOutAreMet) {
-  const std::filesystem::path folder = measurement("stereo_dic_cylinder");
-  SKIP_WITHOUT(folder);
-  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
-  const Eigen::Matrix3Xd points = control_points(folder);
-  const SeenCylinder seen = seen_cylinder(folder, points);
+void judge_by_marks_left_out(const SeenCylinder& seen, const Eigen::Matrix3Xd& points) {
   double squares = 0;
   int count = 0;
   std::vector<double> radii;
@@ -274,11 +269,7 @@ std::vector<std::pair<int, int>> edges_of(const std::vector<RestPoint>& points, 
   return edges;
 }
 
-TEST(RealCylinder, ASpeckledOneIsFollowedThroughFiveConfigurations) {
-  const std::filesystem::path folder = measurement("stereo_dic_cylinder");
-  SKIP_WITHOUT(folder);
-  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
-  const SeenCylinder seen = seen_cylinder(folder, control_points(folder));
+void follow_speckles(const SeenCylinder& seen, const std::filesystem::path& folder) {
   const auto picture = [&](int camera, int configuration) {
     return read_photo(folder / fmt::format("speckle_{}_{}.jpg", 201 + camera, configuration));
   };
@@ -343,6 +334,16 @@ TEST(RealCylinder, ASpeckledOneIsFollowedThroughFiveConfigurations) {
     EXPECT_GT(share, 0.9) << configuration;
     EXPECT_LT(quality.back, 0.2) << configuration;
   }
+}
+
+TEST(RealCylinder, ItsMarksPlaceCamerasThatFollowASpeckledOne) {
+  const std::filesystem::path folder = measurement("stereo_dic_cylinder");
+  SKIP_WITHOUT(folder);
+  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
+  const Eigen::Matrix3Xd points = control_points(folder);
+  const SeenCylinder seen = seen_cylinder(folder, points);
+  judge_by_marks_left_out(seen, points);
+  follow_speckles(seen, folder);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ ImportedStudy import_points(const std::string& file, const RunContext& context) 
   ImportedStudy& study = imported.study;
   const CaptureRecord record{std::filesystem::path(file).stem().string(),
                              imported.made,
-                             frame_doubts(imported.made),
+                             imported.doubts,
                              study.notes,
                              study.warnings,
                              shown_views(imported.made, picture_reader())};

@@ -216,13 +216,12 @@ void refuse_place(Fields& fields) {
 constexpr const char* kTwoLabelled =
     "labels on two clips at least, which tell how the plane of the sample is tilted";
 
-/// A clock is found by labels, which do not need it.
-void require_labels_for_clock(const DicFile& dic) {
+/// A clock is found by a clip that is seen to move.
+void require_motion_for_clock(const DicFile& dic) {
   if (!dic.forces || !dic.forces->needs_clock()) return;
-  const auto pulled = std::ranges::find(dic.clips, dic.forces->clip, &DicClip::name);
-  const bool is_free = std::ranges::none_of(
-      dic.clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
-  if (is_free && pulled != dic.clips.end() && pulled->motion != ClipMotion::held) return;
+  const auto pulled = dic.pulled_clip();
+  const bool is_seen = pulled != dic.clips.end() && pulled->motion != ClipMotion::held;
+  if (is_seen && !dic.moves_by_log()) return;
   throw InputError(dic.forces->start->where,
                    "is to be found by how the clip moves, which is not seen",
                    "labels on the clip that `on` names, or points beside it; or a time");
@@ -243,9 +242,7 @@ void require_labels(const DicFile& dic, const Value& list) {
 }
 
 void require_clips_for_motion(const DicFile& dic, const Value& list) {
-  const bool by_log = std::ranges::any_of(
-      dic.clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
-  if (by_log && (!dic.forces || dic.forces->cords)) {
+  if (dic.moves_by_log() && (!dic.forces || dic.forces->cords)) {
     list.fail("has a clip that moves by its extension, and there are no `forces` to tell it",
               "`forces` with a log that has a column of the extension");
   }
@@ -322,13 +319,22 @@ Lens lens_of(const DicReference& camera) {
 
 }  // namespace
 
+bool DicFile::moves_by_log() const {
+  return std::ranges::any_of(
+      clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
+}
+
+std::vector<DicClip>::const_iterator DicFile::pulled_clip() const {
+  return std::ranges::find(clips, forces->clip, &DicClip::name);
+}
+
 DicFile read_dic(const std::filesystem::path& path) {
   DicFile dic = dic_of(read_yaml(path));
   if (dic.labels && carriers_of(dic) < 2) {
     throw InputError({dic.file, 0, "clips"}, "has one clip with labels", kTwoLabelled);
   }
   if (dic.table) require_edge_under_sample(dic);
-  require_labels_for_clock(dic);
+  require_motion_for_clock(dic);
   if (dic.labels_file) resolve_labels(dic);
   if (dic.camera) dic.lens = lens_of(*dic.camera);
   if (dic.views) resolve_views(*dic.views);

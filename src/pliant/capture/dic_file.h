@@ -104,6 +104,11 @@ struct DicFile {
   std::vector<DicClip> clips;              ///< none with a table
   std::optional<DicTable> table;           ///< holds the sample in place of clips
   std::optional<DicForces> forces;
+
+  /// Whether a clip moves by the extension of the log.
+  bool moves_by_log() const;
+  /// The clip that the log is of, or the end.
+  std::vector<DicClip>::const_iterator pulled_clip() const;
 };
 
 /// Reads what it names, too: the labels and the camera.

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
-#include "pliant/capture/dic_session.h"
-#include "pliant/capture/frame_doubts.h"
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
@@ -99,11 +96,9 @@ std::string frame_table(const DicSession& dic) {
   return csv.text();
 }
 
-std::vector<std::string> distrusted(const DicSession& dic) {
-  const std::vector<FrameDoubt> doubts = frame_doubts(dic);
-  if (doubts.empty()) return {};
-  return {fmt::format("{} frames are to be distrusted, first frame {}: {}", doubts.size(),
-                      doubts.front().frame, doubts.front().why)};
+std::string distrusted(const std::vector<FrameDoubt>& doubts) {
+  return fmt::format("{} frames are to be distrusted, first frame {}: {}", doubts.size(),
+                     doubts.front().frame, doubts.front().why);
 }
 
 /// The frame with the largest of some numbers, NaN left out.
@@ -200,6 +195,7 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
                      "cannot be read: this program was built without them", "tables of `points`");
   }
   DicSession made = make_dic_session(dic, read_picture, context);
+  std::vector<FrameDoubt> doubts = frame_doubts(made);
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(made, name);
@@ -213,7 +209,7 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
     study.warnings = made.warnings;
-    std::ranges::move(distrusted(made), std::back_inserter(study.warnings));
+    if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(
@@ -229,7 +225,7 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
                     format_quantity(made.force.front(), Dimension::force, 3)));
   }
   study.notes = notes_of(dic, made);
-  return {std::move(study), std::move(made)};
+  return {std::move(study), std::move(made), std::move(doubts)};
 }
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "pliant/capture/dic_session.h"
+#include "pliant/capture/frame_doubts.h"
 #include "pliant/study/imported_study.h"
 
 namespace pliant {
@@ -14,6 +15,7 @@ inline constexpr const char* kDicSessionFolder = "sheet";
 struct DicImport {
   ImportedStudy study;
   DicSession made;
+  std::vector<FrameDoubt> doubts;
 };
 
 /// What a dic/1 file describes as a study: a session/1 directory `sheet/`, study.yaml that fits

@@ -132,9 +132,8 @@ class SheetFollower {
 
   void require_pulled_clip() const {
     if (!dic_.forces || dic_.forces->cords) return;
-    const std::string& name = dic_.forces->clip;
-    if (std::ranges::find(dic_.clips, name, &DicClip::name) != dic_.clips.end()) return;
-    throw InputError(dic_.forces->where_clip, quoted_value(name) + " is no clip",
+    if (dic_.pulled_clip() != dic_.clips.end()) return;
+    throw InputError(dic_.forces->where_clip, quoted_value(dic_.forces->clip) + " is no clip",
                      "the name of a clip");
   }
 
@@ -204,10 +203,8 @@ class SheetFollower {
   /// Whether a clip moves by a log that was not running.
   bool lacks_extension(int f) const {
     const std::vector<double>& extension = forces_->log().extension;
-    return !extension.empty() && std::isnan(extension[static_cast<std::size_t>(f)]) &&
-           std::ranges::any_of(dic_.clips, [](const DicClip& clip) {
-             return clip.motion == ClipMotion::extension;
-           });
+    return dic_.moves_by_log() && !extension.empty() &&
+           std::isnan(extension[static_cast<std::size_t>(f)]);
   }
 
   /// Of the clip that the log is of, outwards, against the other (m).

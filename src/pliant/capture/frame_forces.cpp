@@ -38,8 +38,7 @@ bool FrameForces::is_free(int frame) const {
 }
 
 std::size_t FrameForces::pulled() const {
-  return static_cast<std::size_t>(std::ranges::find(dic_.clips, dic_.forces->clip, &DicClip::name) -
-                                  dic_.clips.begin());
+  return static_cast<std::size_t>(dic_.pulled_clip() - dic_.clips.begin());
 }
 
 std::string FrameForces::find_clock(const std::vector<double>& ways) {

@@ -85,12 +85,15 @@ std::optional<TextureRepeat> texture_repeat(const GreyPicture& picture,
   return repeat.correlation > kAlike ? std::optional(repeat) : std::nullopt;
 }
 
-std::string repeat_warning(const TextureRepeat& repeat) {
-  return fmt::format(
+std::vector<std::string> repeat_warnings(const GreyPicture& picture, const Eigen::Matrix2Xd& places,
+                                         int threads) {
+  const auto repeat = texture_repeat(picture, places, threads);
+  if (!repeat) return {};
+  return {fmt::format(
       "the cloth's own pattern repeats: its squares are as good as the same {:.0f} pixels away "
       "(correlation {:.2f}), and may be mistaken for each other without a trace; an irregular "
       "print on it, as of `pliant pattern cloth`, cannot",
-      repeat.away, repeat.correlation);
+      repeat->away, repeat->correlation)};
 }
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -23,7 +24,8 @@ struct TextureRepeat {
 std::optional<TextureRepeat> texture_repeat(const GreyPicture& picture,
                                             const Eigen::Matrix2Xd& places, int threads);
 
-/// A sentence for who took such a picture.
-std::string repeat_warning(const TextureRepeat& repeat);
+/// What speaks against a picture that repeats, for who took it.
+std::vector<std::string> repeat_warnings(const GreyPicture& picture, const Eigen::Matrix2Xd& places,
+                                         int threads);
 
 }  // namespace pliant

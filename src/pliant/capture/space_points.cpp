@@ -11,6 +11,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/capture/camera_picture.h"
 #include "pliant/capture/median.h"
+#include "pliant/capture/repeating_texture.h"
 
 namespace pliant {
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
@@ -34,7 +35,7 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
   for (const RestPoint& point : rest_) now_.emplace_back(point.agreed);
   tell_errors();
   const PatchTracker& tracker = *follow_.front().tracker;
-  repeat_ = texture_repeat(tracker.first(), tracker.found().places, context_.threads);
+  warnings_ = repeat_warnings(tracker.first(), tracker.found().places, context_.threads);
 }
 
 Eigen::Vector2d SpacePoints::size() const { return {dic_.sample.width, dic_.sample.height}; }
@@ -324,11 +325,6 @@ std::vector<std::string> SpacePoints::notes() const {
                       "be {} x {}",
                       length(placement_.sides.x()), length(placement_.sides.y()),
                       length(dic_.sample.width), length(dic_.sample.height))};
-}
-
-std::vector<std::string> SpacePoints::warnings() const {
-  if (!repeat_) return {};
-  return {repeat_warning(*repeat_)};
 }
 
 std::optional<Eigen::Vector3d> SpacePoints::gravity() const {

@@ -9,7 +9,6 @@
 #include "pliant/capture/calibration_error.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
-#include "pliant/capture/repeating_texture.h"
 #include "pliant/capture/sample_placement.h"
 #include "pliant/capture/space_labels.h"
 #include "pliant/capture/stereo_rest.h"
@@ -33,7 +32,7 @@ class SpacePoints : public PointSource {
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
-  std::vector<std::string> warnings() const override;
+  std::vector<std::string> warnings() const override { return warnings_; }
   std::optional<Eigen::Vector3d> gravity() const override;
   std::vector<std::string> cameras() const override { return views().names; }
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
@@ -83,7 +82,7 @@ class SpacePoints : public PointSource {
   std::vector<Eigen::Isometry3d> axes_errors_;  // from rig axes, under each error of it
   double rest_miss_ = 0;                        // median, of points at rest (pixels)
   int lost_at_rest_ = 0;
-  std::optional<TextureRepeat> repeat_;          // of the first camera's first picture
+  std::vector<std::string> warnings_;
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
   double agreeing_ = 1;                          // as of SightQuality

@@ -10,6 +10,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/capture/camera_picture.h"
 #include "pliant/capture/quadrilateral.h"
+#include "pliant/capture/repeating_texture.h"
 
 namespace pliant {
 namespace {
@@ -44,7 +45,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
   place_patches();
   check_.emplace(*tracker_);
-  repeat_ = texture_repeat(tracker_->first(), tracker_->found().places, context_.threads);
+  warnings_ = repeat_warnings(tracker_->first(), tracker_->found().places, context_.threads);
 }
 
 double TrackedPoints::patch() const {
@@ -121,11 +122,6 @@ std::vector<std::string> TrackedPoints::notes() const {
                                 std::sqrt(label_squares_ / views_)));
   }
   return notes;
-}
-
-std::vector<std::string> TrackedPoints::warnings() const {
-  if (!repeat_) return {};
-  return {repeat_warning(*repeat_)};
 }
 
 PointFrame TrackedPoints::read(int frame) {

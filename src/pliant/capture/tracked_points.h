@@ -8,7 +8,6 @@
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/plane_view.h"
 #include "pliant/capture/point_source.h"
-#include "pliant/capture/repeating_texture.h"
 
 namespace pliant {
 
@@ -26,7 +25,7 @@ class TrackedPoints : public PointSource {
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
-  std::vector<std::string> warnings() const override;
+  std::vector<std::string> warnings() const override { return warnings_; }
   std::vector<std::string> cameras() const override { return {"camera"}; }
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
 
@@ -47,7 +46,7 @@ class TrackedPoints : public PointSource {
   std::optional<MatchCheck> check_;
   MatchMisses matches_;  // of this frame
   int without_texture_ = 0;
-  std::optional<TextureRepeat> repeat_;
+  std::vector<std::string> warnings_;
   int frame_ = 0;
 };
 

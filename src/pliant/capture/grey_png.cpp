@@ -1,6 +1,8 @@
 #include "pliant/capture/grey_png.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <png.h>
 #include <zlib.h>
@@ -48,6 +50,18 @@ std::string grey_png_bytes(std::span<const std::uint8_t> levels, int columns, in
   constexpr std::size_t kAfterHeader = 8 + 25;  // signature and the chunk IHDR
   bytes.insert(kAfterHeader, resolution_chunk(pixels_per_metre));
   return bytes;
+}
+
+std::string grey_png_bytes(const GreyPicture& picture, double pixels_per_metre) {
+  constexpr float kWhite = 255;
+  std::vector<std::uint8_t> levels;
+  levels.reserve(static_cast<std::size_t>(picture.size()));
+  for (const float value : picture.reshaped<Eigen::RowMajor>()) {
+    levels.push_back(
+        static_cast<std::uint8_t>(std::lround(kWhite * std::clamp(value, 0.0F, 1.0F))));
+  }
+  return grey_png_bytes(levels, static_cast<int>(picture.cols()), static_cast<int>(picture.rows()),
+                        pixels_per_metre);
 }
 
 }  // namespace pliant

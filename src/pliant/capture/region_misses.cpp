@@ -18,6 +18,14 @@ void RegionMisses::add(const Eigen::Vector2d& pixel, const Eigen::Vector2d& miss
   region.squares += miss.squaredNorm();
 }
 
+double RegionMisses::largest_rms() const {
+  double largest = 0;
+  for (const Region& region : regions_) {
+    if (region.count > 0) largest = std::max(largest, region.rms());
+  }
+  return largest;
+}
+
 RegionMisses::Region RegionMisses::whole() const {
   Region whole;
   for (const Region& region : regions_) {

@@ -31,6 +31,8 @@ class RegionMisses {
 
   const Region& at(int across, int down) const { return regions_[place(across, down)]; }
   Region whole() const;
+  /// Of all regions; 0 where nothing was added.
+  double largest_rms() const;
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 

@@ -345,7 +345,6 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
   light.blur = options.blur;
   const auto draw = [&](const std::string& folder, int number,
                         const std::vector<DrawnSurface>& surfaces) {
-    constexpr float kWhite = 255;
     context.stop.throw_if_requested();
     for (int c = 0; c < options.count; ++c) {
       const std::string name = fmt::format("{}/{}/{:03}.png", folder, camera_name(c), number);
@@ -355,11 +354,7 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
       });
       RandomStream own = random.split(name);
       add_chip_noise(picture, noise, own);
-      std::vector<std::uint8_t> levels;
-      for (const float pixel : picture.reshaped<Eigen::RowMajor>()) {
-        levels.push_back(static_cast<std::uint8_t>(std::lround(kWhite * pixel)));
-      }
-      write(name, grey_png_bytes(levels, options.columns, options.rows, 1 / options.pixel));
+      write(name, grey_png_bytes(picture, 1 / options.pixel));
     }
   };
 

@@ -48,12 +48,6 @@ std::string facts(const DicSession& made) {
   return fact_list(all);
 }
 
-std::string warning_section(const CaptureRecord& record) {
-  if (record.warnings.empty()) return {};
-  return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(record.warnings) +
-         "</section>\n";
-}
-
 std::string picture_section(const CaptureRecord& record) {
   if (record.views.empty()) return {};
   const bool is_even = record.made.cameras.size() % 2 == 0;
@@ -69,12 +63,7 @@ std::string picture_section(const CaptureRecord& record) {
 std::string region_section(const DicSession& made) {
   double largest = 0;
   for (const RegionMisses& misses : made.misses) {
-    for (int down = 0; down < RegionMisses::kDown; ++down) {
-      for (int across = 0; across < RegionMisses::kAcross; ++across) {
-        const auto& region = misses.at(across, down);
-        if (region.count > 0) largest = std::max(largest, region.rms());
-      }
-    }
+    largest = std::max(largest, misses.largest_rms());
   }
   if (largest == 0) return {};
   std::string html = "<section><h2>Cameras against each other</h2>\n<div class=\"loops\">\n";
@@ -121,7 +110,7 @@ std::string make_capture_report(const CaptureRecord& record) {
   FigureSheet figures = page_figures();
   std::string body = "<header><h1>" + escape_html(record.name) +
                      " <span>how well it was seen</span></h1></header>\n";
-  body += verdict(record) + facts(record.made) + warning_section(record);
+  body += verdict(record) + facts(record.made) + warning_section(record.warnings);
   body += picture_section(record) + frame_figures(record.made, figures);
   body += region_section(record.made) + frame_section(record);
   body += "<section><h2>What was understood</h2>\n" + bullet_list(record.notes) + "</section>\n";

@@ -42,6 +42,11 @@ std::string bullet_list(const std::vector<std::string>& texts) {
   return html + "</ul>\n";
 }
 
+std::string warning_section(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return {};
+  return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(warnings) + "</section>\n";
+}
+
 std::string fact_list(const std::vector<std::pair<std::string, std::string>>& facts) {
   std::string html = "<dl class=\"facts\">\n";
   for (const auto& [name, value] : facts) {

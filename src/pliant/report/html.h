@@ -16,6 +16,9 @@ std::string element(std::string_view tag, std::string_view text);
 /// `<ul>` of escaped texts; empty for none.
 std::string bullet_list(const std::vector<std::string>& texts);
 
+/// A section of warnings; empty for none.
+std::string warning_section(const std::vector<std::string>& warnings);
+
 /// `<dl>` of names and values that stand side by side where there is room; both are escaped.
 std::string fact_list(const std::vector<std::pair<std::string, std::string>>& facts);
 

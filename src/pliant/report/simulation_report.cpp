@@ -79,12 +79,6 @@ std::string facts(const SimulationResults& results) {
   return fact_list(all);
 }
 
-std::string warnings(const SimulationResults& results) {
-  if (results.warnings.empty()) return {};
-  return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(results.warnings) +
-         "</section>\n";
-}
-
 std::string energy_table(const std::vector<EnergySeries>& all) {
   HtmlTable table({{"Energy"}, {"At the end", Align::number}, {"Largest", Align::number}});
   for (const EnergySeries& series : all) {
@@ -186,7 +180,7 @@ std::string make_simulation_report(const std::filesystem::path& results_director
   body +=
       fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(report::verdict(results)));
   body += report::motion_section(results, pictures) + report::facts(results);
-  body += report::energy_section(results, figures) + report::warnings(results);
+  body += report::energy_section(results, figures) + report::warning_section(results.warnings);
   body += "</section>\n" + report::step_section(results);
   body += report::field_section(results, pictures) + report::origin_section(results);
   return report::page(results.name + ": simulation", body, figures);

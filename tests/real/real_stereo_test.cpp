@@ -1,19 +1,14 @@
-// Pictures of several calibrated cameras whose shape, or whose agreement, is known; skipped where
-// PLIANT_TEST_DATA does not hold them. The lines they print are those of the documentation.
+// A pair of pictures whose disparities are known; skipped where PLIANT_TEST_DATA does not hold it.
+// The lines it prints are those of the documentation.
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/capture/median.h"
 #include "pliant/capture/stereo_rest.h"
 #include "pliant/imaging/photo.h"
 #include "pliant/io/text_file.h"
@@ -22,68 +17,6 @@
 
 namespace pliant::test {
 namespace {
-
-/// The cameras of the temple: name, K, R, t of each.
-std::vector<CameraModel> temple_cameras(const std::filesystem::path& folder) {
-  std::istringstream text(read_text_file(folder / "templeSR_par.txt"));
-  int count = 0;
-  text >> count;
-  std::vector<CameraModel> cameras;
-  for (int i = 0; i < count; ++i) {
-    std::string name;
-    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> k, r;
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    text >> name;
-    for (double& number : k.reshaped<Eigen::RowMajor>()) text >> number;
-    for (double& number : r.reshaped<Eigen::RowMajor>()) text >> number;
-    pose.linear() = r;
-    for (double& number : pose.translation()) text >> number;
-    CameraModel camera;
-    camera.intrinsics << k(0, 0), k(1, 1), k(0, 2), k(1, 2), 0, 0, 0, 0, 0;
-    camera.pose = RigidMotion::of(pose);
-    camera.columns = 640;
-    camera.rows = 480;
-    cameras.push_back(camera);
-  }
-  return cameras;
-}
-
-TEST(RealStereo, NeighboursOfTheTempleAgree) {
-  const std::filesystem::path folder = measurement("multiview_templeSparseRing");
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no measurements at " << folder;
-  constexpr double kPixel = 0.38e-3;  // on the temple (m)
-  const std::vector<CameraModel> cameras = temple_cameras(folder);
-  std::vector<GreyPicture> pictures;
-  for (int i = 1; i <= 16; ++i) {
-    pictures.push_back(read_photo(folder / fmt::format("templeSR{:04}.png", i)));
-  }
-  Quadrilateral all;
-  all << 8, 631, 631, 8, 8, 8, 471, 471;
-  std::vector<double> apart, misses;
-  int points = 0;
-  constexpr std::size_t kEvery = 7;
-  for (std::size_t i = 1; i + 1 < cameras.size(); i += kEvery) {
-    const std::vector<CameraModel> three{cameras[i], cameras[i - 1], cameras[i + 1]};
-    const StereoRest rest =
-        match_rest(three, {pictures[i], pictures[i - 1], pictures[i + 1]}, all, {7, 5}, {});
-    for (const RestPoint& point : rest.points) {
-      ++points;
-      if (!point.seen[1] || !point.seen[2]) continue;
-      const auto left = agreed_point(three, {point.seen[0], point.seen[1], std::nullopt}, INFINITY);
-      const auto right =
-          agreed_point(three, {point.seen[0], std::nullopt, point.seen[2]}, INFINITY);
-      if (!left || !right) continue;
-      apart.push_back((left->position - right->position).norm() / kPixel);
-      misses.push_back(point.agreed.miss);
-    }
-  }
-  fmt::print(
-      "temple: {} points by two cameras or three, {} by three; both pairs put one {:.2f} px apart "
-      "in the median, lines of sight miss by {:.2f} px\n",
-      points, apart.size(), median(apart), median(misses));
-  EXPECT_GT(apart.size(), 200u);
-  EXPECT_LT(median(apart), 1);
-}
 
 /// The floats of an uncompressed picture, row by row.
 Eigen::ArrayXXf disparities(const std::filesystem::path& file, int columns, int rows) {

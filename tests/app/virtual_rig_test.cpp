@@ -96,6 +96,25 @@ void print_misses(const std::string& name, const Misses& misses) {
       1e3 * misses.of_clips, 100.0 - 100.0 * misses.unseen / misses.vertices);
 }
 
+/// The largest angle between cords that were seen and those that pulled (rad).
+double cord_misses(const Session& seen, const Session& truth) {
+  double most = 0;
+  for (int f = 0; f < seen.frame_count(); ++f) {
+    for (std::size_t c = 0; c < seen.clips.size(); ++c) {
+      EXPECT_EQ(seen.frames[f].cords[c].size(), truth.frames[f].cords[c].size());
+      for (const CordForce& cord : truth.frames[f].cords[c]) {
+        const auto found = std::ranges::find(seen.frames[f].cords[c], cord.cord, &CordForce::cord);
+        if (found == seen.frames[f].cords[c].end()) return M_PI;
+        most = std::max(most, std::asin(found->force.cross(cord.force).norm() /
+                                        (found->force.norm() * cord.force.norm())));
+        EXPECT_NEAR(found->force.norm(), cord.force.norm(), 3e-3) << cord.cord;
+      }
+    }
+  }
+  fmt::print("cords within {:.3f} deg\n", most * 180 / M_PI);
+  return most;
+}
+
 ProgramRun run_on(const std::filesystem::path& folder, std::vector<std::string> arguments,
                   const std::string& out) {
   for (std::size_t i = 1; i < arguments.size(); ++i) {
@@ -126,6 +145,9 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   EXPECT_LT(misses.in_plane, 0.02e-3);
   EXPECT_LT(misses.off_plane, 0.04e-3);
   EXPECT_LT(misses.of_clips, 0.06e-3);
+  EXPECT_LT(cord_misses(session, truth), 0.3 * M_PI / 180);
+  ASSERT_TRUE(session.noise.force);
+  EXPECT_LT(*session.noise.force, 5e-3);
 
   const auto stiffness = [&](const std::filesystem::path& study, const std::string& out) {
     const ProgramRun fit = run_program(
@@ -216,8 +238,10 @@ TEST(SlowVirtualRig, SeesTheTestsOfTheThesis) {
     ASSERT_EQ(run_on(seen, {"calibrate", "rig.yaml"}, "calibration").status, 0);
     const ProgramRun imported = run_on(seen, {"import", "--dic", "capture.yaml"}, "made");
     ASSERT_EQ(imported.status, 0) << imported.err;
-    print_misses(test, misses_of(read_session(seen / "made" / "sheet"),
-                                 read_session(folder.path() / "lab" / test)));
+    const Session session = read_session(seen / "made" / "sheet");
+    const Session truth = read_session(folder.path() / "lab" / test);
+    print_misses(test, misses_of(session, truth));
+    if (!session.table) cord_misses(session, truth);
   }
   write_study_of_seen(folder.path() / "lab");
   print_law(folder.path() / "lab" / "seen.yaml", folder.path() / "fit-seen");

@@ -6,7 +6,7 @@ std::vector<NamedDocument> broken_points() {
   const std::vector<NamedDocument> full = full_documents();
   const SchemaCase &dic = full.back().document, &pictures = full[full.size() - 2].document,
                    &labelled = full[full.size() - 3].document,
-                   &views = full[full.size() - 4].document;
+                   &views = full[full.size() - 4].document, &cells = full[full.size() - 5].document;
   return {
       changed("a test without name", dic, "/test", ""),
       changed("a sample without unit", dic, "/sample/width", 100),
@@ -58,6 +58,17 @@ std::vector<NamedDocument> broken_points() {
       changed("a corner of three numbers", views, "/views/corners/0", {1, 2, 3}),
       without("views of unknown cameras", views, "/views/calibration"),
       without("views of a sample anywhere", views, "/views/corners"),
+      changed("a tester beside cells", cells, "/forces/on", "upper"),
+      changed("no cells", cells, "/forces/cells", nlohmann::json::array()),
+      changed("a clock by cells that do not move", cells, "/forces/start", "by motion"),
+      changed("a cell that pulls backwards", cells, "/forces/cells/0/slope", -1),
+      changed("a tare in grams", cells, "/forces/cells/0/tare", "1 g"),
+      changed("a cord by one pixel", cells, "/forces/cells/0/along", {{1, 2}}),
+      changed("a cord by pixels of three numbers", cells, "/forces/cells/0/along/0", {1, 2, 3}),
+      changed("a time of nothing", cells, "/forces/still", "0 s"),
+      without("a cord in no picture", cells, "/forces/cells/0/picture"),
+      without("a cell without column", cells, "/forces/cells/1/column"),
+      without("a time without rate", cells, "/forces/rate"),
       changed("labels in tables", dic, "/labels", "labels.yaml"),
   };
 }

@@ -218,6 +218,7 @@ std::vector<NamedDocument> written_documents() {
   documents.push_back(from_yaml("study of a U3M file", import_u3m(record).study_yaml));
   documents.push_back(from_json("summary.json", written_summary(facts)));
   documents.push_back(written_simulation());
+  documents.push_back(written_calibration());
   documents.push_back(from_yaml("session", session_document_text(stretch_session())));
   return documents;
 }

@@ -44,6 +44,9 @@ std::vector<NamedDocument> shipped_documents();
 /// evaluation; from a scene a simulation; a session.
 std::vector<NamedDocument> written_documents();
 
+/// A calibration of two cameras with everything that it can tell of.
+NamedDocument written_calibration();
+
 /// Documents of points of image correlation that every reader must refuse.
 std::vector<NamedDocument> broken_points();
 

@@ -32,6 +32,7 @@ std::vector<NamedDocument> full_documents() {
       Full{"texture of cloth", "cloth_pattern.yaml"},
       Full{"rig of two cameras", "full_rig.yaml"},
       Full{"rig with a plumb line", "plumb_rig.yaml"},
+      Full{"pictures of cords that cells pull", "cells_dic.yaml"},
       Full{"pictures of several cameras", "views_dic.yaml"},
       Full{"pictures of clips with labels", "labelled_dic.yaml"},
       Full{"pictures of a flat sample", "pictures_dic.yaml"},

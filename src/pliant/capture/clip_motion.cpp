@@ -1,6 +1,10 @@
 #include "pliant/capture/clip_motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -60,6 +64,20 @@ HeldPlace held_place(const DicFile& dic, const DicClip& clip, const TriangleMesh
     if (std::abs(place(axis) - inner) < kRounding) held.edge.push_back(v);
   }
   return held;
+}
+
+std::vector<SessionClip> session_clips(const std::vector<DicClip>& clips,
+                                       const std::vector<HeldPlace>& held) {
+  std::vector<SessionClip> result;
+  std::set<int> taken;
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    SessionClip clip{clips[c].name, clips[c].mass, {}};
+    // The corner of two sides is the first clip's.
+    std::ranges::copy_if(held[c].vertices, std::back_inserter(clip.clamped),
+                         [&](int vertex) { return taken.insert(vertex).second; });
+    result.push_back(std::move(clip));
+  }
+  return result;
 }
 
 std::optional<Pose> pose_of_points(const LocalMotion& motion, const Eigen::Matrix3Xd& rest,

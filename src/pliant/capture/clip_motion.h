@@ -26,6 +26,10 @@ Eigen::AlignedBox2d held_cloth(const DicFile& dic, const DicClip& clip);
 /// @param rest  mesh with vertices along the edges of the clip's cloth
 HeldPlace held_place(const DicFile& dic, const DicClip& clip, const TriangleMesh& rest);
 
+/// @param held  of each clip
+std::vector<SessionClip> session_clips(const std::vector<DicClip>& clips,
+                                       const std::vector<HeldPlace>& held);
+
 /// How a clip has moved if the cloth at its edge has moved with it: the rigid motion nearest to
 /// that of the points beside it.
 /// @param rest  3 x vertices of the edge, in order, at rest (m)

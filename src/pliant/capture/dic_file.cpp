@@ -139,10 +139,17 @@ DicReference read_camera(const Value& value) {
 
 constexpr const char* kByMotion = "by motion";  // of the clip that the log is of
 
-void read_start(const Value& value, DicForces& forces) {
+void require_rate(const Value& value, const DicForces& forces) {
   if (!forces.rate) value.fail("needs the `rate` of the frames", "both");
+}
+
+void read_start(const Value& value, DicForces& forces) {
+  require_rate(value, forces);
   forces.start = LogStart{{}, value.location()};
   if (value.text() != kByMotion) forces.start->time = value.quantity(Dimension::time);
+  if (forces.needs_clock() && !forces.cells.empty()) {
+    value.fail("is to be found by a motion, and cells tell none", "a time");
+  }
 }
 
 DicForces read_forces(const Value& value) {
@@ -150,18 +157,27 @@ DicForces read_forces(const Value& value) {
   DicForces forces;
   if (auto v = fields.optional("cords")) {
     forces.cords = path_beside(*v, "a table like cords.csv of a session");
-    for (const char* other : {"data", "on", "rate", "start"}) {
+    for (const char* other : {"data", "on", "cells", "rate", "start", "still"}) {
       if (auto w = fields.optional(other)) w->fail("stands beside `cords`", "one of them");
     }
     fields.finish();
     return forces;
   }
   forces.data = read_data_source(fields.require("data"));
-  const Value on = fields.require("on");
-  forces.clip = on.text("the name of a clip");
-  forces.where_clip = on.location();
+  if (auto cells = fields.optional("cells")) {
+    forces.cells = read_cells(*cells);
+    if (auto v = fields.optional("on")) v->fail("stands beside `cells`", "one of them");
+  } else {
+    const Value on = fields.require("on");
+    forces.clip = on.text("the name of a clip");
+    forces.where_clip = on.location();
+  }
   if (auto v = fields.optional("rate")) forces.rate = v->positive_quantity(Dimension::frequency);
   if (auto v = fields.optional("start")) read_start(*v, forces);
+  if (auto v = fields.optional("still")) {
+    require_rate(*v, forces);
+    forces.still = v->positive_quantity(Dimension::time);
+  }
   fields.finish();
   return forces;
 }
@@ -242,9 +258,29 @@ void require_labels(const DicFile& dic, const Value& list) {
 }
 
 void require_clips_for_motion(const DicFile& dic, const Value& list) {
-  if (dic.moves_by_log() && (!dic.forces || dic.forces->cords)) {
+  if (dic.moves_by_log() && (!dic.forces || !dic.forces->is_tester())) {
     list.fail("has a clip that moves by its extension, and there are no `forces` to tell it",
               "`forces` with a log that has a column of the extension");
+  }
+}
+
+/// A cord is followed from where it is fastened to its clip, which labels show.
+void require_clips_of_cells(const DicFile& dic) {
+  if (!dic.forces) return;
+  require_single_cords(dic.forces->cells);
+  for (const DicCell& cell : dic.forces->cells) {
+    if (!dic.views) {
+      throw InputError(cell.where, "pulls by a cord that is not seen in space", "`views`");
+    }
+    const auto clip = std::ranges::find(dic.clips, cell.clip, &DicClip::name);
+    if (clip == dic.clips.end()) {
+      throw InputError(cell.where, quoted_value(cell.clip) + " is no clip", "the name of a clip");
+    }
+    if (clip->labels.empty()) {
+      throw InputError(cell.where,
+                       "pulls a clip without `labels`, which tell where the cord begins",
+                       "labels on each clip that a cord pulls");
+    }
   }
 }
 
@@ -335,9 +371,11 @@ DicFile read_dic(const std::filesystem::path& path) {
   }
   if (dic.table) require_edge_under_sample(dic);
   require_motion_for_clock(dic);
+  require_clips_of_cells(dic);
   if (dic.labels_file) resolve_labels(dic);
   if (dic.camera) dic.lens = lens_of(*dic.camera);
   if (dic.views) resolve_views(*dic.views);
+  if (dic.forces && dic.views) resolve_cells(dic.forces->cells, *dic.views);
   return dic;
 }
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "pliant/capture/dic_cells.h"
 #include "pliant/capture/dic_reference.h"
 #include "pliant/capture/dic_views.h"
 #include "pliant/capture/lens.h"
@@ -53,14 +54,19 @@ struct LogStart {
   Location where;
 };
 
-/// The log of a tester or of a load cell; or what cords do, in space.
+/// The log of a tester; or of load cells, whose cords are seen; or what cords do, in space.
 struct DicForces {
   std::optional<std::filesystem::path> cords;  ///< like cords.csv of a session; then nothing else
   DataSource data;
-  std::string clip;  ///< that the cell pulls
+  std::vector<DicCell> cells;  ///< in place of the clip
+  std::string clip;            ///< that the tester pulls
   Location where_clip;
   std::optional<double> rate;     ///< of the frames (1/s); none: a row a frame
   std::optional<LogStart> start;  ///< none: the log's zero, and it covers all frames
+  std::optional<double> still;    ///< how long a frame stands still (s); none: between two rows
+
+  /// Whether a tester pulls one clip.
+  bool is_tester() const { return !cords && cells.empty(); }
 
   bool needs_clock() const { return start && !start->time; }
 };

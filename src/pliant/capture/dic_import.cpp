@@ -82,6 +82,7 @@ std::string middle_table(const DicSession& dic) {
 std::string frame_table(const DicSession& dic) {
   std::vector<std::string> header{"frame",   "lost",    "unseen",   "agreeing",
                                   "miss_px", "back_px", "drift_px", "broken"};
+  if (!dic.stands.empty()) header.emplace_back("force_spread_mN");
   for (const std::string& camera : dic.cameras) header.push_back("share_" + camera);
   CsvWriter csv(header);
   for (std::size_t f = 0; f < dic.qualities.size(); ++f) {
@@ -90,6 +91,7 @@ std::string frame_table(const DicSession& dic) {
     csv.cell(static_cast<int>(f)).cell(dic.lost[f]).cell(dic.unseen[f]);
     csv.cell(quality->agreeing).cell(quality->miss.value_or(NAN));
     csv.cell(quality->matches.back).cell(quality->matches.drift).cell(quality->matches.broken);
+    if (!dic.stands.empty()) csv.cell(dic.stands[f] ? 1e3 * dic.stands[f]->spread : NAN);
     for (const double share : quality->share) csv.cell(share);
     csv.end_row();
   }
@@ -137,12 +139,24 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
     notes.push_back(fmt::format("points at rest are off their plane by {} (root mean square)",
                                 millimetres(made.off_plane)));
   }
+  if (made.unrolled) {
+    notes.push_back(
+        fmt::format("the sample does not lie flat at first: it was unrolled, by which "
+                    "distances on it miss by {:.2g} % (root mean square)",
+                    100 * *made.unrolled));
+  }
   if (session.noise.position) {
     notes.push_back(fmt::format(
         "points miss a smooth motion of those around them by {}, a vertex so by {} (`noise` of "
         "the session): noise, and what bends within {}",
         millimetres(made.point_noise), millimetres(*session.noise.position),
         millimetres(2 * made.spacing)));
+  }
+  if (session.noise.force) {
+    notes.push_back(fmt::format(
+        "a component of a clip's force is known to {} (`noise` of the session), by the spread of "
+        "what cells read while the sample stood still and by how well cords are seen",
+        format_quantity(*session.noise.force, Dimension::force, 2)));
   }
   if (!made.slack.empty() && dic.views) {
     notes.emplace_back(
@@ -210,6 +224,14 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
     study.files.emplace_back("frames.csv", frame_table(made));
     study.warnings = made.warnings;
     if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
+  }
+  constexpr double kWrinkled = 0.01;
+  if (made.unrolled.value_or(0) > kWrinkled) {
+    study.warnings.push_back(fmt::format(
+        "the sample is wrinkled in the first frame, or bent both ways: laid flat it is stretched "
+        "by {:.2g} %, which counts as strain in all others; a frame in which it lies smooth comes "
+        "first",
+        100 * *made.unrolled));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(

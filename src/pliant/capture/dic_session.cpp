@@ -15,6 +15,7 @@
 #include "pliant/capture/local_motion.h"
 #include "pliant/capture/median.h"
 #include "pliant/capture/point_source.h"
+#include "pliant/capture/rest_places.h"
 #include "pliant/capture/sample_axes.h"
 #include "pliant/capture/vertex_deviations.h"
 #include "pliant/geometry/regular_grid.h"
@@ -32,6 +33,11 @@ constexpr double kRim = 0.6;        // or as near, in sides of its square
 constexpr double kFar = 6;          // points that tell a clip
 constexpr std::size_t kMostVertices = 40000;
 
+/// One motion, then another.
+Pose after(const Pose& first, const Pose& second) {
+  return {(second.rotation * first.rotation).normalized(), second.apply(first.translation)};
+}
+
 /// Follows the sheet from frame to frame.
 class SheetFollower {
  public:
@@ -41,6 +47,9 @@ class SheetFollower {
     axes_ = sample_axes(dic, first.rest);
     result_.off_plane = axes_.off_plane;
     result_.spacing = point_spacing(axes_.of(first.rest).topRows<2>());
+    const Eigen::Vector2d size(dic.sample.width, dic.sample.height);
+    places_.emplace(axes_, first.rest, size, result_.spacing);
+    result_.unrolled = places_->stretch();
     make_rest();
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
@@ -62,8 +71,11 @@ class SheetFollower {
     if (forces_->needs_clock()) result_.notes.push_back(forces_->find_clock(ways_));
     result_.force = forces_->log().force;
     result_.time = forces_->log().time;
+    result_.stands = forces_->log().stands;
+    result_.session.noise.force = forces_->noise();
     for (auto& [f, frame] : followed_) take(f, std::move(frame));
     std::ranges::sort(result_.left_out, {}, &LeftOutFrame::frame);
+    require_frames();
     std::ranges::move(points_->notes(), std::back_inserter(result_.notes));
     result_.warnings = points_->warnings();
     result_.misses = points_->misses();
@@ -99,17 +111,8 @@ class SheetFollower {
                        fmt::format("a coarser mesh, of at most {}", kMostVertices));
     }
     session.rest = grid_of_lines(lines_u, lines_v);
-    for (const DicClip& clip : dic_.clips) {
-      held_.push_back(held_place(dic_, clip, session.rest));
-      session.clips.push_back({clip.name, clip.mass, {}});
-      for (const int vertex : held_.back().vertices) {
-        // The corner of two sides is the first clip's.
-        const bool taken = std::ranges::any_of(session.clips, [&](const SessionClip& other) {
-          return std::ranges::find(other.clamped, vertex) != other.clamped.end();
-        });
-        if (!taken) session.clips.back().clamped.push_back(vertex);
-      }
-    }
+    for (const DicClip& clip : dic_.clips) held_.push_back(held_place(dic_, clip, session.rest));
+    session.clips = session_clips(dic_.clips, held_);
   }
 
   /// Of the mesh, some of them at the edges of clips.
@@ -131,7 +134,7 @@ class SheetFollower {
   }
 
   void require_pulled_clip() const {
-    if (!dic_.forces || dic_.forces->cords) return;
+    if (!dic_.forces || !dic_.forces->is_tester()) return;
     if (dic_.pulled_clip() != dic_.clips.end()) return;
     throw InputError(dic_.forces->where_clip, quoted_value(dic_.forces->clip) + " is no clip",
                      "the name of a clip");
@@ -140,17 +143,15 @@ class SheetFollower {
   /// Two clips at opposite sides pull along weft or along warp.
   void begin_middle() {
     if (dic_.clips.size() != 2 || (held_[0].outward + held_[1].outward).norm() > 0.5) return;
-    pull_ = std::abs(held_[0].outward.y()) > 0.5 ? 1 : 0;
-    const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
-    result_.middle =
-        MiddleRecord{pull_ == 1 ? "warp" : "weft", size(pull_) / 3, size(1 - pull_), {}, {}};
+    const int pull = std::abs(held_[0].outward.y()) > 0.5 ? 1 : 0;
+    result_.middle.emplace(pull, Eigen::Vector2d(dic_.sample.width, dic_.sample.height));
   }
 
   void follow(int f) {
     const PointFrame points = read(f);
     if (!points.left_out.empty()) return leave_out(f, points.left_out);
     if (lacks_extension(f)) return leave_out(f, kBeyondLog);
-    const Eigen::Matrix2Xd all = axes_.of(points.rest).topRows<2>();
+    const Eigen::Matrix2Xd all = places_->of(points.rest);
     const std::vector<int> free = outside_of_clips(all);
     const Eigen::Matrix2Xd rest = all(Eigen::all, free);
     Eigen::Matrix3Xd moved = axes_.of(points.moved)(Eigen::all, free);
@@ -177,6 +178,7 @@ class SheetFollower {
         frame.positions.col(vertex) = frame.poses[c].apply(session.rest.positions.col(vertex));
       }
     }
+    if (!points.cords.empty()) see_cords(f, points.cords);
     ways_.push_back(way_of_pulled(frame));
     if (result_.middle) add_middle(rest, moved, f);
     result_.nearer.push_back(points.nearer);
@@ -185,6 +187,14 @@ class SheetFollower {
     note_unseen(frame);
     if (is_shown(f)) show(f, frame.positions);
     followed_.emplace_back(f, std::move(frame));
+  }
+
+  void see_cords(int f, const std::vector<std::optional<CordLine>>& lines) {
+    std::vector<std::optional<CordLine>> on_sample;
+    for (const auto& line : lines) {
+      on_sample.push_back(line ? std::optional(axes_.of(*line)) : std::nullopt);
+    }
+    forces_->see_cords(f, std::move(on_sample));
   }
 
   /// Into the session, with its forces.
@@ -265,9 +275,17 @@ class SheetFollower {
     result_.qualities.emplace_back();
     ways_.push_back(kNone);
     for (ClipSlip& slip : result_.slips) slip.slip.push_back(kNone);
-    if (!result_.middle) return;
-    result_.middle->strain.push_back(kNone);
-    result_.middle->lateral_strain.push_back(kNone);
+    if (result_.middle) result_.middle->add_nothing();
+  }
+
+  void require_frames() const {
+    if (!result_.session.frames.empty()) return;
+    const std::string why = result_.left_out.empty()
+                                ? std::string("nothing pulls in any frame")
+                                : fmt::format("frame {} {}", result_.left_out.front().frame,
+                                              result_.left_out.front().why);
+    throw InputError({dic_.file}, "no frame can be used: " + why,
+                     "frames in which the sample is seen while forces are known");
   }
 
   /// Whether the first frame shows the sample where it lies on something: nothing pulls it there.
@@ -334,7 +352,7 @@ class SheetFollower {
           "points beside it; or `motion: held` or `extension`, where it is known");
     }
     Pose pose;
-    if (clip.motion == ClipMotion::labels) pose = in_sample(*points.clips[c]);
+    if (clip.motion == ClipMotion::labels) pose = axes_.of(*points.clips[c]);
     if (clip.motion == ClipMotion::extension) {
       const std::vector<double>& extension = forces_->log().extension;
       if (extension.empty()) {
@@ -345,6 +363,7 @@ class SheetFollower {
       const double way = extension[static_cast<std::size_t>(f)] - *first;
       pose.translation = way * side.outward;
     }
+    if (result_.unrolled) pose = after(first_pose_of(c, f, by_points), pose);
     const Eigen::Vector3d middle = rest.rowwise().mean();
     const double out = by_points ? side.outward.dot(pose.apply(middle) - by_points->apply(middle))
                                  : std::numeric_limits<double>::quiet_NaN();
@@ -352,12 +371,20 @@ class SheetFollower {
     return pose;
   }
 
-  /// A motion that is told in the axes of the points.
-  Pose in_sample(const Pose& motion) const {
-    const Eigen::Matrix3d turn =
-        axes_.axes * motion.rotation.toRotationMatrix() * axes_.axes.transpose();
-    return {Eigen::Quaterniond(turn).normalized(),
-            axes_.axes * (motion.apply(axes_.corner) - axes_.corner)};
+  /// Where a clip was in the first frame, against where it is on the sample laid flat.
+  const Pose& first_pose_of(std::size_t c, int f, const std::optional<Pose>& by_points) {
+    first_poses_.resize(held_.size());
+    if (!first_poses_[c]) {
+      if (!by_points) {
+        throw InputError({points_->file(f)},
+                         fmt::format("the sample does not lie flat, and no points beside the clip "
+                                     "{} tell where it is",
+                                     dic_.clips[c].name),
+                         "points beside each clip, or a sample that lies flat at first");
+      }
+      first_poses_[c] = by_points;
+    }
+    return *first_poses_[c];
   }
 
   /// Such a sheet hangs, and its frames are in its own axes.
@@ -383,21 +410,11 @@ class SheetFollower {
     return pushed_sheet(flat, moved, *dic_.table, middle, edge_, 2 * result_.spacing);
   }
 
-  /// The affine motion of the middle third.
   void add_middle(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved, int f) {
-    const double size = pull_ == 1 ? dic_.sample.height : dic_.sample.width;
-    std::vector<int> inside;
-    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
-      if (std::abs(rest(pull_, i) - size / 2) <= size / 6) inside.push_back(static_cast<int>(i));
-    }
-    const auto motion = affine_motion(rest(Eigen::all, inside), moved(Eigen::all, inside));
-    if (!motion) {
-      throw InputError({points_->file(f)},
-                       fmt::format("frame {}: no points in the middle of the sample", f),
-                       "at least five that do not lie in a line");
-    }
-    result_.middle->strain.push_back(motion->slope.col(pull_).norm() - 1);
-    result_.middle->lateral_strain.push_back(motion->slope.col(1 - pull_).norm() - 1);
+    if (result_.middle->add(rest, moved)) return;
+    throw InputError({points_->file(f)},
+                     fmt::format("frame {}: no points in the middle of the sample", f),
+                     "at least five that do not lie in a line");
   }
 
   void note_unseen(const SessionFrame& frame) {
@@ -410,12 +427,13 @@ class SheetFollower {
   RunContext context_;
   std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
+  std::optional<RestPlaces> places_;
   std::optional<FrameForces> forces_;
   std::vector<std::pair<int, SessionFrame>> followed_;  // without forces yet
   std::vector<double> ways_;  // of each frame, of the clip whose log has no clock yet
   DicSession result_;
   std::vector<HeldPlace> held_;                               // of each clip
-  int pull_ = 1;                                              // rest coordinate along it
+  std::vector<std::optional<Pose>> first_poses_;              // likewise, of unrolled sheets
   double edge_ = 0;                                           // of the table in the frame before
   Eigen::Isometry3d pushed_ = Eigen::Isometry3d::Identity();  // of a sheet on a table
   std::vector<double> residuals_;  // mean squares, of each vertex and frame

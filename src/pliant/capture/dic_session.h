@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "pliant/capture/dic_file.h"
+#include "pliant/capture/middle_record.h"
 #include "pliant/capture/point_source.h"
+#include "pliant/capture/still_reading.h"
 #include "pliant/measurement/session.h"
 
 namespace pliant {
-
-/// What the middle of a pulled sample and its clips did, frame by frame. Strains are engineering
-/// ones; of the middle third along the pull.
-struct MiddleRecord {
-  std::string direction;         ///< of the pull: weft or warp
-  double length = 0, width = 0;  ///< of the middle third along the pull, and of the sample (m)
-  std::vector<double> strain, lateral_strain;
-};
 
 /// How far cloth has come out of a clip whose own motion is known, frame by frame (m).
 struct ClipSlip {
@@ -40,8 +34,11 @@ struct MeshView {
 /// A session that was made from measured points.
 struct DicSession {
   Session session;
-  double spacing = 0;       ///< of the points (m)
-  double off_plane = 0;     ///< root mean square at rest (m)
+  double spacing = 0;    ///< of the points (m)
+  double off_plane = 0;  ///< root mean square at rest (m)
+  /// Where it did not lie flat at first: by how much it had to be stretched to be laid flat, a
+  /// share (see UnrolledSheet).
+  std::optional<double> unrolled;
   double point_noise = 0;   ///< by which a coordinate of a point misses an affine motion around it
   std::vector<int> lost;    ///< points of each frame; 0 of one that is left out
   std::vector<int> unseen;  ///< vertices of each frame; likewise
@@ -60,6 +57,8 @@ struct DicSession {
   std::vector<int> used;                               ///< the frames that the session has
   std::vector<std::string> notes, warnings;            ///< of where the points come from
   std::vector<double> force, time;  ///< of each frame; empty where they are not known
+  /// How still forces were in each frame, where the file tells how long frames stand.
+  std::vector<std::optional<FrameStand>> stands;
 
   /// Of the files; the session may have fewer.
   int frame_count() const { return static_cast<int>(lost.size()); }

@@ -1,12 +1,15 @@
 #include "pliant/capture/force_log.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/base/quantity.h"
 #include "pliant/capture/line_through_rows.h"
 
 namespace pliant {
@@ -53,6 +56,46 @@ std::vector<double> frame_times(const DicForces& forces, int frames, double star
   return times;
 }
 
+/// What one column of a log says at each frame: between its rows, or where the file tells how long
+/// frames stand still the mean of the rows in that time.
+struct ColumnAtFrames {
+  std::vector<double> values;
+  std::vector<std::optional<StillReading>> readings;  // empty where that is not told
+};
+
+ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<double>& log,
+                                const std::vector<double>& column,
+                                const std::vector<double>& times) {
+  if (!forces.still) return {interpolated(log, column, times), {}};
+  ColumnAtFrames result;
+  for (const double time : times) {
+    result.readings.push_back(still_reading(log, column, time, *forces.still));
+    result.values.push_back(result.readings.back() ? result.readings.back()->mean : kNone);
+  }
+  if (std::ranges::none_of(result.values, [](double value) { return !std::isnan(value); })) {
+    throw InputError(forces.data.where,
+                     fmt::format("has less than three rows in the {} in which a frame stands still",
+                                 format_quantity(*forces.still, Dimension::time, 3)),
+                     "a log of more rows, or a longer `still`");
+  }
+  return result;
+}
+
+void require_row_a_frame(const DicForces& forces, std::size_t rows, int frames) {
+  if (static_cast<int>(rows) == frames) return;
+  throw InputError(forces.data.where,
+                   fmt::format("has {} rows, and there are {} frames", rows, frames),
+                   "a row a frame; or a column of times, and the `rate` of the frames");
+}
+
+/// The times of a log's rows.
+std::vector<double> read_times(const DataRows& rows, const DicForces& forces) {
+  auto time = rows.optional_quantity("time", Dimension::time);
+  if (time) require_increasing_times(*time, rows);
+  if (forces.rate && !time) rows.quantity("time", Dimension::time);  // says what is missing
+  return time ? *std::move(time) : std::vector<double>();
+}
+
 }  // namespace
 
 FrameLog read_log_rows(const DicForces& forces) {
@@ -62,26 +105,61 @@ FrameLog read_log_rows(const DicForces& forces) {
   if (auto extension = rows.optional_quantity("extension", Dimension::length)) {
     log.extension = *std::move(extension);
   }
-  if (auto time = rows.optional_quantity("time", Dimension::time)) log.time = *std::move(time);
-  if (!log.time.empty()) require_increasing_times(log.time, rows);
-  if (forces.rate && log.time.empty()) {
-    rows.quantity("time", Dimension::time);  // says what is missing
-  }
+  log.time = read_times(rows, forces);
   return log;
 }
 
 FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, double start) {
-  if (forces.rate) {
-    const std::vector<double> times = frame_times(forces, frames, start, rows.time);
-    rows.force = interpolated(rows.time, rows.force, times);
-    if (!rows.extension.empty()) rows.extension = interpolated(rows.time, rows.extension, times);
-    rows.time = times;
-  } else if (std::ssize(rows.force) != frames) {
-    throw InputError(forces.data.where,
-                     fmt::format("has {} rows, and there are {} frames", rows.force.size(), frames),
-                     "a row a frame; or a column of times, and the `rate` of the frames");
+  if (!forces.rate) {
+    require_row_a_frame(forces, rows.force.size(), frames);
+    return rows;
   }
+  const std::vector<double> times = frame_times(forces, frames, start, rows.time);
+  ColumnAtFrames force = column_at_frames(forces, rows.time, rows.force, times);
+  for (const auto& reading : force.readings) {
+    rows.stands.emplace_back();
+    if (reading) rows.stands.back() = frame_stand(*reading, "the force");
+  }
+  rows.force = std::move(force.values);
+  if (!rows.extension.empty()) rows.extension = interpolated(rows.time, rows.extension, times);
+  rows.time = times;
   return rows;
+}
+
+CellLog read_cell_log(const DicForces& forces, int frames) {
+  const DataRows rows(forces.data);
+  CellLog log;
+  const std::vector<double> own_times = read_times(rows, forces);
+  if (forces.rate) {
+    log.time = frame_times(forces, frames, forces.start ? *forces.start->time : 0, own_times);
+  }
+  double squares = 0;
+  int readings = 0;
+  for (const DicCell& cell : forces.cells) {
+    std::vector<double> pull = rows.quantity(cell.column, Dimension::force);
+    for (double& force : pull) force = cell.slope * (force - cell.tare);
+    if (!forces.rate) {
+      require_row_a_frame(forces, pull.size(), frames);
+      log.pull.push_back(std::move(pull));
+      continue;
+    }
+    ColumnAtFrames at = column_at_frames(forces, own_times, pull, log.time);
+    log.stands.resize(at.readings.size());
+    for (std::size_t f = 0; f < at.readings.size(); ++f) {
+      if (!at.readings[f]) continue;
+      squares += at.readings[f]->error * at.readings[f]->error;
+      ++readings;
+      const FrameStand stand = frame_stand(
+          *at.readings[f], fmt::format("the cord {} of the clip {}", cell.cord, cell.clip));
+      std::optional<FrameStand>& worst = log.stands[f];
+      if (!worst) worst.emplace();
+      worst->spread = std::max(worst->spread, stand.spread);
+      if (worst->creep.empty()) worst->creep = stand.creep;
+    }
+    log.pull.push_back(std::move(at.values));
+  }
+  if (readings > 0) log.error = std::sqrt(squares / readings);
+  return log;
 }
 
 }  // namespace pliant

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pliant/capture/dic_file.h"
+#include "pliant/capture/still_reading.h"
 
 namespace pliant {
 
@@ -11,6 +13,15 @@ struct FrameLog {
   std::vector<double> force;      ///< NaN of frames that the log does not cover (`start`)
   std::vector<double> extension;  ///< likewise; empty where the log has none
   std::vector<double> time;       ///< by the log's clock; empty where it tells none
+  std::vector<std::optional<FrameStand>> stands;  ///< where the file tells how long frames stand
+};
+
+/// What load cells say at each frame (SI).
+struct CellLog {
+  std::vector<std::vector<double>> pull;  ///< of each cell by frame, as of FrameLog::force
+  std::vector<double> time;
+  std::vector<std::optional<FrameStand>> stands;
+  double error = 0;  ///< of a pull, root mean square, as its spread tells it (N); 0: unknown
 };
 
 /// The log's rows as they stand.
@@ -21,5 +32,9 @@ FrameLog read_log_rows(const DicForces& forces);
 /// @param start  of the first frame by the log's clock (s), with a rate
 /// @throws InputError where rows and frames do not go together
 FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, double start);
+
+/// The columns of the cells, tare and slope taken off.
+/// @throws InputError
+CellLog read_cell_log(const DicForces& forces, int frames);
 
 }  // namespace pliant

@@ -13,8 +13,8 @@ struct FrameDoubt {
   std::string why;
 };
 
-/// Frames in which cameras disagree as if one had been moved, that hardly show the sample, or whose
-/// matches do not hold both ways.
+/// Frames in which cameras disagree as if one had been moved, that hardly show the sample, whose
+/// matches do not hold both ways, or in which a force creeps.
 std::vector<FrameDoubt> frame_doubts(const DicSession& made);
 
 }  // namespace pliant

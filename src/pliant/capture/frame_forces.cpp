@@ -16,6 +16,13 @@ FrameForces::FrameForces(const DicFile& dic, const std::vector<SessionClip>& cli
     : dic_(dic), frames_(frames) {
   if (!dic.forces) return;
   const DicForces& forces = *dic.forces;
+  if (!forces.cells.empty()) {
+    cells_ = read_cell_log(forces, frames);
+    log_.time = cells_.time;
+    log_.stands = cells_.stands;
+    lines_.resize(static_cast<std::size_t>(frames));
+    return;
+  }
   if (!forces.cords) {
     rows_ = read_log_rows(forces);
     needs_clock_ = forces.needs_clock();
@@ -32,9 +39,34 @@ FrameForces::FrameForces(const DicFile& dic, const std::vector<SessionClip>& cli
   if (std::ssize(log_.time) < frames) log_.time.clear();
 }
 
+void FrameForces::see_cords(int frame, std::vector<std::optional<CordLine>> lines) {
+  lines_[static_cast<std::size_t>(frame)] = std::move(lines);
+}
+
+std::optional<double> FrameForces::noise() const {
+  double squares = 0;
+  int count = 0;
+  for (std::size_t f = 0; f < lines_.size(); ++f) {
+    for (std::size_t i = 0; i < lines_[f].size(); ++i) {
+      const double pull = cells_.pull[i][f];
+      if (!lines_[f][i] || std::isnan(pull)) continue;
+      const double aside = pull * lines_[f][i]->error;
+      squares += (cells_.error * cells_.error + 2 * aside * aside) / 3;
+      ++count;
+    }
+  }
+  if (count == 0 || cells_.error == 0) return std::nullopt;
+  const auto cords = static_cast<double>(cells_.pull.size());
+  return std::sqrt(squares / count * cords / static_cast<double>(dic_.clips.size()));
+}
+
 bool FrameForces::is_free(int frame) const {
-  return !cords_.empty() && std::ranges::all_of(cords_[static_cast<std::size_t>(frame)],
-                                                [](const auto& cords) { return cords.empty(); });
+  const auto f = static_cast<std::size_t>(frame);
+  if (!lines_.empty()) {
+    return std::ranges::none_of(lines_[f], [](const auto& line) { return line.has_value(); });
+  }
+  return !cords_.empty() &&
+         std::ranges::all_of(cords_[f], [](const auto& cords) { return cords.empty(); });
 }
 
 std::size_t FrameForces::pulled() const {
@@ -63,18 +95,39 @@ std::string FrameForces::add_to(SessionFrame& frame, int number,
   const auto f = static_cast<std::size_t>(number);
   if (!log_.time.empty()) frame.time = log_.time[f];
   frame.cords.resize(dic_.clips.size());
-  if (!cords_.empty()) frame.cords = cords_[f];
-  if (cords_.empty() && dic_.forces) {
-    const double force = log_.force[f];
-    if (std::isnan(force)) return kBeyondLog;
-    const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
-      const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
-      frame.cords[c].push_back({"", middle, by});
-    };
-    // What answers it is at the only other clip.
-    add(pulled(), force * held[pulled()].outward);
-    if (dic_.clips.size() == 2) add(1 - pulled(), -force * held[pulled()].outward);
+  if (!dic_.forces) return {};
+  if (!cords_.empty()) {
+    frame.cords = cords_[f];
+    return {};
   }
+  return lines_.empty() ? add_tester(frame, f, held) : add_cells(frame, f);
+}
+
+std::string FrameForces::add_cells(SessionFrame& frame, std::size_t number) const {
+  const std::vector<std::optional<CordLine>>& lines = lines_[number];
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i]) continue;
+    const DicCell& cell = dic_.forces->cells[i];
+    const double pull = cells_.pull[i][number];
+    if (std::isnan(pull)) return kBeyondLog;
+    const auto clip = std::ranges::find(dic_.clips, cell.clip, &DicClip::name);
+    frame.cords[static_cast<std::size_t>(clip - dic_.clips.begin())].push_back(
+        {cell.cord, lines[i]->from, pull * lines[i]->direction});
+  }
+  return {};
+}
+
+std::string FrameForces::add_tester(SessionFrame& frame, std::size_t number,
+                                    const std::vector<HeldPlace>& held) const {
+  const double force = log_.force[number];
+  if (std::isnan(force)) return kBeyondLog;
+  const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
+    const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
+    frame.cords[c].push_back({"", middle, by});
+  };
+  // What answers it is at the only other clip.
+  add(pulled(), force * held[pulled()].outward);
+  if (dic_.clips.size() == 2) add(1 - pulled(), -force * held[pulled()].outward);
   return {};
 }
 

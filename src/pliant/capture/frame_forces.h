@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/capture/clip_motion.h"
+#include "pliant/capture/cord_line.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/force_log.h"
 #include "pliant/measurement/session.h"
@@ -14,8 +15,8 @@ namespace pliant {
 /// Why a frame has no force.
 inline constexpr const char* kBeyondLog = "was taken when the log was not running";
 
-/// What pulls at the clips of a sample in each frame: cords, or a tester's log, whose clock may
-/// have to be found first.
+/// What pulls at the clips of a sample in each frame: cords of a table, or that are seen while
+/// cells pull them, or a tester's log, whose clock may have to be found first.
 class FrameForces {
  public:
   /// @param dic    outlives the forces
@@ -25,7 +26,12 @@ class FrameForces {
 
   /// Empty where there is none, or its clock is to be found yet.
   const FrameLog& log() const { return log_; }
-  /// Whether cords are told, and none of them in a frame.
+  const CellLog& cells() const { return cells_; }
+  /// Where the cords of the cells are in a frame, in the sample's axes.
+  void see_cords(int frame, std::vector<std::optional<CordLine>> lines);
+  /// Standard deviation of a component of a clip's force (N), where it is known.
+  std::optional<double> noise() const;
+  /// Whether cords are told or seen, and none of them in a frame.
   bool is_free(int frame) const;
   bool needs_clock() const { return needs_clock_; }
   /// @param ways  of the clip that the log is of, outwards and against the other, NaN where it is
@@ -42,11 +48,17 @@ class FrameForces {
   std::string add_to(SessionFrame& frame, int number, const std::vector<HeldPlace>& held) const;
 
  private:
+  std::string add_cells(SessionFrame& frame, std::size_t number) const;
+  std::string add_tester(SessionFrame& frame, std::size_t number,
+                         const std::vector<HeldPlace>& held) const;
+
   const DicFile& dic_;
   int frames_;
   FrameLog rows_, log_;
   bool needs_clock_ = false;
-  std::vector<std::vector<std::vector<CordForce>>> cords_;  // by frame and clip
+  CellLog cells_;
+  std::vector<std::vector<std::optional<CordLine>>> lines_;  // by frame and cell
+  std::vector<std::vector<std::vector<CordForce>>> cords_;   // by frame and clip
 };
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "pliant/base/run_context.h"
+#include "pliant/capture/cord_line.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/match_check.h"
 #include "pliant/capture/region_misses.h"
@@ -44,6 +45,8 @@ struct PointFrame {
   int lost = 0;  ///< points that were not found
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
+  /// Where the cord of each cell is, nothing before it was pointed at; empty without cells.
+  std::vector<std::optional<CordLine>> cords = {};
   std::optional<SightQuality> quality = {};  ///< where there are pictures
   double nearer = 0;     ///< by what share of its distance a clip has come, see PlaneView
   std::string left_out;  ///< why the frame cannot be used; it has no points then

@@ -52,6 +52,17 @@ void require_fit(const DicFile& dic, const Eigen::Matrix3Xd& on_sample) {
 
 }  // namespace
 
+Pose SampleAxes::of(const Pose& motion) const {
+  const Eigen::Matrix3d turn = axes * motion.rotation.toRotationMatrix() * axes.transpose();
+  return {Eigen::Quaterniond(turn).normalized(), axes * (motion.apply(corner) - corner)};
+}
+
+CordLine SampleAxes::of(CordLine line) const {
+  line.from = axes * (line.from - corner);
+  line.direction = axes * line.direction;
+  return line;
+}
+
 SampleAxes sample_axes(const DicFile& dic, const Eigen::Matrix3Xd& rest) {
   SampleAxes sample;
   const Eigen::Vector3d towards = unit(dic.weft).cross(unit(dic.warp));

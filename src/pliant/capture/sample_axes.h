@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "pliant/capture/cord_line.h"
 #include "pliant/capture/dic_file.h"
+#include "pliant/geometry/pose.h"
 
 namespace pliant {
 
@@ -16,6 +18,9 @@ struct SampleAxes {
   Eigen::Matrix3Xd of(const Eigen::Matrix3Xd& points) const {
     return axes * (points.colwise() - corner);
   }
+  /// A motion of a body, and a cord.
+  Pose of(const Pose& motion) const;
+  CordLine of(CordLine line) const;
 };
 
 /// The plane through points at rest, weft and warp as the file tells them, and the corner that it

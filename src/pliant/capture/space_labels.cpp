@@ -8,7 +8,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
-#include "pliant/capture/tag_detector.h"
+#include "pliant/capture/sighted_pose.h"
 #include "pliant/capture/triangulation.h"
 
 namespace pliant {
@@ -49,7 +49,7 @@ std::optional<Eigen::Matrix<double, 3, 4>> corners_of(
 }  // namespace
 
 SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads)
-    : dic_(dic), threads_(threads), first_(corners(first)) {
+    : dic_(dic), threads_(threads), first_(corners(tags(first))) {
   for (const DicClip& clip : dic_.clips) {
     for (const int code : clip.labels) {
       if (first_.contains(code)) continue;
@@ -63,12 +63,15 @@ SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& fir
   }
 }
 
-std::map<int, SpaceLabels::Corners> SpaceLabels::corners(
-    const std::vector<GreyPicture>& pictures) const {
-  std::vector<std::map<int, DetectedTag>> tags(pictures.size());
+SpaceLabels::SeenTags SpaceLabels::tags(const std::vector<GreyPicture>& pictures) const {
+  SeenTags tags(pictures.size());
   parallel_for(static_cast<int>(pictures.size()), threads_, [&](int c) {
     tags[static_cast<std::size_t>(c)] = single_tags(pictures[static_cast<std::size_t>(c)]);
   });
+  return tags;
+}
+
+std::map<int, SpaceLabels::Corners> SpaceLabels::corners(const SeenTags& tags) const {
   std::map<int, Corners> found;
   for (const DicClip& clip : dic_.clips) {
     for (const int code : clip.labels) {
@@ -79,29 +82,46 @@ std::map<int, SpaceLabels::Corners> SpaceLabels::corners(
 }
 
 LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) const {
-  const std::map<int, Corners> now = corners(pictures);
+  const SeenTags seen = tags(pictures);
+  const std::map<int, Corners> now = corners(seen);
   LabelledMotions motions;
   for (const DicClip& clip : dic_.clips) {
-    std::vector<int> codes;
-    std::ranges::copy_if(clip.labels, std::back_inserter(codes),
-                         [&](int code) { return now.contains(code); });
     motions.clips.emplace_back();
     if (clip.labels.empty()) continue;
-    if (codes.empty()) {
+    if (std::ranges::none_of(clip.labels, [&](int code) { return now.contains(code); })) {
       motions.missing = fmt::format("shows no label of the clip {} to two cameras", clip.name);
       return motions;
     }
-    Eigen::Matrix3Xd from(3, 4 * std::ssize(codes)), to(3, from.cols());
-    for (Eigen::Index i = 0; i < std::ssize(codes); ++i) {
-      from.middleCols<4>(4 * i) = first_.at(codes[static_cast<std::size_t>(i)]);
-      to.middleCols<4>(4 * i) = now.at(codes[static_cast<std::size_t>(i)]);
-    }
-    const Eigen::Matrix4d rigid = Eigen::umeyama(from, to, /*with_scaling=*/false);
-    motions.clips.back() =
-        Pose{Eigen::Quaterniond(Eigen::Matrix3d(rigid.topLeftCorner<3, 3>())).normalized(),
-             rigid.topRightCorner<3, 1>()};
+    motions.clips.back() = pose_of(clip.labels, now, seen);
   }
   return motions;
+}
+
+Pose SpaceLabels::pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
+                          const SeenTags& tags) const {
+  std::vector<int> both;
+  std::ranges::copy_if(codes, std::back_inserter(both),
+                       [&](int code) { return now.contains(code); });
+  Eigen::Matrix3Xd from(3, 4 * std::ssize(both)), to(3, from.cols());
+  for (Eigen::Index i = 0; i < std::ssize(both); ++i) {
+    from.middleCols<4>(4 * i) = first_.at(both[static_cast<std::size_t>(i)]);
+    to.middleCols<4>(4 * i) = now.at(both[static_cast<std::size_t>(i)]);
+  }
+  const Eigen::Matrix4d rigid = Eigen::umeyama(from, to, /*with_scaling=*/false);
+  const Pose start{Eigen::Quaterniond(Eigen::Matrix3d(rigid.topLeftCorner<3, 3>())).normalized(),
+                   rigid.topRightCorner<3, 1>()};
+  std::vector<BodySighting> sightings;
+  for (const int code : codes) {
+    for (std::size_t c = 0; c < tags.size(); ++c) {
+      const auto tag = tags[c].find(code);
+      if (tag == tags[c].end()) continue;
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        sightings.push_back(
+            {&dic_.views->cameras[c], first_.at(code).col(k), tag->second.corners.col(k)});
+      }
+    }
+  }
+  return sighted_pose(sightings, start, kCornerNoise);
 }
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include "pliant/capture/camera_model.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/spline_picture.h"
+#include "pliant/capture/tag_detector.h"
 #include "pliant/geometry/pose.h"
 
 namespace pliant {
@@ -33,9 +34,15 @@ class SpaceLabels {
 
  private:
   using Corners = Eigen::Matrix<double, 3, 4>;
+  /// Of each camera, by their codes.
+  using SeenTags = std::vector<std::map<int, DetectedTag>>;
 
+  SeenTags tags(const std::vector<GreyPicture>& pictures) const;
   /// Of the codes of the file's clips that two cameras see.
-  std::map<int, Corners> corners(const std::vector<GreyPicture>& pictures) const;
+  std::map<int, Corners> corners(const SeenTags& tags) const;
+  /// By the corners that two cameras see, and from there by all that any sees.
+  Pose pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
+               const SeenTags& tags) const;
 
   const DicFile& dic_;
   int threads_;

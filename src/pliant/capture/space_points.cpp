@@ -28,10 +28,11 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
     }
   }
   rest_miss_ = rest.median_miss;
-  begin_views(rest, std::move(first));
   lost_at_rest_ = rest.places - static_cast<int>(rest.points.size());
   rest_ = std::move(rest.points);
   find_sample();
+  begin_cords(first);
+  begin_views(std::move(first));
   for (const RestPoint& point : rest_) now_.emplace_back(point.agreed);
   tell_errors();
   const PatchTracker& tracker = *follow_.front().tracker;
@@ -138,13 +139,19 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
   }
 }
 
-void SpacePoints::begin_views(const StereoRest& rest, std::vector<GreyPicture> pictures) {
+void SpacePoints::begin_cords(const std::vector<GreyPicture>& pictures) {
+  if (!dic_.forces || dic_.forces->cells.empty()) return;
+  cords_ = std::make_unique<SpaceCords>(dic_, placement_.to_sample.inverse(), context_.threads);
+  lines_ = cords_->follow(0, pictures, clips_).lines;
+}
+
+void SpacePoints::begin_views(std::vector<GreyPicture> pictures) {
   for (std::size_t c = 0; c < pictures.size(); ++c) {
     View view;
     view.tracker = std::make_unique<PatchTracker>(std::move(pictures[c]), views().patch / 2,
                                                   views().step, context_);
-    for (std::size_t i = 0; i < rest.points.size(); ++i) {
-      const auto& seen = rest.points[i].seen[c];
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const auto& seen = rest_[i].seen[c];
       if (seen && view.tracker->add(seen->pixel)) view.points.push_back(static_cast<int>(i));
     }
     view.check.emplace(*view.tracker);
@@ -160,6 +167,11 @@ std::string SpacePoints::follow(int frame) {
     LabelledMotions motions = labels_->motions(now);
     if (!motions.missing.empty()) return motions.missing;
     clips_ = std::move(motions.clips);
+  }
+  if (cords_) {
+    FrameCords cords = cords_->follow(frame, now, clips_);
+    if (!cords.missing.empty()) return cords.missing;
+    lines_ = std::move(cords.lines);
   }
   const std::vector<SeenPlaces> seen = seen_in(now);
   const double most = most_miss(rest_miss_);
@@ -242,6 +254,13 @@ Pose SpacePoints::in_sample(const Pose& motion) const {
   return {Eigen::Quaterniond(own.linear()).normalized(), own.translation()};
 }
 
+std::optional<CordLine> SpacePoints::in_sample(std::optional<CordLine> line) const {
+  if (!line) return line;
+  line->from = placement_.to_sample * line->from;
+  line->direction = placement_.to_sample.linear() * line->direction;
+  return line;
+}
+
 PointFrame SpacePoints::read(int frame) {
   PointFrame points;
   if (frame != frame_) {
@@ -252,6 +271,7 @@ PointFrame SpacePoints::read(int frame) {
   for (const auto& clip : clips_) {
     points.clips.push_back(clip ? std::optional(in_sample(*clip)) : std::nullopt);
   }
+  for (const auto& line : lines_) points.cords.push_back(in_sample(line));
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     if (now_[i]) seen.push_back(i);

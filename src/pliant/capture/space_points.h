@@ -10,6 +10,7 @@
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/sample_placement.h"
+#include "pliant/capture/space_cords.h"
 #include "pliant/capture/space_labels.h"
 #include "pliant/capture/stereo_rest.h"
 
@@ -55,13 +56,15 @@ class SpacePoints : public PointSource {
   Eigen::Matrix3Xd rest_positions() const;
   void find_sample();
   void tell_errors();
-  void begin_views(const StereoRest& rest, std::vector<GreyPicture> pictures);
+  void begin_cords(const std::vector<GreyPicture>& pictures);
+  void begin_views(std::vector<GreyPicture> pictures);
   /// Says what the pictures lack, or nothing.
   std::string follow(int frame);
   std::vector<SeenPlaces> seen_in(const std::vector<GreyPicture>& pictures) const;
   void note_agreement(const std::vector<SeenPlaces>& seen);
   void note_misses(const std::vector<SeenPlaces>& seen);
   Pose in_sample(const Pose& motion) const;
+  std::optional<CordLine> in_sample(std::optional<CordLine> line) const;
   /// By how much a point is put elsewhere in the sample's axes, which move along.
   /// @param errors  its displacements by errors of the calibration, in rig axes
   Eigen::Matrix3Xd in_moved_axes(const Eigen::Vector3d& position,
@@ -89,6 +92,8 @@ class SpacePoints : public PointSource {
   MatchMisses matches_;                          // of this frame
   std::vector<RegionMisses> misses_;             // of each camera
   std::vector<std::optional<Pose>> clips_;       // in rig axes
+  std::unique_ptr<SpaceCords> cords_;            // null without cells
+  std::vector<std::optional<CordLine>> lines_;   // of their cords, in rig axes
   int frame_ = 0;
 };
 

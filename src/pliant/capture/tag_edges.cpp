@@ -23,7 +23,7 @@ constexpr double kNarrow = 4;  // pixels of a cell
 constexpr double kLeftOut = 0.08;
 constexpr int kFewestPlaces = 6;
 // A parabola is the lens's where its bend is so many times its own error; else it is noise.
-constexpr double kClearBend = 3;
+constexpr double kClearBend = 8;
 constexpr int kFewestForBend = 40;         // places; short edges are straight
 constexpr double kLeast = 1, kWidest = 3;  // pixels across an edge that are looked at
 // In smaller cells the blur of both of their edges is one.
@@ -130,8 +130,8 @@ std::optional<EdgePlace> edge_across(const EdgePicture& picture, const Eigen::Ve
   return std::nullopt;
 }
 
-/// The polynomial of some terms through places along an edge (t, offset), twice: the second time
-/// without places that are off: a scratch, a finger.
+/// The polynomial of some terms through places along an edge (t, offset), again and again without
+/// places that are off: a scratch, a finger, a cord that hides a fifth of it.
 /// @return the standard error of the last term; nothing where too few places are left
 std::optional<double> fit_terms(int terms, const std::vector<Eigen::Vector2d>& places,
                                 Eigen::Vector3d& offset) {
@@ -143,7 +143,8 @@ std::optional<double> fit_terms(int terms, const std::vector<Eigen::Vector2d>& p
     for (int k = 0; k < terms; ++k) powers(i, k) = std::pow(places[i].x(), k);
   }
   double squares = 0;
-  for (int round = 0; round < 2; ++round) {
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
     offset.setZero();
     offset.head(terms) =
         (weights.asDiagonal() * powers).colPivHouseholderQr().solve(weights.cwiseProduct(offsets));

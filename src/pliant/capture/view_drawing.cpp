@@ -48,7 +48,7 @@ struct Facet {
   int surface = 0, triangle = 0;
   Eigen::Vector3d corner, first, second;  // two edges from the corner
   Eigen::Vector2i from, to;               // columns and rows, both included
-  double light = 1;
+  double light = 1, shine = 0;
 };
 
 /// Where a ray from the camera's centre meets a plane piece [Moller1997].
@@ -77,10 +77,19 @@ double light_on(const Eigen::Vector3d& normal, const ViewOptions& options) {
   return options.ambient + (1 - options.ambient) * facing;
 }
 
+/// Of the light that comes from one side.
+double shine_on(const Eigen::Vector3d& normal, const Eigen::Vector3d& to_camera,
+                const ViewOptions& options) {
+  constexpr double kSharpness = 30;
+  const Eigen::Vector3d half = to_camera.normalized() + options.light.normalized();
+  return std::pow(std::abs(normal.normalized().dot(half.normalized())), kSharpness);
+}
+
 std::vector<Facet> facets_of(const CameraModel& camera, const std::vector<DrawnSurface>& surfaces,
                              const ViewOptions& options) {
   const Eigen::Vector2d size(camera.columns, camera.rows);
   const Eigen::Matrix3d turn = camera.pose.matrix();
+  const Eigen::Vector3d centre = camera.centre();
   std::vector<Facet> facets;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const DrawnSurface& surface = surfaces[s];
@@ -105,7 +114,10 @@ std::vector<Facet> facets_of(const CameraModel& camera, const std::vector<DrawnS
       facets.push_back({static_cast<int>(s), t, own.col(0), own.col(1) - own.col(0),
                         own.col(2) - own.col(0), from.cwiseMax(0).cast<int>(),
                         to.cwiseMin(size.array().matrix() - Eigen::Vector2d::Ones()).cast<int>(),
-                        light_on(normal, options)});
+                        light_on(normal, options),
+                        surface.gloss > 0
+                            ? surface.gloss * shine_on(normal, centre - corners.col(0), options)
+                            : 0});
     }
   }
   return facets;
@@ -152,8 +164,13 @@ class RowDrawing {
   }
 
  private:
+  // No two samples of a pixel are in a line along rows or columns: edges along these would move by
+  // steps of a sample.
   Eigen::Vector3d direction(int row, int column, int k) const {
-    return corners_.direction(row, column, (k % side_ + 0.5) / side_, (k / side_ + 0.5) / side_);
+    const int right = k % side_, down = k / side_;
+    const double step = 1.0 / (side_ * side_);
+    return corners_.direction(row, column, (right * side_ + down + 0.5) * step,
+                              (down * side_ + right + 0.5) * step);
   }
   std::size_t index(int row, int column, int k) const {
     return static_cast<std::size_t>(((row - first_row_) * columns_ + column) * side_ * side_ + k);
@@ -165,7 +182,8 @@ class RowDrawing {
     const Eigen::Vector3i corners = surface.triangles.col(facet.triangle);
     const Eigen::Vector3d weights(1 - nearest_[i].first - nearest_[i].second, nearest_[i].first,
                                   nearest_[i].second);
-    return facet.light * surface.brightness(surface.places(Eigen::all, corners) * weights);
+    return facet.light * surface.brightness(surface.places(Eigen::all, corners) * weights) +
+           facet.shine;
   }
 
   const PixelCorners& corners_;

@@ -18,6 +18,8 @@ struct DrawnSurface {
   Eigen::Matrix2Xd places;  ///< of the vertices on the surface (m)
   /// Share of the light that a place throws back, 0 to 1.
   std::function<double(const Eigen::Vector2d& place)> brightness;
+  double gloss = 0;  ///< share of the light that is mirrored [Blinn1977], which each camera sees
+                     ///< elsewhere
 };
 
 /// A rectangle at a height; its places are its first two coordinates.

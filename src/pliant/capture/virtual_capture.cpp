@@ -18,9 +18,9 @@
 #include "pliant/capture/pattern.h"
 #include "pliant/capture/printed_board.h"
 #include "pliant/capture/view_drawing.h"
+#include "pliant/capture/virtual_cords.h"
 #include "pliant/capture/wavelet_noise.h"
 #include "pliant/experiment/session/session_type.h"
-#include "pliant/measurement/session/cord_forces.h"
 
 namespace pliant {
 namespace {
@@ -47,35 +47,86 @@ struct DrawnClip {
   const char* side = "left";
   Eigen::AlignedBox2d cloth;            // at rest (m)
   std::vector<Eigen::Vector2d> labels;  // their middles
-  std::vector<int> codes;               // of these
+  double tag = kLabel;                  // of each
+  std::vector<int> codes;               // likewise
 };
 
+/// Some labels on a clip.
+struct LabelChoice {
+  std::vector<Eigen::Vector2d> middles;
+  double tag = kLabel;
+};
+
+/// Two far apart tell best how a bar has turned. Where cords swing over its ends one in the middle
+/// is larger; beside a corner it is on an arm along the sheet.
+std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vector2d& size) {
+  constexpr double kBeside = 1e-3, kOfCord = 3e-3, kLarge = 18e-3;  // m
+  const bool is_first = clip.cloth.min()(clip.axis) < size(clip.axis) - clip.cloth.max()(clip.axis);
+  const Eigen::Index along = 1 - clip.axis;
+  const auto label = [&](double tag, double off_middle) {
+    const double out = tag / 2 + kLabelMargin + kBeside;
+    Eigen::Vector2d middle = clip.cloth.center();
+    middle(clip.axis) = is_first ? -out : size(clip.axis) + out;
+    middle(along) += off_middle;
+    return middle;
+  };
+  const double half = clip.cloth.sizes()(along) / 2, room = kLabel / 2 + kLabelMargin;
+  const double apart = half - room - kOfCord;
+  const double inwards = clip.cloth.center()(along) < size(along) / 2 ? 1 : -1;
+  std::vector<LabelChoice> choices;
+  if (apart >= 2 * room) {
+    choices.push_back({{label(kLabel, -apart), label(kLabel, apart)}, kLabel});
+    choices.push_back({{label(kLarge, 0)}, kLarge});
+  }
+  if (half < 2 * room) {
+    choices.push_back({{label(kLabel, inwards * (half + room + kOfCord))}, kLabel});
+  }
+  choices.push_back({{label(kLabel, 0)}, kLabel});
+  return choices;
+}
+
+/// Whether a cord of the clip passes over a label in some frame, or so near that a camera may see
+/// it there.
+bool is_crossed(const Session& session, std::size_t clip, const LabelChoice& choice) {
+  constexpr double kNear = 3e-3, kStep = 1e-3;  // m
+  constexpr int kSteps = 60;
+  for (const SessionFrame& frame : session.frames) {
+    for (const CordForce& cord : frame.cords[clip]) {
+      const Pose& pose = frame.poses[clip];
+      const Eigen::Vector3d from = pose.local(cord.point);
+      const Eigen::Vector3d along = pose.rotation.conjugate() * cord.force.normalized();
+      for (int i = 0; i < kSteps; ++i) {
+        const Eigen::Vector2d at = (from + i * kStep * along).head<2>();
+        const bool is_near =
+            std::ranges::any_of(choice.middles, [&](const Eigen::Vector2d& middle) {
+              return (at - middle).cwiseAbs().maxCoeff() < choice.tag / 2 + kLabelMargin + kNear;
+            });
+        if (is_near) return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// @param first_code  of its labels
-DrawnClip drawn_clip(const Session& session, const SessionClip& clip, int first_code) {
+DrawnClip drawn_clip(const Session& session, std::size_t number, int first_code) {
   constexpr std::array kSides{"left", "right", "bottom", "top"};
   DrawnClip drawn;
-  for (const int vertex : clip.clamped) {
+  for (const int vertex : session.clips[number].clamped) {
     drawn.cloth.extend(session.rest.positions.col(vertex).head<2>());
   }
   const Eigen::Vector2d size(session.sample.width, session.sample.height);
   const Eigen::Vector2d low = drawn.cloth.min(), high = size - drawn.cloth.max();
   // Along the shorter extent it is deep, along the longer one it is wide.
-  const Eigen::Index axis = drawn.cloth.sizes().x() <= drawn.cloth.sizes().y() ? 0 : 1;
-  const bool is_first = low(axis) < high(axis);
-  drawn.axis = axis;
-  drawn.side = kSides[static_cast<std::size_t>(2 * axis + (is_first ? 0 : 1))];
-  constexpr double kBeside = 1e-3;  // m
-  const double room = kLabel / 2 + kLabelMargin, out = room + kBeside;
-  Eigen::Vector2d label = drawn.cloth.center();
-  label(axis) = is_first ? -out : size(axis) + out;
-  // Two far apart tell best how a bar has turned.
-  const double apart = drawn.cloth.sizes()(1 - axis) / 2 - room;
-  const Eigen::Vector2d along = std::max(apart, 0.0) * Eigen::Vector2d::Unit(1 - axis);
-  if (apart < 2 * room) {
-    drawn.labels = {label};
-  } else {
-    drawn.labels = {label - along, label + along};
-  }
+  drawn.axis = drawn.cloth.sizes().x() <= drawn.cloth.sizes().y() ? 0 : 1;
+  const bool is_first = low(drawn.axis) < high(drawn.axis);
+  drawn.side = kSides[static_cast<std::size_t>(2 * drawn.axis + (is_first ? 0 : 1))];
+  const std::vector<LabelChoice> choices = label_choices(drawn, size);
+  const auto clear = std::ranges::find_if(
+      choices, [&](const LabelChoice& choice) { return !is_crossed(session, number, choice); });
+  const LabelChoice& chosen = clear == choices.end() ? choices.back() : *clear;
+  drawn.labels = chosen.middles;
+  drawn.tag = chosen.tag;
   drawn.codes.resize(drawn.labels.size());
   std::iota(drawn.codes.begin(), drawn.codes.end(), first_code);
   return drawn;
@@ -87,10 +138,9 @@ DrawnSurface plate(const Eigen::AlignedBox2d& box, double height) {
   return flat_rectangle(box, height, [](const Eigen::Vector2d&) { return kMetal; });
 }
 
-DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
-  const TagBoard tag{1, 1, kLabel, kLabelMargin, code};
-  DrawnSurface surface = board_surface(tag);
-  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(kLabel / 2);
+DrawnSurface label_at(const Eigen::Vector2d& middle, double tag, int code) {
+  DrawnSurface surface = board_surface(TagBoard{1, 1, tag, kLabelMargin, code});
+  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(tag / 2);
   surface.positions.row(2).setConstant(kPlate);
   return surface;
 }
@@ -132,10 +182,10 @@ class ClothPrint {
 class DrawnSession {
  public:
   DrawnSession(const Session& session, const VirtualCameras& options, std::uint64_t seed)
-      : session_(session), print_(session, options.pixel, seed) {
-    for (const SessionClip& clip : session.clips) {
+      : session_(session), gloss_(options.gloss), print_(session, options.pixel, seed) {
+    for (std::size_t c = 0; c < session.clips.size(); ++c) {
       const int first_code = clips_.empty() ? 0 : clips_.back().codes.back() + 1;
-      clips_.push_back(drawn_clip(session, clip, first_code));
+      clips_.push_back(drawn_clip(session, c, first_code));
     }
   }
 
@@ -149,11 +199,16 @@ class DrawnSession {
       std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
                                     plate(clips_[c].cloth, -kPlate)};
       for (std::size_t i = 0; i < clips_[c].labels.size(); ++i) {
-        own.push_back(label_at(clips_[c].labels[i], clips_[c].codes[i]));
+        own.push_back(label_at(clips_[c].labels[i], clips_[c].tag, clips_[c].codes[i]));
       }
       for (DrawnSurface& surface : own) {
         if (frame >= 0) move(surface, session_.frames[static_cast<std::size_t>(frame)].poses[c]);
         surfaces.push_back(std::move(surface));
+      }
+    }
+    if (frame >= 0) {
+      for (DrawnSurface& cord : cord_surfaces(session_.frames[static_cast<std::size_t>(frame)])) {
+        surfaces.push_back(std::move(cord));
       }
     }
     DrawnSurface sheet;
@@ -161,6 +216,7 @@ class DrawnSession {
                                 : session_.frames[static_cast<std::size_t>(frame)].positions;
     sheet.triangles = session_.rest.triangles;
     sheet.places = session_.rest.positions.topRows<2>();
+    sheet.gloss = gloss_;
     sheet.brightness = [this](const Eigen::Vector2d& place) { return print_.at(place); };
     if (session_.table) push(sheet, frame);
     surfaces.push_back(std::move(sheet));
@@ -195,6 +251,7 @@ class DrawnSession {
   }
 
   const Session& session_;
+  double gloss_;
   ClothPrint print_;
   std::vector<DrawnClip> clips_;
 };
@@ -240,8 +297,10 @@ std::string rig_text(const VirtualCameras& options) {
                     pictures_yaml(options, "boards"));
 }
 
+/// @param forces  of the file; of a sheet on a table none
 std::string capture_text(const Session& session, const VirtualCameras& options,
-                         const std::vector<DrawnClip>& clips, const CameraModel& first) {
+                         const std::vector<DrawnClip>& clips, const CameraModel& first,
+                         const std::string& forces) {
   const double width = session.sample.width, height = session.sample.height;
   constexpr int kDigits = 6;
   const auto length = [](double metres) {
@@ -277,7 +336,7 @@ std::string capture_text(const Session& session, const VirtualCameras& options,
         length(clip.cloth.min()(1 - deep)), length(clip.cloth.max()(1 - deep)),
         fmt::join(clip.codes, ", "), exact_quantity(session.clips[c].mass, Dimension::mass));
   }
-  return text + "forces: {cords: cords.csv}\n";
+  return text + forces;
 }
 
 /// What the cameras look at: the middle of the sheet, or of the edge over which it is pushed.
@@ -285,15 +344,6 @@ Eigen::Vector2d middle_of(const Session& session) {
   Eigen::Vector2d middle(session.sample.width / 2, session.sample.height / 2);
   if (session.table) middle(static_cast<Eigen::Index>(*session.table)) *= 2;
   return middle;
-}
-
-/// The session's cords; its first frame is the second picture.
-std::string cords_text(const Session& session) {
-  Session shifted = session;
-  SessionFrame rest;
-  rest.cords.resize(session.clips.size());
-  shifted.frames.insert(shifted.frames.begin(), rest);
-  return cord_force_table(shifted);
 }
 
 }  // namespace
@@ -374,8 +424,15 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
   print.kind = board;
   write("board.yaml", pattern_text(print));
   write("rig.yaml", rig_text(options));
-  if (!session.table) write("cords.csv", cords_text(session));
-  write("capture.yaml", capture_text(session, options, drawn.clips(), cameras.front()));
+  const VirtualCells cells(session, options, random);
+  std::vector<std::string> pulled;
+  for (int c = 0; c < options.count; ++c) {
+    pulled.push_back(fmt::format("pictures/{}/001.png", camera_name(c)));
+  }
+  if (!cells.empty()) write("cells.csv", cells.log());
+  write("capture.yaml",
+        capture_text(session, options, drawn.clips(), cameras.front(),
+                     cells.empty() ? "" : cells.forces_yaml("cells.csv", cameras, pulled)));
 }
 
 }  // namespace pliant

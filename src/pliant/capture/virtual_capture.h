@@ -26,9 +26,9 @@ using WriteFile = std::function<void(const std::string& name, const std::string&
 
 /// Draws what a rig sees of a virtual session: pictures of a calibration board, the first lying on
 /// the table; the sheet at rest, flat, with its clips beside it; and each frame. A print of band-
-/// limited noise is on the cloth, labels on each clip. Writes with them rig.yaml, board.yaml, the
-/// cords of the session and capture.yaml (dic/1), so that what is measured in the pictures stands
-/// beside the session, which is the truth.
+/// limited noise is on the cloth, labels on each clip, and cords pull them. Writes with them
+/// rig.yaml, board.yaml, the log of the cords' cells and capture.yaml (dic/1), so that what is
+/// measured in the pictures stands beside the session, which is the truth.
 /// @param session  of a test that `require_seen` lets pass
 /// @throws Interrupted
 void draw_capture(const Session& session, const VirtualCameras& options, const RunContext& context,

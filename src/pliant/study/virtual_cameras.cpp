@@ -16,9 +16,10 @@ double read_share(const Value& value) {
 }  // namespace
 
 VirtualCameras read_virtual_cameras(const Value& value) {
-  constexpr double kSteepest = 1.0;  // rad
-  constexpr double kWidestBlur = 5;  // pixels
-  constexpr double kNearest = 0.05;  // m
+  constexpr double kSteepest = 1.0;      // rad
+  constexpr double kWidestBlur = 5;      // pixels
+  constexpr double kNearest = 0.05;      // m
+  constexpr double kLatestStart = 3600;  // s
   Fields fields = value.fields();
   VirtualCameras cameras;
   if (auto v = fields.optional("count")) cameras.count = v->integer(2, 8);
@@ -43,6 +44,17 @@ VirtualCameras read_virtual_cameras(const Value& value) {
   if (auto v = fields.optional("read_noise")) cameras.read_noise = read_share(*v);
   if (auto v = fields.optional("shot_noise")) cameras.shot_noise = read_share(*v);
   if (auto v = fields.optional("bits")) cameras.bits = v->integer(6, 8);
+  if (auto v = fields.optional("gloss")) {
+    cameras.gloss = v->quantity_from_zero(Dimension::fraction);
+    if (cameras.gloss > 1) v->fail("is more than the light", "at most 100 %");
+  }
+  if (auto v = fields.optional("cell_noise")) {
+    cameras.cell_noise = v->quantity_from_zero(Dimension::force);
+  }
+  if (auto v = fields.optional("log_start")) {
+    cameras.log_start = v->quantity_from_zero(Dimension::time);
+    if (cameras.log_start > kLatestStart) v->fail("is late", "at most an hour");
+  }
   if (auto v = fields.optional("boards")) cameras.boards = v->integer(5, 200);
   fields.finish();
   return cameras;

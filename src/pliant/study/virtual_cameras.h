@@ -18,7 +18,10 @@ struct VirtualCameras {
   double blur = 0.7;                         ///< pixels, standard deviation
   double read_noise = 0.01, shot_noise = 0;  ///< of white
   int bits = 8;                              ///< of a grey level
+  double gloss = 0;                          ///< of the cloth: of the light, mirrored
   int boards = 20;                           ///< pictures of the calibration board
+  double cell_noise = 2e-3;                  ///< of a row of the cells' log (N)
+  double log_start = 2;                      ///< of the first picture by the cells' clock (s)
 };
 
 /// @throws InputError

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "pliant/capture/local_motion.h"
+#include "pliant/capture/sample_axes.h"
+
+namespace pliant {
+
+/// Where points are on the sample laid flat, by where they are at rest: in its plane, or unrolled
+/// where it does not lie flat.
+class RestPlaces {
+ public:
+  /// @param first    points of the first frame, 3 x points
+  /// @param spacing  of them (m)
+  RestPlaces(const SampleAxes& axes, const Eigen::Matrix3Xd& first, const Eigen::Vector2d& size,
+             double spacing);
+
+  /// @param rest  3 x points at rest, some of those of the first frame (m)
+  Eigen::Matrix2Xd of(const Eigen::Matrix3Xd& rest) const;
+  /// By how much it had to be stretched, as of UnrolledSheet; nothing where it lies flat.
+  std::optional<double> stretch() const { return stretch_; }
+
+ private:
+  SampleAxes axes_;
+  double spacing_;
+  std::optional<double> stretch_;
+  std::optional<LocalMotion> unrolling_;  // of the places in the plane
+};
+
+}  // namespace pliant

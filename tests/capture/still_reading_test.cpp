@@ -1,0 +1,76 @@
+// What cells read while a sample stands still.
+#include "pliant/capture/still_reading.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/random.h"
+
+namespace pliant {
+namespace {
+
+struct Rows {
+  std::vector<double> times, values;
+};
+
+/// At 20 Hz for ten seconds.
+Rows rows(double slope, double noise, std::uint64_t seed = 1) {
+  RandomStream random(seed);
+  Rows rows;
+  for (int i = 0; i <= 200; ++i) {
+    rows.times.push_back(i / 20.0);
+    rows.values.push_back(2 + slope * (rows.times.back() - 5) + noise * random.normal());
+  }
+  return rows;
+}
+
+TEST(StillReading, IsTheMeanOfTheTimeAroundAFrame) {
+  const Rows all = rows(0, 0.01);
+  const auto reading = still_reading(all.times, all.values, 5, 1);
+  ASSERT_TRUE(reading);
+  EXPECT_NEAR(reading->mean, 2, 4 * reading->error);
+  EXPECT_NEAR(reading->spread, 0.01, 0.004);
+  EXPECT_NEAR(reading->error, 0.01 / std::sqrt(21), 0.001);
+  EXPECT_FALSE(reading->creeps);
+}
+
+TEST(StillReading, CoversItsErrors) {
+  int missed = 0, creeping = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Rows all = rows(0, 0.01, seed);
+    const auto reading = still_reading(all.times, all.values, 5, 1);
+    missed += std::abs(reading->mean - 2) > 1.96 * reading->error;
+    creeping += reading->creeps;
+  }
+  EXPECT_LT(missed, 40);
+  EXPECT_GT(missed, 8);
+  EXPECT_EQ(creeping, 0);
+}
+
+TEST(StillReading, TellsACreepThatItsSpreadDoesNot) {
+  const Rows all = rows(-0.06, 0.01);
+  const auto reading = still_reading(all.times, all.values, 5, 1);
+  EXPECT_TRUE(reading->creeps);
+  EXPECT_NEAR(reading->creep, -0.06, 0.02);
+  EXPECT_THAT(frame_stand(*reading, "the force").creep,
+              ::testing::HasSubstr("the force creeps by -"));
+}
+
+// A hundredth of a force is little, however well it is known.
+TEST(StillReading, LetsALittleCreepPass) {
+  const Rows all = rows(-0.015, 1e-5);
+  EXPECT_FALSE(still_reading(all.times, all.values, 5, 1)->creeps);
+}
+
+TEST(StillReading, NeedsRowsAllAround) {
+  const Rows all = rows(0, 0.01);
+  EXPECT_FALSE(still_reading(all.times, all.values, 9.8, 1));
+  EXPECT_FALSE(still_reading(all.times, all.values, 0.2, 1));
+  EXPECT_FALSE(still_reading(all.times, all.values, 5, 0.04));
+  EXPECT_FALSE(still_reading({}, {}, 5, 1));
+}
+
+}  // namespace
+}  // namespace pliant

@@ -24,12 +24,42 @@ Eigen::Matrix<double, 3, 2> across(const Eigen::Vector3d& direction) {
   return axes;
 }
 
+/// The middle of the light of a cord about a place: its brightest line lies to the side from which
+/// light falls.
+/// @param off  of that place (pixels)
+std::optional<double> middle_of_cord(const SplinePicture& picture, const CordLook& look,
+                                     const Eigen::Vector2d& place, const Eigen::Vector2d& normal,
+                                     double off) {
+  constexpr double kFine = 0.25;  // pixels
+  constexpr int kRounds = 3;
+  const int steps = static_cast<int>(look.side / kFine);
+  double middle = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto light = [&](double aside) {
+      return look.sign * picture.value(place + (middle + aside) * normal);
+    };
+    const double left = light(-look.side), right = light(look.side);
+    double sum = 0, moment = 0;
+    for (int i = -steps; i <= steps; ++i) {
+      const double aside = i * kFine;
+      const double beside = left + (right - left) * (aside + look.side) / (2 * look.side);
+      const double own = std::max(light(aside) - beside, 0.0);
+      sum += own;
+      moment += own * aside;
+    }
+    if (!(sum > 0)) return std::nullopt;
+    middle += moment / sum;
+    if (std::abs(middle) > look.side) return std::nullopt;
+  }
+  return off + middle;
+}
+
 /// Where a cord stands out most beside a place, within a reach (pixels).
 std::optional<double> off_line(const SplinePicture& picture, const CordLook& look,
                                const Eigen::Vector2d& place, const Eigen::Vector2d& normal,
                                double reach) {
   constexpr double kFine = 0.5, kFaintest = 0.35;  // pixels; contrasts
-  const Eigen::Vector2d margin = (reach + kFine + look.side) * normal;
+  const Eigen::Vector2d margin = (reach + 3 * look.side) * normal;
   if (!picture.contains(place - margin) || !picture.contains(place + margin)) return std::nullopt;
   const auto ridge = [&](double off) { return look.ridge(picture, place + off * normal, normal); };
   double best = 0, most = kFaintest;
@@ -41,11 +71,7 @@ std::optional<double> off_line(const SplinePicture& picture, const CordLook& loo
     }
   }
   if (most == kFaintest) return std::nullopt;
-  // The top of a parabola through its neighbours.
-  const double before = ridge(best - kFine), after = ridge(best + kFine);
-  const double bend = before - 2 * most + after;
-  if (!(bend < 0)) return best;
-  return best + std::clamp(kFine * (before - after) / (2 * bend), -kFine, kFine);
+  return middle_of_cord(picture, look, place + best * normal, normal, best);
 }
 
 /// What one camera sees of a cord.

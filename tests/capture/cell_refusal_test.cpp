@@ -54,7 +54,10 @@ TEST(CellRefusal, OfOnePixelOrTwoThatTellNoDirection) {
 }
 
 TEST(CellRefusal, OfACordTwiceOrOfASlopeBelowZero) {
-  EXPECT_THAT(refused(kCell + "}\n    - {" + kCell), HasSubstr("stands here twice"));
+  EXPECT_THAT(refused(kCell + "}\n    - {" + kCell), HasSubstr("another cell reads"));
+  EXPECT_THAT(
+      refused(kCell + "}\n    - {clip: a, cord: front, column: F2, picture: left/0.png, " + kAlong),
+      HasSubstr("stands here twice"));
   EXPECT_THAT(refused(kCell + ", slope: -1"), HasSubstr("is no slope of a cell"));
 }
 

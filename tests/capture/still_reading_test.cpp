@@ -7,9 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/capture/dic_import.h"
+
+#include "capture/point_tables.h"
 
 namespace pliant {
 namespace {
+
+using test::PointTables;
 
 struct Rows {
   std::vector<double> times, values;
@@ -64,12 +69,41 @@ TEST(StillReading, LetsALittleCreepPass) {
   EXPECT_FALSE(still_reading(all.times, all.values, 5, 1)->creeps);
 }
 
-TEST(StillReading, NeedsRowsAllAround) {
+TEST(StillReading, NeedsRowsAroundAFrame) {
   const Rows all = rows(0, 0.01);
-  EXPECT_FALSE(still_reading(all.times, all.values, 9.8, 1));
-  EXPECT_FALSE(still_reading(all.times, all.values, 0.2, 1));
+  EXPECT_FALSE(still_reading(all.times, all.values, 10.1, 1));
+  EXPECT_FALSE(still_reading(all.times, all.values, -0.1, 1));
+  EXPECT_TRUE(still_reading(all.times, all.values, 0, 1)) << "the half that the log covers";
   EXPECT_FALSE(still_reading(all.times, all.values, 5, 0.04));
   EXPECT_FALSE(still_reading({}, {}, 5, 1));
+}
+
+// A tester that holds at 1, 3 and 5 s; at the last the sample gives way.
+TEST(StillReading, NamesAFrameInWhichAForceCreeps) {
+  const test::TemporaryFolder folder;
+  PointTables::write(folder, 3, [](int frame, const Eigen::Vector2d& place) {
+    return Eigen::Vector3d(place.x(), (1 + 0.01 * frame) * place.y(), 0);
+  });
+  RandomStream random(1);
+  std::string log = "time_s,force_N\n";
+  for (int row = 0; row <= 130; ++row) {
+    const double time = row / 20.0;
+    const double pulls = time < 2 ? 0 : time < 4 ? 5 : 10 - 0.8 * (time - 4);
+    log += fmt::format("{},{}\n", time, pulls + 0.01 * random.normal());
+  }
+  folder.write("log.csv", log);
+  const DicImport made = import_dic(
+      PointTables::describe(
+          folder,
+          "clips: [{name: lower, side: bottom}, {name: upper, side: top}]\n"
+          "forces: {data: log.csv, on: upper, rate: 0.5 Hz, start: 1 s, still: 0.8 s}\n"),
+      {}, {});
+  EXPECT_NEAR(made.made.force[1], 5, 0.01);
+  EXPECT_NEAR(made.made.force[2], 9.2, 0.01);
+  ASSERT_EQ(made.doubts.size(), 1U);
+  EXPECT_EQ(made.doubts[0].frame, 2);
+  EXPECT_THAT(made.study.warnings,
+              ::testing::Contains(::testing::HasSubstr("frame 2: the force creeps by -")));
 }
 
 }  // namespace

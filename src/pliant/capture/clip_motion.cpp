@@ -80,6 +80,10 @@ std::vector<SessionClip> session_clips(const std::vector<DicClip>& clips,
   return result;
 }
 
+Pose one_after_another(const Pose& first, const Pose& second) {
+  return {(second.rotation * first.rotation).normalized(), second.apply(first.translation)};
+}
+
 std::optional<Pose> pose_of_points(const LocalMotion& motion, const Eigen::Matrix3Xd& rest,
                                    const Eigen::Vector3d& outward, double far) {
   // A second row of points, a little inside, tells how the clip has turned about its own edge. It

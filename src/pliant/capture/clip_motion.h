@@ -30,6 +30,9 @@ HeldPlace held_place(const DicFile& dic, const DicClip& clip, const TriangleMesh
 std::vector<SessionClip> session_clips(const std::vector<DicClip>& clips,
                                        const std::vector<HeldPlace>& held);
 
+/// One motion, then another.
+Pose one_after_another(const Pose& first, const Pose& second);
+
 /// How a clip has moved if the cloth at its edge has moved with it: the rigid motion nearest to
 /// that of the points beside it.
 /// @param rest  3 x vertices of the edge, in order, at rest (m)

@@ -56,7 +56,11 @@ std::vector<DicCell> read_cells(const Value& value) {
 void require_single_cords(const std::vector<DicCell>& cells) {
   constexpr double kShortest = 20;  // pixels
   std::set<std::pair<std::string, std::string>> taken;
+  std::set<std::string> columns;
   for (const DicCell& cell : cells) {
+    if (!columns.insert(cell.column).second) {
+      throw InputError(cell.where, "reads a column that another cell reads", "a column of its own");
+    }
     if (!taken.emplace(cell.clip, cell.cord).second) {
       throw InputError(cell.where, "has a cord that stands here twice",
                        "a name for each cord of a clip");

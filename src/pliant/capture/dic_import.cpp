@@ -223,8 +223,8 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
     study.warnings = made.warnings;
-    if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
   }
+  if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
   constexpr double kWrinkled = 0.01;
   if (made.unrolled.value_or(0) > kWrinkled) {
     study.warnings.push_back(fmt::format(

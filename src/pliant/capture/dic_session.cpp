@@ -33,11 +33,6 @@ constexpr double kRim = 0.6;        // or as near, in sides of its square
 constexpr double kFar = 6;          // points that tell a clip
 constexpr std::size_t kMostVertices = 40000;
 
-/// One motion, then another.
-Pose after(const Pose& first, const Pose& second) {
-  return {(second.rotation * first.rotation).normalized(), second.apply(first.translation)};
-}
-
 /// Follows the sheet from frame to frame.
 class SheetFollower {
  public:
@@ -51,6 +46,7 @@ class SheetFollower {
     places_.emplace(axes_, first.rest, size, result_.spacing);
     result_.unrolled = places_->stretch();
     make_rest();
+    if (result_.unrolled) begin_unrolled(first);
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
     forces_.emplace(dic, result_.session.clips, points_->count());
@@ -363,7 +359,7 @@ class SheetFollower {
       const double way = extension[static_cast<std::size_t>(f)] - *first;
       pose.translation = way * side.outward;
     }
-    if (result_.unrolled) pose = after(first_pose_of(c, f, by_points), pose);
+    if (result_.unrolled) pose = one_after_another(first_poses_[c], pose);
     const Eigen::Vector3d middle = rest.rowwise().mean();
     const double out = by_points ? side.outward.dot(pose.apply(middle) - by_points->apply(middle))
                                  : std::numeric_limits<double>::quiet_NaN();
@@ -371,20 +367,22 @@ class SheetFollower {
     return pose;
   }
 
-  /// Where a clip was in the first frame, against where it is on the sample laid flat.
-  const Pose& first_pose_of(std::size_t c, int f, const std::optional<Pose>& by_points) {
-    first_poses_.resize(held_.size());
-    if (!first_poses_[c]) {
-      if (!by_points) {
-        throw InputError({points_->file(f)},
+  /// Where clips are in the first frame, against where they are on the sample laid flat.
+  void begin_unrolled(const PointFrame& first) {
+    const LocalMotion around(places_->of(first.rest), axes_.of(first.moved),
+                             kFar * result_.spacing);
+    for (const HeldPlace& side : held_) {
+      const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.edge);
+      const auto pose = pose_of_points(around, rest, side.outward, kFar * result_.spacing);
+      if (!pose) {
+        throw InputError({points_->file(0)},
                          fmt::format("the sample does not lie flat, and no points beside the clip "
                                      "{} tell where it is",
-                                     dic_.clips[c].name),
+                                     dic_.clips[first_poses_.size()].name),
                          "points beside each clip, or a sample that lies flat at first");
       }
-      first_poses_[c] = by_points;
+      first_poses_.push_back(*pose);
     }
-    return *first_poses_[c];
   }
 
   /// Such a sheet hangs, and its frames are in its own axes.
@@ -433,7 +431,7 @@ class SheetFollower {
   std::vector<double> ways_;  // of each frame, of the clip whose log has no clock yet
   DicSession result_;
   std::vector<HeldPlace> held_;                               // of each clip
-  std::vector<std::optional<Pose>> first_poses_;              // likewise, of unrolled sheets
+  std::vector<Pose> first_poses_;                             // likewise, of unrolled sheets
   double edge_ = 0;                                           // of the table in the frame before
   Eigen::Isometry3d pushed_ = Eigen::Isometry3d::Identity();  // of a sheet on a table
   std::vector<double> residuals_;  // mean squares, of each vertex and frame

@@ -71,11 +71,13 @@ ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<doubl
   for (const double time : times) {
     result.readings.push_back(still_reading(log, column, time, *forces.still));
     result.values.push_back(result.readings.back() ? result.readings.back()->mean : kNone);
-  }
-  if (std::ranges::none_of(result.values, [](double value) { return !std::isnan(value); })) {
+    const bool is_covered = time >= log.front() && time <= log.back();
+    if (!is_covered || result.readings.back()) continue;
     throw InputError(forces.data.where,
-                     fmt::format("has less than three rows in the {} in which a frame stands still",
-                                 format_quantity(*forces.still, Dimension::time, 3)),
+                     fmt::format("has less than three rows within {} of {:.6g} s, while frame {} "
+                                 "stands still",
+                                 format_quantity(*forces.still / 2, Dimension::time, 3), time,
+                                 result.values.size() - 1),
                      "a log of more rows, or a longer `still`");
   }
   return result;
@@ -140,6 +142,7 @@ CellLog read_cell_log(const DicForces& forces, int frames) {
     for (double& force : pull) force = cell.slope * (force - cell.tare);
     if (!forces.rate) {
       require_row_a_frame(forces, pull.size(), frames);
+      log.time = own_times;
       log.pull.push_back(std::move(pull));
       continue;
     }

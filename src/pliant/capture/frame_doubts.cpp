@@ -36,11 +36,12 @@ std::string doubt_of(const SightQuality& quality, const std::vector<std::string>
 
 std::vector<FrameDoubt> frame_doubts(const DicSession& made) {
   std::vector<FrameDoubt> doubts;
-  for (std::size_t f = 1; f < made.qualities.size(); ++f) {
+  for (const int frame : made.used) {
+    const auto f = static_cast<std::size_t>(frame);
     std::string why;
-    if (made.qualities[f]) why = doubt_of(*made.qualities[f], made.cameras);
+    if (frame > 0 && made.qualities[f]) why = doubt_of(*made.qualities[f], made.cameras);
     if (why.empty() && f < made.stands.size() && made.stands[f]) why = made.stands[f]->creep;
-    if (!why.empty()) doubts.push_back({static_cast<int>(f), std::move(why)});
+    if (!why.empty()) doubts.push_back({frame, std::move(why)});
   }
   return doubts;
 }

@@ -103,12 +103,25 @@ std::string FrameForces::add_to(SessionFrame& frame, int number,
   return lines_.empty() ? add_tester(frame, f, held) : add_cells(frame, f);
 }
 
+double FrameForces::largest_pull(std::size_t cell) const {
+  double most = 0;
+  for (const double pull : cells_.pull[cell]) {
+    if (!std::isnan(pull)) most = std::max(most, std::abs(pull));
+  }
+  return most;
+}
+
 std::string FrameForces::add_cells(SessionFrame& frame, std::size_t number) const {
   const std::vector<std::optional<CordLine>>& lines = lines_[number];
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!lines[i]) continue;
     const DicCell& cell = dic_.forces->cells[i];
     const double pull = cells_.pull[i][number];
+    if (!lines[i]) {
+      constexpr double kHardly = 0.05;  // of the largest pull
+      if (!(std::abs(pull) > kHardly * largest_pull(i))) continue;
+      return fmt::format("is pulled by the cord {} of the clip {}, which is pointed at later",
+                         cell.cord, cell.clip);
+    }
     if (std::isnan(pull)) return kBeyondLog;
     const auto clip = std::ranges::find(dic_.clips, cell.clip, &DicClip::name);
     frame.cords[static_cast<std::size_t>(clip - dic_.clips.begin())].push_back(

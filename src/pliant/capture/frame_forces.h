@@ -48,6 +48,7 @@ class FrameForces {
   std::string add_to(SessionFrame& frame, int number, const std::vector<HeldPlace>& held) const;
 
  private:
+  double largest_pull(std::size_t cell) const;
   std::string add_cells(SessionFrame& frame, std::size_t number) const;
   std::string add_tester(SessionFrame& frame, std::size_t number,
                          const std::vector<HeldPlace>& held) const;

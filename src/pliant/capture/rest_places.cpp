@@ -1,30 +1,31 @@
 #include "pliant/capture/rest_places.h"
 
+#include <utility>
+
 #include "pliant/capture/unrolled_sheet.h"
 
 namespace pliant {
 
 RestPlaces::RestPlaces(const SampleAxes& axes, const Eigen::Matrix3Xd& first,
                        const Eigen::Vector2d& size, double spacing)
-    : axes_(axes), spacing_(spacing) {
-  constexpr double kFlat = 2e-3;  // of the size: distances are short by less than 0.01 %
+    : axes_(axes) {
+  constexpr double kFlat = 2e-3;  // of the size: an arch is seen short by 0.01 % then
   constexpr double kReach = 2.3;  // spacings
   if (axes.off_plane <= kFlat * size.minCoeff()) return;
   const Eigen::Matrix3Xd points = axes.of(first);
-  const UnrolledSheet flat = unrolled(points, kReach * spacing);
-  Eigen::Matrix3Xd laid = Eigen::Matrix3Xd::Zero(3, points.cols());
-  laid.topRows<2>() = flat.places;
-  unrolling_.emplace(points.topRows<2>(), laid, kReach * spacing);
-  unrolling_->bend(0);
+  UnrolledSheet flat = unrolled(points, kReach * spacing);
   stretch_ = flat.stretch;
+  shown_ = points.topRows<2>();
+  laid_ = std::move(flat.places);
+  near_.emplace(shown_, kReach * spacing);
 }
 
 Eigen::Matrix2Xd RestPlaces::of(const Eigen::Matrix3Xd& rest) const {
   Eigen::Matrix2Xd places = axes_.of(rest).topRows<2>();
-  if (!unrolling_) return places;
+  if (!near_) return places;
   for (auto place : places.colwise()) {
-    const auto laid = unrolling_->at(place, spacing_);
-    if (laid) place = laid->position.head<2>();
+    const auto same = near_->nearest(place);
+    if (same) place += laid_.col(*same) - shown_.col(*same);
   }
   return places;
 }

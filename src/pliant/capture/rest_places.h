@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pliant/capture/local_motion.h"
+#include "pliant/capture/near_places.h"
 #include "pliant/capture/sample_axes.h"
 
 namespace pliant {
@@ -23,9 +23,9 @@ class RestPlaces {
 
  private:
   SampleAxes axes_;
-  double spacing_;
   std::optional<double> stretch_;
-  std::optional<LocalMotion> unrolling_;  // of the places in the plane
+  Eigen::Matrix2Xd shown_, laid_;   // points of the first frame in the plane, and unrolled
+  std::optional<NearPlaces> near_;  // of those in the plane
 };
 
 }  // namespace pliant

@@ -7,15 +7,10 @@
 #include <Eigen/Geometry>
 
 #include "pliant/capture/median.h"
+#include "pliant/math/cross_matrix.h"
 
 namespace pliant {
 namespace {
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
 
 /// A turn about the middle of the points, and a shift.
 using Step = Eigen::Vector<double, 6>;

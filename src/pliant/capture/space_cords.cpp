@@ -36,13 +36,29 @@ std::optional<CordLine> followed(const CordViews& views, const CordLook& look,
 
 }  // namespace
 
-SpaceCords::SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig, int threads)
+SpaceCords::SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig,
+                       const Eigen::Matrix3Xd& rest, int threads)
     : dic_(dic), to_rig_(to_rig), threads_(threads) {
   for (const DicCell& cell : dic.forces->cells) {
     Cord cord;
     cord.clip = static_cast<std::size_t>(std::ranges::find(dic.clips, cell.clip, &DicClip::name) -
                                          dic.clips.begin());
+    const Eigen::Vector2d middle = held_cloth(dic, dic.clips[cord.clip]).center();
+    Eigen::Index nearest = 0;
+    (rest.colwise() - to_rig * Eigen::Vector3d(middle.x(), middle.y(), 0))
+        .colwise()
+        .squaredNorm()
+        .minCoeff(&nearest);
+    cord.beside = rest.col(nearest);
     cords_.push_back(cord);
+  }
+}
+
+void SpaceCords::require_free(int frame, const std::string& why) const {
+  for (const DicCell& cell : dic_.forces->cells) {
+    if (cell.frame != frame) continue;
+    throw InputError(cell.where_picture, "is of a moment that " + why,
+                     "a picture of a frame in which all clips are seen");
   }
 }
 
@@ -94,10 +110,8 @@ void SpaceCords::point_at(const DicCell& cell, Cord& cord, const CordViews& view
                      "two pixels of a straight line that is brighter or darker than what is on "
                      "both its sides, a cord in a picture in which it is pulled");
   }
-  const Eigen::AlignedBox2d cloth = held_cloth(dic_, dic_.clips[cord.clip]);
-  const Eigen::Vector3d middle(cloth.center().x(), cloth.center().y(), 0);
   const Eigen::Hyperplane<double, 3> fastened(
-      Eigen::Vector3d(pose.rotation * to_rig_.linear().col(2)), pose.apply(to_rig_ * middle));
+      Eigen::Vector3d(pose.rotation * to_rig_.linear().col(2)), pose.apply(cord.beside));
   cord.last = pointed_cord(views, cell.camera, *pointed, fastened);
   if (!cord.last) {
     throw InputError(cell.where,

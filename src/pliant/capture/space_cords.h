@@ -25,17 +25,25 @@ class SpaceCords {
  public:
   /// @param dic      outlives the cords; its clips of cords carry labels
   /// @param to_rig   from the sample's axes
-  SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig, int threads);
+  /// @param rest     3 x points of the sample in the first pictures, rig axes (m)
+  SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig, const Eigen::Matrix3Xd& rest,
+             int threads);
 
   /// @param pictures  of each camera
   /// @param clips     how they have moved since the first pictures, rig axes
   /// @throws InputError where no cord is seen to which the user has pointed
+  /// A frame in which a user points at a cord may not be left out.
+  /// @param why  it would be
+  /// @throws InputError where one does
+  void require_free(int frame, const std::string& why) const;
+
   FrameCords follow(int frame, const std::vector<GreyPicture>& pictures,
                     const std::vector<std::optional<Pose>>& clips);
 
  private:
   struct Cord {
     std::size_t clip = 0;
+    Eigen::Vector3d beside = Eigen::Vector3d::Zero();  // the sample beside the clip at rest (m)
     CordLook look;
     Eigen::Vector3d fastened = Eigen::Vector3d::Zero();  // on the clip at rest (m)
     std::optional<CordLine> last;

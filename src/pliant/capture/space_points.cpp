@@ -141,7 +141,8 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
 
 void SpacePoints::begin_cords(const std::vector<GreyPicture>& pictures) {
   if (!dic_.forces || dic_.forces->cells.empty()) return;
-  cords_ = std::make_unique<SpaceCords>(dic_, placement_.to_sample.inverse(), context_.threads);
+  cords_ = std::make_unique<SpaceCords>(dic_, placement_.to_sample.inverse(), rest_positions(),
+                                        context_.threads);
   lines_ = cords_->follow(0, pictures, clips_).lines;
 }
 
@@ -165,7 +166,10 @@ std::string SpacePoints::follow(int frame) {
   const std::vector<GreyPicture> now = pictures(frame);
   if (labels_) {
     LabelledMotions motions = labels_->motions(now);
-    if (!motions.missing.empty()) return motions.missing;
+    if (!motions.missing.empty()) {
+      if (cords_) cords_->require_free(frame, motions.missing);
+      return motions.missing;
+    }
     clips_ = std::move(motions.clips);
   }
   if (cords_) {

@@ -19,7 +19,7 @@ struct StillReading {
 /// @param times   of the rows, increasing (s)
 /// @param middle  of the time in which it stood still (s)
 /// @param still   how long that was (s)
-/// @return nothing of fewer than three rows, or where the rows do not cover it
+/// @return nothing of fewer than three rows, or of a time beside all rows
 std::optional<StillReading> still_reading(const std::vector<double>& times,
                                           const std::vector<double>& values, double middle,
                                           double still);

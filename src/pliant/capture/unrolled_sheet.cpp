@@ -1,5 +1,6 @@
 #include "pliant/capture/unrolled_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -108,9 +109,8 @@ double stretch_of(const std::vector<Surroundings>& surroundings, const Eigen::Ma
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-}  // namespace
-
-UnrolledSheet unrolled(const Eigen::Matrix3Xd& points, double reach) {
+/// Of points that are connected.
+UnrolledSheet unrolled_piece(const Eigen::Matrix3Xd& points, double reach) {
   constexpr int kRounds = 2000;
   constexpr double kSmall = 1e-5;  // of the reach
   const Surface surface(points, reach);
@@ -139,6 +139,49 @@ UnrolledSheet unrolled(const Eigen::Matrix3Xd& points, double reach) {
   const Eigen::Matrix3d rigid = Eigen::umeyama(places, start, /*with_scaling=*/false);
   return {(rigid.topLeftCorner<2, 2>() * places).colwise() + rigid.topRightCorner<2, 1>(),
           stretch_of(surroundings, places)};
+}
+
+/// Points of the largest connected piece, each with enough others around it to tell a plane.
+std::vector<int> largest_piece(const Eigen::Matrix3Xd& points, double reach) {
+  constexpr std::size_t kFewest = 5;
+  const NearPlaces places(points.topRows<2>(), reach);
+  std::vector<std::vector<int>> near;
+  for (const auto& point : points.colwise()) near.push_back(places.around(point.head<2>()));
+  std::vector<bool> is_taken(near.size(), false);
+  std::vector<int> largest;
+  for (std::size_t first = 0; first < near.size(); ++first) {
+    if (is_taken[first] || near[first].size() <= kFewest) continue;
+    std::vector<int> piece{static_cast<int>(first)};
+    is_taken[first] = true;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      for (const int other : near[static_cast<std::size_t>(piece[k])]) {
+        const auto next = static_cast<std::size_t>(other);
+        if (is_taken[next] || near[next].size() <= kFewest) continue;
+        is_taken[next] = true;
+        piece.push_back(other);
+      }
+    }
+    if (piece.size() > largest.size()) largest = std::move(piece);
+  }
+  std::ranges::sort(largest);
+  return largest;
+}
+
+}  // namespace
+
+UnrolledSheet unrolled(const Eigen::Matrix3Xd& points, double reach) {
+  const std::vector<int> piece = largest_piece(points, reach);
+  UnrolledSheet sheet{points.topRows<2>(), 0};
+  if (piece.empty()) return sheet;
+  const UnrolledSheet own = unrolled_piece(points(Eigen::all, piece), reach);
+  sheet.stretch = own.stretch;
+  const Eigen::Matrix2Xd shown = sheet.places(Eigen::all, piece);
+  for (auto place : sheet.places.colwise()) {
+    Eigen::Index nearest = 0;
+    (shown.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+    place += own.places.col(nearest) - shown.col(nearest);
+  }
+  return sheet;
 }
 
 }  // namespace pliant

@@ -13,6 +13,7 @@ struct UnrolledSheet {
   double stretch = 0;
 };
 
+/// Pieces that nothing connects with the largest one go as the point of it does that is nearest.
 /// @param points  3 x points, the surface seen along the third axis, over which it does not hang
 /// (m)
 /// @param reach   of neighbours in the first two coordinates, some two distances of points (m)

@@ -88,7 +88,7 @@ std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vecto
 /// Whether a cord of the clip passes over a label in some frame, or so near that a camera may see
 /// it there.
 bool is_crossed(const Session& session, std::size_t clip, const LabelChoice& choice) {
-  constexpr double kNear = 3e-3, kStep = 1e-3;  // m
+  constexpr double kNear = 2e-3, kStep = 1e-3;  // m
   constexpr int kSteps = 60;
   for (const SessionFrame& frame : session.frames) {
     for (const CordForce& cord : frame.cords[clip]) {
@@ -425,14 +425,13 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
   write("board.yaml", pattern_text(print));
   write("rig.yaml", rig_text(options));
   const VirtualCells cells(session, options, random);
-  std::vector<std::string> pulled;
-  for (int c = 0; c < options.count; ++c) {
-    pulled.push_back(fmt::format("pictures/{}/001.png", camera_name(c)));
-  }
+  const auto picture = [](std::size_t camera, int frame) {
+    return fmt::format("pictures/{}/{:03}.png", camera_name(static_cast<int>(camera)), frame + 1);
+  };
   if (!cells.empty()) write("cells.csv", cells.log());
   write("capture.yaml",
         capture_text(session, options, drawn.clips(), cameras.front(),
-                     cells.empty() ? "" : cells.forces_yaml("cells.csv", cameras, pulled)));
+                     cells.empty() ? "" : cells.forces_yaml("cells.csv", cameras, picture)));
 }
 
 }  // namespace pliant

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
 #include "pliant/io/csv_writer.h"
 #include "pliant/io/yaml_text.h"
@@ -42,11 +43,9 @@ DrawnSurface cord_surface(const Eigen::Vector3d& from, const Eigen::Vector3d& di
   return surface;
 }
 
-/// Both ends of a cord in a picture, as far as it shows it.
-struct ShownCord {
-  Eigen::Vector2d from, to;
-};
+using ShownCord = VirtualCells::ShownCord;
 
+/// As far as a picture shows it.
 std::optional<ShownCord> shown_cord(const CameraModel& camera, const CordForce& cord) {
   constexpr double kMargin = 15;  // pixels
   constexpr int kSteps = 60;
@@ -143,34 +142,47 @@ std::string VirtualCells::log() const {
   return csv.text();
 }
 
+VirtualCells::PointedView VirtualCells::pointed_view(
+    const Cell& cell, const std::vector<CameraModel>& cameras) const {
+  constexpr double kLongEnough = 25;  // pixels
+  for (int f = 0; f < session_.frame_count(); ++f) {
+    const CordForce* cord =
+        cord_named(session_.frames[static_cast<std::size_t>(f)], cell.clip, cell.cord);
+    if (!cord || cord->force.norm() < kSlack) continue;
+    PointedView best{f, 0, {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}};
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      const auto shown = shown_cord(cameras[c], *cord);
+      if (shown && shown->length() > best.shown.length()) best = {f, c, *shown};
+    }
+    if (best.shown.length() > kLongEnough) return best;
+  }
+  throw InputError(
+      {},
+      fmt::format("no camera sees the cord {} of the clip {} pull", cell.cord,
+                  session_.clips[cell.clip].name),
+      "`cameras` with a larger `picture` or `pixel`, that show what is beside the sheet");
+}
+
 std::string VirtualCells::forces_yaml(const std::string& file,
                                       const std::vector<CameraModel>& cameras,
-                                      const std::vector<std::string>& pictures) const {
+                                      const NamePicture& picture) const {
   constexpr double kPointing = 1.5;  // pixels
   RandomStream pointing = random_.split("pointing");
   std::string text = fmt::format(
       "forces:\n  data: {}\n  rate: {} Hz\n  start: {}\n  still: {} s\n  cells:\n", file,
       kFrameRate, exact_quantity(options_.log_start, Dimension::time), 0.8 * kStill);
   for (const Cell& cell : cells_) {
-    const CordForce& cord = *cord_named(session_.frames.front(), cell.clip, cell.cord);
-    std::size_t camera = 0;
-    ShownCord best{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-    for (std::size_t c = 0; c < cameras.size(); ++c) {
-      const auto shown = shown_cord(cameras[c], cord);
-      if (!shown || !((shown->to - shown->from).norm() > (best.to - best.from).norm())) continue;
-      best = *shown;
-      camera = c;
-    }
+    const PointedView best = pointed_view(cell, cameras);
     const auto missed = [&](const Eigen::Vector2d& pixel) {
       return fmt::format("[{:.1f}, {:.1f}]", pixel.x() + pointing.uniform(-kPointing, kPointing),
                          pixel.y() + pointing.uniform(-kPointing, kPointing));
     };
-    const std::string from = missed(best.from);
+    const std::string from = missed(best.shown.from);
     text += fmt::format(
         "    - {{clip: {}, cord: {}, column: {}, tare: {:.0f} mN, slope: {:.3f}, picture: {}, "
         "along: [{}, {}]}}\n",
         session_.clips[cell.clip].name, yaml_text(cell.cord), yaml_text(cell.column(session_)),
-        1e3 * cell.tare, cell.slope, pictures[camera], from, missed(best.to));
+        1e3 * cell.tare, cell.slope, picture(best.camera, best.frame), from, missed(best.shown.to));
   }
   return text;
 }

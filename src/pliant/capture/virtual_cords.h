@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,18 @@ class VirtualCells {
   std::string log() const;
   /// `forces` of a dic/1 file.
   /// @param file     of the log
-  /// @param pictures  of each camera, the one of the session's first frame
+  /// The file of a camera's picture of a frame of the session.
+  using NamePicture = std::function<std::string(std::size_t camera, int frame)>;
+  /// @throws InputError where no camera sees a cord
   std::string forces_yaml(const std::string& file, const std::vector<CameraModel>& cameras,
-                          const std::vector<std::string>& pictures) const;
+                          const NamePicture& picture) const;
+
+  /// Both ends of a cord in a picture (pixels).
+  struct ShownCord {
+    Eigen::Vector2d from, to;
+
+    double length() const { return (to - from).norm(); }
+  };
 
  private:
   struct Cell {
@@ -40,6 +50,15 @@ class VirtualCells {
     std::string column(const Session& session) const;
   };
 
+  /// Where a user points at a cord.
+  struct PointedView {
+    int frame = 0;
+    std::size_t camera = 0;
+    ShownCord shown;
+  };
+
+  /// In the first frame in which it pulls and is seen, by the camera that shows most of it.
+  PointedView pointed_view(const Cell& cell, const std::vector<CameraModel>& cameras) const;
   double pull(const Cell& cell, int frame) const;
   double pull_at(const Cell& cell, double time) const;
 

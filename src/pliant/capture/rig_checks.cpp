@@ -9,6 +9,7 @@
 
 #include "pliant/base/parallel.h"
 #include "pliant/capture/triangulation.h"
+#include "pliant/math/cross_matrix.h"
 
 namespace pliant {
 namespace {
@@ -29,12 +30,6 @@ double widest_angle(const std::vector<Eigen::Vector3d>& normals) {
     for (const auto& b : normals) widest = std::max(widest, std::acos(std::min(1.0, a.dot(b))));
   }
   return widest;
-}
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d result;
-  result << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return result;
 }
 
 // Distance of a straight place from a line through the straight picture, in pixels.

@@ -1,0 +1,68 @@
+// What load cells and the cords that they pull make of a frame.
+#include "pliant/capture/frame_forces.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+
+namespace pliant {
+namespace {
+
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// A clip that one cord pulls, a row of the log a frame.
+class PulledClip {
+ public:
+  PulledClip() {
+    for (const char* name : {"left/0.png", "right/0.png"}) folder_.write(name, "");
+    folder_.write("cells.csv", "time_s,F1_N\n0,0.1\n2,1.1\n4,2.1\n");
+    dic_ = dic_of(read_yaml(folder_.write(
+        "capture.yaml",
+        "pliant: dic/1\ntest: pull\nsample: {width: 40 mm, height: 80 mm, density: 0.1 kg/m^2}\n"
+        "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", right: "
+        "\"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+        "clips: [{name: upper, side: top, labels: [0]}]\n"
+        "forces:\n  data: cells.csv\n  cells:\n    - {clip: upper, cord: front, column: F1, "
+        "tare: 0.1 N, slope: 1.5, picture: left/0.png, along: [[10, 10], [90, 10]]}\n")));
+    forces_.emplace(dic_, std::vector<SessionClip>{{"upper", 0, {}}}, 3);
+  }
+
+  FrameForces& forces() { return *forces_; }
+
+ private:
+  TemporaryFolder folder_;
+  DicFile dic_;
+  std::optional<FrameForces> forces_;
+};
+
+const CordLine kLine{{0.02, 0.085, 0}, {0, 0.6, 0.8}, 0.05, 1e-3, 0.1, 2};
+
+TEST(FrameForces, PullAlongACordAsItsCellReads) {
+  PulledClip pulled;
+  pulled.forces().see_cords(2, {kLine});
+  SessionFrame frame;
+  EXPECT_EQ(pulled.forces().add_to(frame, 2, {}), "");
+  ASSERT_EQ(frame.cords.size(), 1U);
+  ASSERT_EQ(frame.cords[0].size(), 1U);
+  EXPECT_EQ(frame.cords[0][0].cord, "front");
+  EXPECT_LT((frame.cords[0][0].point - kLine.from).norm(), 1e-12);
+  EXPECT_LT((frame.cords[0][0].force - Eigen::Vector3d(0, 1.8, 2.4)).norm(), 1e-12);
+  EXPECT_EQ(frame.time, 4);
+}
+
+// The first frame, in which nothing pulls, is free; one in which the cell reads a force is not.
+TEST(FrameForces, AreNotKnownOfACordThatIsPointedAtLater) {
+  PulledClip pulled;
+  for (const int frame : {0, 1}) pulled.forces().see_cords(frame, {std::nullopt});
+  pulled.forces().see_cords(2, {kLine});
+  EXPECT_TRUE(pulled.forces().is_free(0));
+  SessionFrame free, early;
+  EXPECT_EQ(pulled.forces().add_to(free, 0, {}), "");
+  EXPECT_TRUE(free.cords[0].empty());
+  EXPECT_THAT(pulled.forces().add_to(early, 1, {}), HasSubstr("which is pointed at later"));
+}
+
+}  // namespace
+}  // namespace pliant

@@ -33,7 +33,7 @@ Rows rows(double slope, double noise, std::uint64_t seed = 1) {
 
 TEST(StillReading, IsTheMeanOfTheTimeAroundAFrame) {
   const Rows all = rows(0, 0.01);
-  const auto reading = still_reading(all.times, all.values, 5, 1);
+  const auto reading = still_reading(all.times, all.values, 5, 1, 2);
   ASSERT_TRUE(reading);
   EXPECT_NEAR(reading->mean, 2, 4 * reading->error);
   EXPECT_NEAR(reading->spread, 0.01, 0.004);
@@ -45,7 +45,7 @@ TEST(StillReading, CoversItsErrors) {
   int missed = 0, creeping = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Rows all = rows(0, 0.01, seed);
-    const auto reading = still_reading(all.times, all.values, 5, 1);
+    const auto reading = still_reading(all.times, all.values, 5, 1, 2);
     missed += std::abs(reading->mean - 2) > 1.96 * reading->error;
     creeping += reading->creeps;
   }
@@ -56,7 +56,7 @@ TEST(StillReading, CoversItsErrors) {
 
 TEST(StillReading, TellsACreepThatItsSpreadDoesNot) {
   const Rows all = rows(-0.06, 0.01);
-  const auto reading = still_reading(all.times, all.values, 5, 1);
+  const auto reading = still_reading(all.times, all.values, 5, 1, 2);
   EXPECT_TRUE(reading->creeps);
   EXPECT_NEAR(reading->creep, -0.06, 0.02);
   EXPECT_THAT(frame_stand(*reading, "the force").creep,
@@ -66,16 +66,16 @@ TEST(StillReading, TellsACreepThatItsSpreadDoesNot) {
 // A hundredth of a force is little, however well it is known.
 TEST(StillReading, LetsALittleCreepPass) {
   const Rows all = rows(-0.015, 1e-5);
-  EXPECT_FALSE(still_reading(all.times, all.values, 5, 1)->creeps);
+  EXPECT_FALSE(still_reading(all.times, all.values, 5, 1, 2)->creeps);
 }
 
 TEST(StillReading, NeedsRowsAroundAFrame) {
   const Rows all = rows(0, 0.01);
-  EXPECT_FALSE(still_reading(all.times, all.values, 10.1, 1));
-  EXPECT_FALSE(still_reading(all.times, all.values, -0.1, 1));
-  EXPECT_TRUE(still_reading(all.times, all.values, 0, 1)) << "the half that the log covers";
-  EXPECT_FALSE(still_reading(all.times, all.values, 5, 0.04));
-  EXPECT_FALSE(still_reading({}, {}, 5, 1));
+  EXPECT_FALSE(still_reading(all.times, all.values, 10.1, 1, 2));
+  EXPECT_FALSE(still_reading(all.times, all.values, -0.1, 1, 2));
+  EXPECT_TRUE(still_reading(all.times, all.values, 0, 1, 2)) << "the half that the log covers";
+  EXPECT_FALSE(still_reading(all.times, all.values, 5, 0.04, 2));
+  EXPECT_FALSE(still_reading({}, {}, 5, 1, 2));
 }
 
 // A tester that holds at 1, 3 and 5 s; at the last the sample gives way.

@@ -272,7 +272,7 @@ void require_clips_of_cells(const DicFile& dic) {
     if (!dic.views) {
       throw InputError(cell.where, "pulls by a cord that is not seen in space", "`views`");
     }
-    const auto clip = std::ranges::find(dic.clips, cell.clip, &DicClip::name);
+    const auto clip = dic.clip_named(cell.clip);
     if (clip == dic.clips.end()) {
       throw InputError(cell.where, quoted_value(cell.clip) + " is no clip", "the name of a clip");
     }
@@ -360,8 +360,8 @@ bool DicFile::moves_by_log() const {
       clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });
 }
 
-std::vector<DicClip>::const_iterator DicFile::pulled_clip() const {
-  return std::ranges::find(clips, forces->clip, &DicClip::name);
+std::vector<DicClip>::const_iterator DicFile::clip_named(const std::string& name) const {
+  return std::ranges::find(clips, name, &DicClip::name);
 }
 
 DicFile read_dic(const std::filesystem::path& path) {

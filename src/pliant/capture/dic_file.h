@@ -113,8 +113,10 @@ struct DicFile {
 
   /// Whether a clip moves by the extension of the log.
   bool moves_by_log() const;
+  /// The clip of a name, or the end.
+  std::vector<DicClip>::const_iterator clip_named(const std::string& name) const;
   /// The clip that the log is of, or the end.
-  std::vector<DicClip>::const_iterator pulled_clip() const;
+  std::vector<DicClip>::const_iterator pulled_clip() const { return clip_named(forces->clip); }
 };
 
 /// Reads what it names, too: the labels and the camera.

@@ -67,9 +67,11 @@ ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<doubl
                                 const std::vector<double>& column,
                                 const std::vector<double>& times) {
   if (!forces.still) return {interpolated(log, column, times), {}};
+  double largest = 0;
+  for (const double value : column) largest = std::max(largest, std::abs(value));
   ColumnAtFrames result;
   for (const double time : times) {
-    result.readings.push_back(still_reading(log, column, time, *forces.still));
+    result.readings.push_back(still_reading(log, column, time, *forces.still, largest));
     result.values.push_back(result.readings.back() ? result.readings.back()->mean : kNone);
     const bool is_covered = time >= log.front() && time <= log.back();
     if (!is_covered || result.readings.back()) continue;

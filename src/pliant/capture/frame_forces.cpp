@@ -123,7 +123,7 @@ std::string FrameForces::add_cells(SessionFrame& frame, std::size_t number) cons
                          cell.cord, cell.clip);
     }
     if (std::isnan(pull)) return kBeyondLog;
-    const auto clip = std::ranges::find(dic_.clips, cell.clip, &DicClip::name);
+    const auto clip = dic_.clip_named(cell.clip);
     frame.cords[static_cast<std::size_t>(clip - dic_.clips.begin())].push_back(
         {cell.cord, lines[i]->from, pull * lines[i]->direction});
   }

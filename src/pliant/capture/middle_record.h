@@ -13,7 +13,6 @@ struct MiddleRecord {
   double length = 0, width = 0;  ///< of the middle third along the pull, and of the sample (m)
   std::vector<double> strain, lateral_strain;  ///< NaN of frames that are left out
 
-  MiddleRecord() = default;
   /// @param pull  rest coordinate along which it is pulled
   /// @param size  of the sample (m)
   MiddleRecord(int pull, const Eigen::Vector2d& size);
@@ -25,7 +24,7 @@ struct MiddleRecord {
   void add_nothing();
 
  private:
-  int pull_ = 1;
+  int pull_;
 };
 
 }  // namespace pliant

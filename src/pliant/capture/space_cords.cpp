@@ -41,8 +41,7 @@ SpaceCords::SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig,
     : dic_(dic), to_rig_(to_rig), threads_(threads) {
   for (const DicCell& cell : dic.forces->cells) {
     Cord cord;
-    cord.clip = static_cast<std::size_t>(std::ranges::find(dic.clips, cell.clip, &DicClip::name) -
-                                         dic.clips.begin());
+    cord.clip = static_cast<std::size_t>(dic.clip_named(cell.clip) - dic.clips.begin());
     const Eigen::Vector2d middle = held_cloth(dic, dic.clips[cord.clip]).center();
     Eigen::Index nearest = 0;
     (rest.colwise() - to_rig * Eigen::Vector3d(middle.x(), middle.y(), 0))
@@ -64,6 +63,9 @@ void SpaceCords::require_free(int frame, const std::string& why) const {
 
 FrameCords SpaceCords::follow(int frame, const std::vector<GreyPicture>& pictures,
                               const std::vector<std::optional<Pose>>& clips) {
+  const bool is_early = std::ranges::none_of(
+      dic_.forces->cells, [&](const DicCell& cell) { return cell.frame <= frame; });
+  if (is_early) return {std::vector<std::optional<CordLine>>(cords_.size()), {}};
   std::vector<std::optional<SplinePicture>> made(pictures.size());
   parallel_for(static_cast<int>(pictures.size()), threads_, [&](int c) {
     const auto camera = static_cast<std::size_t>(c);

@@ -12,7 +12,7 @@ namespace pliant {
 
 std::optional<StillReading> still_reading(const std::vector<double>& times,
                                           const std::vector<double>& values, double middle,
-                                          double still) {
+                                          double still, double largest) {
   constexpr double kErrors = 4, kShare = 0.01;  // of the largest reading
   if (times.empty() || middle < times.front() || middle > times.back()) return std::nullopt;
   const double from = middle - still / 2, to = middle + still / 2;
@@ -38,8 +38,6 @@ std::optional<StillReading> still_reading(const std::vector<double>& times,
   reading.spread = std::sqrt(std::max(squares - slope * both, 0.0) / (count - 2));
   reading.error = reading.spread / std::sqrt(count);
   reading.creep = slope * way;
-  const double largest =
-      std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
   const double error_of_creep = reading.spread / std::sqrt(along) * way;
   reading.creeps = std::abs(reading.creep) > std::max(kErrors * error_of_creep, kShare * largest);
   return reading;

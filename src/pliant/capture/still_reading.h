@@ -19,10 +19,11 @@ struct StillReading {
 /// @param times   of the rows, increasing (s)
 /// @param middle  of the time in which it stood still (s)
 /// @param still   how long that was (s)
+/// @param largest  of all values, by their size: a hundredth of it is little
 /// @return nothing of fewer than three rows, or of a time beside all rows
 std::optional<StillReading> still_reading(const std::vector<double>& times,
                                           const std::vector<double>& values, double middle,
-                                          double still);
+                                          double still, double largest);
 
 /// How still forces were in a frame.
 struct FrameStand {

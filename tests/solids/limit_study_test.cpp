@@ -24,7 +24,7 @@ StudyResult fit_of_limit(const LabFolder& folder, const std::string& model,
 }
 
 /// A rubber that swells by 8 % and no further, pulled and squeezed between free sides.
-LabFolder limited_rubber(double noise, std::uint64_t seed) {
+test::MeasuredFiles limited_rubber(double noise, std::uint64_t seed) {
   Material material = neo_hookean_solid(0.3e6, 1.5e6);
   material.limits.push_back({{"J"}, 5e3});
   std::vector<test::AnyTest> tests = test::three_modes(noise);
@@ -33,12 +33,12 @@ LabFolder limited_rubber(double noise, std::uint64_t seed) {
     own.incompressible = false;
     for (double& peak : own.peaks) peak = 1 + 0.25 * (peak - 1);
   }
-  return LabFolder(test::measurements_of(test::lab_of(material, tests), seed));
+  return test::measurements_of(test::lab_of(material, tests), seed);
 }
 
 TEST(SlowSolidLimits, FindsALimitOfEnergyWithTheNumbersBelowIt) {
   const StudyResult result =
-      fit_of_limit(limited_rubber(0, 1), "law: neo-hookean, limits: [{of: [J]}]");
+      fit_of_limit(LabFolder(limited_rubber(0, 1)), "law: neo-hookean, limits: [{of: [J]}]");
   EXPECT_NEAR(value_of(result, "J.limit"), 5e3, 1e-5 * 5e3);
   EXPECT_NEAR(value_of(result, "J.k"), 1.5e6, 1e-5 * 1.5e6);
   EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 0.3e6, 1e-6 * 0.3e6);
@@ -51,7 +51,7 @@ TEST(SlowSolidLimits, KnowsTheErrorOfALimitOfEnergy) {
   constexpr int kSeeds = 3;
   int covered = 0;
   for (int seed = 1; seed <= kSeeds; ++seed) {
-    const LabFolder folder = limited_rubber(2000, static_cast<std::uint64_t>(seed));
+    const LabFolder folder(limited_rubber(2000, static_cast<std::uint64_t>(seed)));
     const StudyResult result = fit_of_limit(folder, "law: neo-hookean, limits: [{of: [J]}]");
     const NumberError& error = result.material.limits.front().errors.at("energy");
     ASSERT_TRUE(error.std_error.has_value());
@@ -92,8 +92,9 @@ Turn turn_from(double limit, const auto& fitted) {
 }
 
 TEST(SlowSolidLimits, FoundInTurnsWithTheLawGoTheSameWaySlowly) {
-  const auto fitted = [](const std::string& more) {
-    return fit_of_limit(limited_rubber(2000, 3), "law: neo-hookean, limits: [{of: [J]}]", more);
+  const test::MeasuredFiles measured = limited_rubber(2000, 3);
+  const auto fitted = [&](const std::string& more) {
+    return fit_of_limit(LabFolder(measured), "law: neo-hookean, limits: [{of: [J]}]", more);
   };
   const StudyResult together = fitted("");
   const double limit = value_of(together, "J.limit");

@@ -16,6 +16,7 @@ namespace pliant {
 namespace {
 
 using test::content_of;
+using test::fit_on_its_mesh;
 using test::LabFolder;
 using test::solid_study;
 using test::value_of;
@@ -37,7 +38,7 @@ Study study_of(const LabFolder& folder) { return solid_study(folder, "law: neo-h
 
 TEST(SlowPressStudy, FindsTheNumbersOfASolidFromAreasAndDepths) {
   const LabFolder folder = measured(neo_hookean_solid(15e3, 300e3), areas_and_depths());
-  const StudyResult result = fit_study(study_of(folder), {}, {});
+  const StudyResult result = fit_on_its_mesh(study_of(folder));
   const double shear = value_of(result, "I1-bar.linear.c"), bulk = value_of(result, "J.k");
   fmt::print("{:.5g} Pa of 15000, {:.5g} of 300000\n", shear, bulk);
   EXPECT_NEAR(shear, 15e3, 0.005 * 15e3);
@@ -52,7 +53,7 @@ StudyResult fit_of_block(const Material& material, double depth, const std::stri
   press.samples = 6;
   press.depths = {depth};
   const LabFolder folder = measured(material, {press});
-  StudyResult result = fit_study(solid_study(folder, model, more), {}, {});
+  StudyResult result = fit_on_its_mesh(solid_study(folder, model, more));
   fmt::print("{}: {:.3g} % of the largest force\n", model, result.experiments.front().rms_percent);
   return result;
 }
@@ -81,11 +82,10 @@ TEST(SlowPressStudy, FindsFrictionFromCycles) {
   const LabFolder folder = measured(material, {press});
   const std::string elastic = "components: {I1-bar: {addends: [linear]}, J: {stiffness: constant}";
   const std::string fixed = "fit: {fix: {J.k: 300000}}\n";
-  const StudyResult without = fit_study(solid_study(folder, elastic + "}", fixed), {}, {});
+  const StudyResult without = fit_on_its_mesh(solid_study(folder, elastic + "}", fixed));
   const LabFolder again = measured(material, {press});
-  const StudyResult result = fit_study(
-      solid_study(again, elastic + ", green.zz: {stiffness: none, addends: [dahl]}}", fixed), {},
-      {});
+  const StudyResult result = fit_on_its_mesh(
+      solid_study(again, elastic + ", green.zz: {stiffness: none, addends: [dahl]}}", fixed));
   EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 0.01 * 15e3);
   EXPECT_NEAR(value_of(result, "green.zz.dahl.a"), 4e3, 0.02 * 4e3);
   EXPECT_NEAR(value_of(result, "green.zz.dahl.tau"), 0.03, 0.02 * 0.03);
@@ -98,7 +98,7 @@ TEST(SlowPressStudy, IsFittedTogetherWithAMovedBody) {
   const Material material = neo_hookean_solid(15e3, 300e3);
   const LabFolder folder =
       measured(material, {pressed_block(press_type()), test::moved_block({4, 2, 2})});
-  const StudyResult result = fit_study(study_of(folder), {}, {});
+  const StudyResult result = fit_on_its_mesh(study_of(folder));
   ASSERT_EQ(result.experiments.size(), 2u);
   EXPECT_NEAR(value_of(result, "I1-bar.linear.c"), 15e3, 0.005 * 15e3);
   EXPECT_NEAR(value_of(result, "J.k"), 300e3, 0.03 * 300e3);

@@ -191,7 +191,7 @@ TEST(SlowWaveletNoise, IsMatchedWithoutBias) {
 
 TEST(SlowWaveletNoise, ShowsNoCode) {
   constexpr int kColumns = 400, kRows = 320;
-  const int pictures = test::makes_figures() ? 1000 : 100;
+  const int pictures = test::makes_figures() ? 1000 : 40;
   RandomStream random(1);
   int phantoms = 0;
   for (int i = 0; i < pictures; ++i) {

@@ -204,7 +204,7 @@ void expect_few_covered(const std::string& fabric, const VirtualRolledStrip& rol
 TEST(SlowStripCoverage, IntervalsOfRolledStripsHoldTheTruthAtTheStatedRate) {
   auto rolls = test::rolled_strips({0.004, 0.006, 0.008, 0.012});
   rolls.instrument.length_noise = 0.1e-3;
-  expect_few_covered("felt", rolls, 20);
+  expect_few_covered("felt", rolls, test::makes_figures() ? 20 : 10);
 }
 
 // Strips of the wider cylinders jump on their release.
@@ -213,14 +213,21 @@ TEST(SlowStripCoverage, IntervalsOfStripsThatJumpHoldTheTruthAtTheStatedRate) {
   rolls.instrument.length_noise = 0.1e-3;
   rolls.repeats = 3;
   rolls.points = 20;
-  expect_few_covered("paper", rolls, test::makes_figures() ? 12 : 6);
+  expect_few_covered("paper", rolls, test::makes_figures() ? 12 : 3);
+}
+
+/// The first, and all of them for the table.
+std::vector<const char*> one_of(std::vector<const char*> fabrics) {
+  if (!test::makes_figures()) fabrics.resize(1);
+  return fabrics;
 }
 
 INSTANTIATE_TEST_SUITE_P(Table52, SlowBendingCoverage,
-                         ::testing::Values("felt", "doublecloth", "paper"),
+                         ::testing::ValuesIn(one_of({"felt", "doublecloth", "paper"})),
                          [](const auto& fabric) { return std::string(fabric.param); });
 
-INSTANTIATE_TEST_SUITE_P(Table51, SlowCoverage, ::testing::Values("cotton", "spandex", "polyester"),
+INSTANTIATE_TEST_SUITE_P(Table51, SlowCoverage,
+                         ::testing::ValuesIn(one_of({"cotton", "spandex", "polyester"})),
                          [](const auto& fabric) { return std::string(fabric.param); });
 
 }  // namespace

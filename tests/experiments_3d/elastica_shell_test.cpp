@@ -116,8 +116,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Release{"HungWithoutFriction", without_friction(felt().law()), 0, 4},
                     Release{"Hung", felt().law(), 0, 4},
                     Release{"RolledAt6mm", felt().law(), 0.006, 16},
-                    Release{"RolledAt8mm", felt().law(), 0.008, 16},
-                    Release{"RolledAt12mm", felt().law(), 0.012, 16},
                     Release{"RolledAt20mm", felt().law(), 0.020, 16},
                     Release{"RolledAt20mmLetGoAtOnce", felt().law(), 0.020, 1}),
     [](const auto& release) { return release.param.name; });
@@ -184,15 +182,13 @@ TEST(SlowSheetStrip, RolledAndReleasedStandsNearItsElastica) {
   constexpr int kSteps = 16;
   const StripGrid grid{kLength, kWidth, static_cast<int>(std::lround(kLength / kCell)),
                        static_cast<int>(std::lround(kWidth / kCell))};
-  for (const Release& release : {Release{"felt rolled at 12 mm", felt().law(), 0.012, kSteps},
-                                 Release{"felt rolled at 20 mm", felt().law(), 0.020, kSteps}}) {
-    ShellStrip shell(grid, test::bending_all_ways(release.law, felt().density), release.curvature(),
-                     test::StripStart::flat);
-    const double apart =
-        distance(shell.rolled_and_released(kSteps, kSteps), elastica(release, shell.places()));
-    std::cout << fmt::format("sheet, 24 mm wide, {}: {:.2f} %\n", release.name, 100 * apart);
-    EXPECT_LT(apart, kTolerance) << release.name;
-  }
+  const Release release{"felt rolled at 12 mm", felt().law(), 0.012, kSteps};
+  ShellStrip shell(grid, test::bending_all_ways(release.law, felt().density), release.curvature(),
+                   test::StripStart::flat);
+  const double apart =
+      distance(shell.rolled_and_released(kSteps, kSteps), elastica(release, shell.places()));
+  std::cout << fmt::format("sheet, 24 mm wide, {}: {:.2f} %\n", release.name, 100 * apart);
+  EXPECT_LT(apart, kTolerance) << release.name;
 }
 
 // A narrow strip curves across itself as well. Its squares, bent by a across and b along, have the

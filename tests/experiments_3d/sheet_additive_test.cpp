@@ -22,7 +22,7 @@ StudyResult fitted(const Material& truth, const std::string& components,
       truth,
       fmt::format(", variant: linear-orthotropic, friction: none, components: {{{}}}{}", components,
                   more),
-      9, frames, positions);
+      9, frames, positions, /*bends=*/false);
   RunContext context;
   context.threads = 2;
   return fit_study(tests.study(), {}, context);

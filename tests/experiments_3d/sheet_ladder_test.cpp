@@ -12,6 +12,7 @@
 #include "pliant/material/material.h"
 #include "pliant/study/study_fit.h"
 
+#include "support/asked_for.h"
 #include "support/five_sheet_tests.h"
 
 namespace pliant {
@@ -86,7 +87,8 @@ TEST(SlowSheetLadder, TheErrorFallsWhereWhatTheDataHasIsAdded) {
   Misfit before{INFINITY, INFINITY};
   for (std::size_t i = 0; i < ladder().size(); ++i) {
     const Rung& rung = ladder()[i];
-    const test::FiveSheetTests tests(known_cloth(), model_of(i), 9, 4, /*positions=*/true);
+    const test::FiveSheetTests tests(known_cloth(), model_of(i), 9, 4, /*positions=*/true,
+                                     /*bends=*/test::makes_figures());
     RunContext context;
     context.threads = 2;
     const StudyResult result = fit_study(tests.study(), {}, context);

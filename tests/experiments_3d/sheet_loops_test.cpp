@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/estimation/sheet/sheet_fit.h"
+#include "pliant/experiment/session/virtual/observed_session.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/measurement/session/frame_measures.h"
 #include "pliant/study/study_fit.h"
@@ -56,8 +57,9 @@ class Loops : public ::testing::Test {
       options.nodes = {9, 9};
       options.frames = 30;
       sessions_.push_back(make_virtual_session(cloth(), options, random));
-      options.noise = {.position = 75e-6, .force = 3e-3};
-      write_session(folder_.path() / test, make_virtual_session(cloth(), options, random));
+      Session seen = sessions_.back();
+      observe({.position = 75e-6, .force = 3e-3}, random, seen);
+      write_session(folder_.path() / test, seen);
       experiments += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", test);
     }
     experiments_ = experiments;

@@ -31,7 +31,7 @@ RunContext two_threads() {
 
 TEST(SlowSheetRecovery, FindsTheStiffnessesOfNoiseFreeSessionsOnTheirOwnMesh) {
   const Material truth = test::sheet_cloth(false);
-  const FiveTests tests(truth, ", variant: linear-orthotropic");
+  const FiveTests tests(truth, ", variant: linear-orthotropic", 9, 5);
   const StudyResult result = fit_study(tests.study(), {}, two_threads());
   EXPECT_TRUE(result.converged);
   ASSERT_EQ(result.parameters.size(), 6u);
@@ -67,7 +67,7 @@ TEST(SlowSheetRecovery, FindsCurvesThatRiseWithStrain) {
 TEST(SlowSheetRecovery, FindsWhatCouplesWeftAndWarp) {
   Material truth = test::sheet_cloth(false);
   truth.components[kCoupling].stiffness = ScalarCurve::constant(60);
-  const FiveTests tests(truth, ", variant: linear-orthotropic, components: {coupling: {}}");
+  const FiveTests tests(truth, ", variant: linear-orthotropic, components: {coupling: {}}", 9, 5);
   const StudyResult result = fit_study(tests.study(), {}, two_threads());
   EXPECT_TRUE(result.converged);
   for (const auto& [name, component] : truth.components) {
@@ -100,7 +100,7 @@ TEST(SlowSheetRecovery, FindsTheStiffnessesOfSheetsThatWereMeasuredOnAnIrregular
   RandomStream unused(1);
   for (const char* test : {"stretch-weft", "stretch-warp", "shear"}) {
     VirtualSession options = usual_session(test);
-    options.frames = 7;
+    options.frames = 5;
     options.edge = 0.003;
     write_session(folder.path() / test, make_virtual_session(truth, options, unused));
     text += fmt::format("  - {{name: {0}, type: session, data: {0}}}\n", test);

@@ -35,7 +35,8 @@ Material uneven_cloth(const std::vector<double>& factors) {
 }
 
 StudyResult fitted(const Material& truth, const std::string& model) {
-  const test::FiveSheetTests tests(truth, kModel + model, 9, 5, /*positions=*/true);
+  const test::FiveSheetTests tests(truth, kModel + model, 9, 5, /*positions=*/true,
+                                   /*bends=*/false);
   RunContext context;
   context.threads = 2;
   return fit_study(tests.study(), {}, context);

@@ -168,9 +168,9 @@ TEST_P(SlowUnrolledStrip, HangsElsewhereWithFriction) {
   }
 }
 
-/// One of each material, and each at all radii for the table.
+/// One that rests on itself and one that does not, and each material at all radii for the table.
 std::vector<Strip> strips() {
-  if (!test::makes_figures()) return {{"doublecloth", "7.5"}, {"felt", "23"}, {"paper", "4"}};
+  if (!test::makes_figures()) return {{"doublecloth", "7.5"}, {"paper", "4"}};
   std::vector<Strip> strips;
   for (const char* material : {"doublecloth", "felt", "paper"}) {
     for (const char* radius : {"4", "7.5", "23"}) strips.push_back({material, radius});

@@ -24,7 +24,7 @@ constexpr double kMembrane = 400;    // N/m, of a woven cloth
 constexpr double kStiffness = 1e-6;  // N m
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-const BendingVector kSheets[] = {{1, 1, 1}, {1, 2, 1.5}, {1, 2, 0.8}};
+const BendingVector kSheets[] = {{1, 1, 1}, {1, 2, 0.8}};
 
 TriangleMesh square_grid(int cells, Diagonals diagonals) {
   return regular_grid(cells * kEdge, cells * kEdge, cells + 1, cells + 1, diagonals);

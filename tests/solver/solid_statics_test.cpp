@@ -69,7 +69,7 @@ TEST(SlowHangingColumn, ConvergesToTheClosedFormWithOrderTwoAtLeast) {
   EXPECT_GT(HangingColumn::length(), 1.04 * HangingColumn::kHeight);  // it does stretch
   for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
     std::vector<double> errors;
-    for (const int layers : {8, 16, 32}) {
+    for (const int layers : {8, 16}) {
       const test::SolidSystem solid = hanging_column(cells, layers);
       State state = solid.system->initial_state();
       EXPECT_TRUE(test::settle(*solid.system, state, 1e-7).converged);
@@ -78,10 +78,8 @@ TEST(SlowHangingColumn, ConvergesToTheClosedFormWithOrderTwoAtLeast) {
           HangingColumn::kHeight - state.configuration.positions(Eigen::all, bottom).row(2).mean();
       errors.push_back(std::abs(length - HangingColumn::length()));
     }
-    for (size_t i = 1; i < errors.size(); ++i) {
-      const double order = std::log2(errors[i - 1] / errors[i]);
-      EXPECT_GT(order, 1.7) << name_of(cells) << " " << errors[i - 1] << " to " << errors[i];
-    }
+    const double order = std::log2(errors[0] / errors[1]);
+    EXPECT_GT(order, 1.7) << name_of(cells) << " " << errors[0] << " to " << errors[1];
   }
 }
 
@@ -122,7 +120,7 @@ double tip_deflection(Cells cells, int across, const SolidLaw& law) {
 }
 
 TEST(SlowCantilever, ConvergesAtSecondOrderToTheBeam) {
-  for (const double poisson : {0.0, 0.49, 0.499}) {
+  for (const double poisson : {0.0, 0.499}) {
     // Where a solid that keeps its volume is clamped, its corners are singular: the order falls,
     // and the clamp, which holds the section's shape, makes a short bar stiffer than a beam.
     const bool keeps_volume = poisson > 0;
@@ -177,7 +175,7 @@ double cook_tip(Cells cells, int along, const SolidLaw& law) {
 }
 
 TEST(SlowCooksMembrane, ConvergesWithoutLocking) {
-  for (const double poisson : {0.3, 0.49, 0.499}) {
+  for (const double poisson : {0.3, 0.499}) {
     std::vector<double> limits;
     for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
       std::vector<double> tips;
@@ -232,7 +230,7 @@ double twist_energy(Cells cells, int across, double poisson) {
 }
 
 TEST(SlowTwistedBlock, ConvergesFromAbove) {
-  for (const double poisson : {0.3, 0.49, 0.499}) {
+  for (const double poisson : {0.3, 0.499}) {
     std::vector<double> limits;
     for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra}) {
       std::vector<double> energies;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/statistics/synthetic_fit.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -231,6 +232,8 @@ TEST(StagedFits, CarryTheErrorOfAnEarlierStageIntoLaterOnes) {
 }
 
 TEST(SlowStatisticsTables, FewRowsBesideFifty) {
+  if (!test::makes_figures()) GTEST_SKIP() << "a table of docs/figures";
+
   fmt::print("rows   same noise   three times the noise (assumed to be the others' below 7)\n");
   for (const int rows : {1, 2, 3, 4, 5, 6, 7, 8, 12}) {
     fmt::print("{:>4} {:>10.1f} % {:>10.1f} %\n", rows, 100 * rate_of_few(rows, 0.05, 2000),
@@ -247,6 +250,7 @@ TEST(SlowStatisticsTables, Strips) {
     EXPECT_GE(rates.minCoeff(), 100 * kLowest);
     EXPECT_LE(rates.maxCoeff(), 100 * kHighest);
   }
+  if (!test::makes_figures()) return;
   fmt::print("240 rows, cycles, how much half cycles differ (in the noise of a row)\n");
   for (const int cycles : {2, 3, 4, 6}) {
     for (const double differ : {0.0, 0.5, 1.0, 2.0}) {

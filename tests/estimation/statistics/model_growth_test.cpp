@@ -12,6 +12,7 @@
 #include "pliant/math/scalar_curve.h"
 
 #include "estimation/statistics/synthetic_fit.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -182,6 +183,8 @@ TEST(Growth, FindsABump) {
 }
 
 TEST(SlowStatisticsTables, Growth) {
+  if (!test::makes_figures()) GTEST_SKIP() << "a table of docs/figures";
+
   fmt::print(
       "share of fits that go past two points: rows, memory of the noise, height of a bump "
       "in the noise of a row\n");

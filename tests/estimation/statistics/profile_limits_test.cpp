@@ -9,6 +9,7 @@
 #include "pliant/math/quantiles.h"
 
 #include "estimation/statistics/synthetic_fit.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -106,6 +107,8 @@ TEST(ProfileCrossings, AreFoundBetweenTheValues) {
 }
 
 TEST(SlowStatisticsTables, OneSidedLimits) {
+  if (!test::makes_figures()) GTEST_SKIP() << "a table of docs/figures";
+
   fmt::print("upper limit beside a bound at 0, 20 rows: true value in standard errors, coverage\n");
   for (const double away : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     const double truth = away * 0.1 / std::sqrt(20 / 12.0);

@@ -9,6 +9,7 @@
 #include "pliant/math/quantiles.h"
 
 #include "estimation/statistics/synthetic_fit.h"
+#include "support/asked_for.h"
 
 namespace pliant {
 namespace {
@@ -89,6 +90,8 @@ TEST(FabricMean, IsNoBetterKnownThanByTheJointFit) {
 }
 
 TEST(SlowStatisticsTables, Specimens) {
+  if (!test::makes_figures()) GTEST_SKIP() << "a table of docs/figures";
+
   fmt::print(
       "specimens that differ by 10 %, noise of each fit: coverage of the joint fit alone, "
       "with the spread, with the spread where every second has three times the noise\n");

@@ -73,7 +73,7 @@ TEST_F(DrapedSheetTest, StaysFlatWhereItIsStiff) {
 
 TEST_F(SlowDrapedSheet, CoversLessTheShorterItsBendingLength) {
   double before = 1;
-  for (const double length : {0.06, 0.045, 0.035, 0.027, 0.023}) {
+  for (const double length : {0.06, 0.035, 0.023}) {
     const DrapeFigures figures = figures_of(cloth_of(length), coarse());
     EXPECT_LT(figures.coefficient, before) << length;
     before = figures.coefficient;
@@ -83,7 +83,7 @@ TEST_F(SlowDrapedSheet, CoversLessTheShorterItsBendingLength) {
 
 TEST_F(SlowDrapedSheet, CoversHardlyMoreThanTheDiscWhereItIsLimp) {
   double before = 1;
-  for (const double length : {0.02, 0.016, 0.013}) {
+  for (const double length : {0.02, 0.013}) {
     DrapeSetup setup;
     setup.edge = 0.5 * length;
     const DrapeFigures figures = figures_of(cloth_of(length), setup);
@@ -132,7 +132,7 @@ TEST_F(SlowDrapedSheet, HardlyDependsOnTheDirectionOfItsMesh) {
   material.components["bend.warp"].stiffness =
       ScalarCurve::constant(2 * material.components["bend.weft"].stiffness->value(0));
   std::vector<double> coefficients;
-  for (int seed = 1; seed <= 4; ++seed) {
+  for (int seed = 1; seed <= 3; ++seed) {
     coefficients.push_back(figures_of(material, coarse(), seed).coefficient);
   }
   const auto [least, most] = std::ranges::minmax(coefficients);

@@ -13,12 +13,9 @@
 namespace pliant::test {
 namespace {
 
-class SlowExampleScene : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(SlowExampleScene, RunsToItsEndAndWritesEveryFrame) {
-  const ReducedExample example(GetParam());
+void expect_every_frame(const ReducedExample& example, const std::string& name) {
   EXPECT_EQ(example.result["finished"], true);
-  EXPECT_EQ(example.result["name"], GetParam());
+  EXPECT_EQ(example.result["name"], name);
   ASSERT_GE(example.result["frames"].size(), 2u);
   for (size_t i = 0; i < example.result["frames"].size(); ++i) {
     EXPECT_EQ(example.frame(i).cols(), example.result["vertices"]);
@@ -26,9 +23,18 @@ TEST_P(SlowExampleScene, RunsToItsEndAndWritesEveryFrame) {
   }
 }
 
+class SlowExampleScene : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(SlowExampleScene, RunsToItsEndAndWritesEveryFrame) {
+  expect_every_frame(ReducedExample(GetParam()), GetParam());
+}
+
+/// But those of which more is told below.
 std::vector<std::string> names_of_reduced_examples() {
   std::vector<std::string> names;
-  for (const auto& [name, edits] : kReductions) names.push_back(name);
+  for (const auto& [name, edits] : kReductions) {
+    if (name != "cylinder-strip" && name != "hanging-weights") names.push_back(name);
+  }
   return names;
 }
 
@@ -58,6 +64,7 @@ TEST(ExampleScenes, AreAllTested) {
 
 TEST(SlowExampleScenes, CylinderStripKeepsTheCurvatureOfItsFriction) {
   const ReducedExample example("cylinder-strip");
+  expect_every_frame(example, "cylinder-strip");
   const Eigen::Matrix3Xd at = example.last_frame();
   constexpr int kNodes = 41;  // along the strip; the first two are held
   for (int i = 4; i < kNodes - 4; i += 4) {
@@ -71,6 +78,7 @@ TEST(SlowExampleScenes, CylinderStripKeepsTheCurvatureOfItsFriction) {
 
 TEST(SlowExampleScenes, HangingWeightsLeaveTheSheetLongerOnTheWayBack) {
   const ReducedExample example("hanging-weights");
+  expect_every_frame(example, "hanging-weights");
   const auto length = [&](size_t frame) {
     const Eigen::Matrix3Xd at = example.frame(frame);
     return at.row(2).maxCoeff() - at.row(2).minCoeff();

@@ -21,8 +21,8 @@ using testing::StartsWith;
 constexpr const char* kLab =
     "pliant: lab/1\nmaterial: " PLIANT_SOURCE_DIR
     "/examples/assumed-cloth.json\nexperiments:\n"
-    "  - {name: pull, type: session, test: stretch-weft, frames: 10, mesh: {nodes: 17x17}}\n"
-    "  - {name: table, type: session, test: bend-weft, frames: 10, mesh: {nodes: 17x17}}\n";
+    "  - {name: pull, type: session, test: stretch-weft, frames: 10, mesh: {nodes: 13x13}}\n"
+    "  - {name: table, type: session, test: bend-weft, frames: 10, mesh: {nodes: 13x13}}\n";
 
 json fit_in(const std::filesystem::path& results) {
   return json::parse(read_text_file(results / "fit.json"));

@@ -37,11 +37,11 @@ inline const std::map<std::string, std::vector<TextEdit>> kFrictionReductions{
     {"settling", {kSmallSleeve}},
     {"preferred-wrinkle", {{"nodes: 31x61", "nodes: 15x29"}}}};
 
-/// An example that was run at reduced size.
+/// An example that was run at reduced size, without the report, whose pictures take longer.
 class ReducedExample {
  public:
   explicit ReducedExample(const std::string& name, const std::vector<TextEdit>& more = {},
-                          const std::vector<std::string>& arguments = {}) {
+                          const std::vector<std::string>& arguments = {"--no-report"}) {
     const auto found = kReductions.find(name);
     std::vector<TextEdit> edits =
         found != kReductions.end() ? found->second : kFrictionReductions.at(name);

@@ -26,10 +26,10 @@ struct Scheme {
 void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.name; }
 
 const Scheme kSchemes[] = {
-    {"Bdf2", "{step: 2 ms, duration: 600 ms, integrator: bdf2}"},
+    {"Bdf2", "{step: 2 ms, duration: 400 ms, integrator: bdf2}"},
     {"LinearizedBackwardEuler",
-     "{step: 1 ms, duration: 600 ms, solve: linearized, friction: linearized}"},
-    {"QuasiStatic", "{kind: quasi-static, steps: 60, duration: 600 ms}"}};
+     "{step: 1 ms, duration: 400 ms, solve: linearized, friction: linearized}"},
+    {"QuasiStatic", "{kind: quasi-static, steps: 40, duration: 400 ms}"}};
 
 // Without PLY files the report has no pictures, which take longer than the simulation.
 constexpr const char* kOutput = "{every: 20 ms, formats: [vtu, pc2], fields: [strain, friction]}";

@@ -97,7 +97,7 @@ TEST_F(Simulate, CountsTrianglesThatPassThroughEachOther) {
 }
 
 TEST_F(SlowSimulate, GivesFieldsTheUnitsOfTheirComponents) {
-  simulate(kShort, "{every: 60 ms, fields: [strain, friction]}");
+  simulate(kShort, "{every: 60 ms, fields: [strain, friction]}", {"--no-report"});
   EXPECT_EQ(result["fields"]["strain.stretch.weft"], "1");
   EXPECT_EQ(result["fields"]["strain.bend.weft"], "1/m");
   EXPECT_EQ(result["fields"]["friction.stretch.weft"], "N/m");
@@ -106,7 +106,7 @@ TEST_F(SlowSimulate, GivesFieldsTheUnitsOfTheirComponents) {
 
 TEST_F(SlowSimulate, LeavesFrictionOutWhereTheSceneSaysNone) {
   simulate("{step: 10 ms, duration: 60 ms, friction: none}",
-           "{every: 60 ms, fields: [strain, friction]}");
+           "{every: 60 ms, fields: [strain, friction]}", {"--no-report"});
   for (const auto& [name, unit] : result["fields"].items()) EXPECT_THAT(name, StartsWith("strain"));
   EXPECT_FALSE(result["fields"].empty());
 }
@@ -121,7 +121,7 @@ TEST_F(Simulate, SaysWhatItAssumed) {
 
 TEST_F(SlowSimulate, WritesFramesAndCheckpointsThatInfoDescribes) {
   simulate(kShort, "{every: 60 ms, formats: [ply, vtu], fields: [strain]}",
-           {"--checkpoint-every", "40 ms"});
+           {"--checkpoint-every", "40 ms", "--no-report"});
   const auto info = [&](const char* name) {
     return json::parse(run_program({"info", (folder.results() / name).string(), "--json"}).out);
   };
@@ -215,7 +215,7 @@ TEST_F(SlowSimulate, TellsTheForceThatMovesAClip) {
                "     motion: {keyframes: [{time: 0 s}, {time: 1 s, translate: [0, 0.01, 0]}]}}\n"
                "gravity: [0, 0, 0]\n"
                "time: {kind: quasi-static, steps: 1, duration: 1 s, friction: none}\n");
-  ASSERT_EQ(folder.simulate().status, 0);
+  ASSERT_EQ(folder.simulate({"--no-report"}).status, 0);
   const CsvTable table = read_csv(folder.results() / "clips.csv");
   // Cotton's warp: (k1 + k2 strain) strain with the strain (l^2 - 1) / 2, d strain / d length = l /
   // L, at l = 1.1; 20 mm wide, 100 mm long.
@@ -227,7 +227,7 @@ TEST_F(SlowSimulate, TellsTheForceThatMovesAClip) {
 }
 
 TEST_F(SlowSimulate, WritesTheSameMeshForParaViewAndBlender) {
-  simulate(kShort, "{every: 20 ms, formats: [ply, vtu, pc2], fields: [strain]}");
+  simulate(kShort, "{every: 20 ms, formats: [ply, vtu, pc2], fields: [strain]}", {"--no-report"});
   const Pc2Cache cache = read_pc2(folder.results() / "cloth.pc2");
   ASSERT_EQ(cache.frames.size(), 4u);
   for (size_t f = 0; f < 4; ++f) {
@@ -265,15 +265,15 @@ TEST_F(SlowSimulate, GivesTheSameBitsEveryTime) {
     folder.write(
         "scene.yaml",
         small_scene(time, "{every: 20 ms, formats: [vtu, pc2], fields: [strain, friction]}"));
-    ASSERT_EQ(folder.simulate({}, "first").status, 0) << time;
-    ASSERT_EQ(folder.simulate({}, "second").status, 0) << time;
+    ASSERT_EQ(folder.simulate({"--no-report"}, "first").status, 0) << time;
+    ASSERT_EQ(folder.simulate({"--no-report"}, "second").status, 0) << time;
     expect_same_files(folder.computed_files("first"), folder.computed_files("second"));
   }
 }
 
 TEST_F(SlowSimulate, ReplacesAnEarlierSimulation) {
-  simulate(kShort, "{every: 20 ms}");
-  simulate(kShort, "{every: 60 ms}");
+  simulate(kShort, "{every: 20 ms}", {"--no-report"});
+  simulate(kShort, "{every: 60 ms}", {"--no-report"});
   EXPECT_EQ(names_in(folder.results() / "frames").size(), 2u);
 }
 

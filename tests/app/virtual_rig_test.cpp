@@ -124,7 +124,25 @@ ProgramRun run_on(const std::filesystem::path& folder, std::vector<std::string> 
   return run_program(arguments);
 }
 
-TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
+/// The same pictures, but for one that the second camera took a frame later.
+void expect_pictures_of_different_moments_named(const std::filesystem::path& seen) {
+  const auto pictures = seen / "pictures" / "camera2";
+  std::filesystem::copy_file(pictures / "001.png", pictures / "002.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  const ProgramRun imported = run_on(seen, {"import", "--dic", "capture.yaml"}, "remade");
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_THAT(imported.err, HasSubstr("1 frames are to be distrusted, first frame 2"));
+  EXPECT_TRUE(std::filesystem::exists(seen / "remade" / "frames.csv"));
+  const std::string report = content_of(seen / "remade" / "quality.html");
+  EXPECT_THAT(report,
+              HasSubstr("3 of 4 frames are in the session. 1 of them are to be distrusted"));
+  EXPECT_THAT(report, HasSubstr("camera2, frame 3"));
+  EXPECT_THAT(report, HasSubstr("Cameras against each other"));
+  EXPECT_THAT(report, HasSubstr("the sample lies on something"));
+  EXPECT_THAT(report, HasSubstr("pictures were of different moments"));
+}
+
+TEST(SlowVirtualRig, SeesASheetAsItIsTellsItsLawAndNamesAFrameOfDifferentMoments) {
   const TemporaryFolder folder;
   const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
   ASSERT_EQ(run_program({"lab", lab, "-o", (folder.path() / "lab").string()}).status, 0);
@@ -161,29 +179,7 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   const double found = stiffness(seen / "made" / "study.yaml", "fit-seen");
   const double known = stiffness(folder.path() / "lab" / "study.yaml", "fit-truth");
   EXPECT_NEAR(found, known, 0.03 * known);
-}
-
-// The same pictures, but for one that the second camera took a frame later.
-TEST(SlowVirtualRig, NamesAFrameWhosePicturesAreOfDifferentMoments) {
-  const TemporaryFolder folder;
-  const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
-  ASSERT_EQ(run_program({"lab", lab, "-o", (folder.path() / "lab").string()}).status, 0);
-  const auto seen = folder.path() / "lab" / "stretch-seen";
-  ASSERT_EQ(run_on(seen, {"calibrate", "rig.yaml"}, "calibration").status, 0);
-  const auto pictures = seen / "pictures" / "camera2";
-  std::filesystem::copy_file(pictures / "001.png", pictures / "002.png",
-                             std::filesystem::copy_options::overwrite_existing);
-  const ProgramRun imported = run_on(seen, {"import", "--dic", "capture.yaml"}, "made");
-  ASSERT_EQ(imported.status, 0) << imported.err;
-  EXPECT_THAT(imported.err, HasSubstr("1 frames are to be distrusted, first frame 2"));
-  EXPECT_TRUE(std::filesystem::exists(seen / "made" / "frames.csv"));
-  const std::string report = content_of(seen / "made" / "quality.html");
-  EXPECT_THAT(report,
-              HasSubstr("3 of 4 frames are in the session. 1 of them are to be distrusted"));
-  EXPECT_THAT(report, HasSubstr("camera2, frame 3"));
-  EXPECT_THAT(report, HasSubstr("Cameras against each other"));
-  EXPECT_THAT(report, HasSubstr("the sample lies on something"));
-  EXPECT_THAT(report, HasSubstr("pictures were of different moments"));
+  expect_pictures_of_different_moments_named(seen);
 }
 
 /// A copy of a lab's study whose sessions are those that were seen.

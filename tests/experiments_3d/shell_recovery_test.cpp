@@ -111,7 +111,14 @@ TEST_P(SlowShellProfiles, GiveTheLawOfTheShellBack) {
   EXPECT_LT(moment, kMomentTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(, SlowShellProfiles, testing::ValuesIn(test::published_bending()),
+/// All but one that is between the others.
+std::vector<test::PublishedBending> fabrics() {
+  std::vector<test::PublishedBending> fabrics = test::published_bending();
+  std::erase_if(fabrics, [](const auto& fabric) { return fabric.name == "doublecloth"; });
+  return fabrics;
+}
+
+INSTANTIATE_TEST_SUITE_P(, SlowShellProfiles, testing::ValuesIn(fabrics()),
                          [](const auto& fabric) { return fabric.param.name; });
 
 }  // namespace

@@ -97,7 +97,7 @@ class TwoBranches : public ::testing::Test {
 
 using SlowSheetAddends = TwoBranches;
 
-TEST_F(SlowSheetAddends, FollowALoopCloserByASecondBranch) {
+TEST_F(SlowSheetAddends, FollowALoopCloserByASecondBranchAndStandInForFrictionThatIsLeftOut) {
   const StudyResult one = fit(""), two = fit("addends: [dahl]");
   std::printf("one branch %.2f %% of the peak, two %.2f %%\n", one.experiments.front().rms_percent,
               two.experiments.front().rms_percent);
@@ -115,17 +115,15 @@ TEST_F(SlowSheetAddends, FollowALoopCloserByASecondBranch) {
     EXPECT_NEAR(number.value, known->second, 3 * number.std_error.value()) << number.name;
   }
   EXPECT_EQ(met, 5);
-}
 
-TEST_F(SlowSheetAddends, StandInForFrictionThatTheStudyLeavesOut) {
-  const StudyResult own = fit(""), added = fit("friction: none, addends: [dahl]");
+  const StudyResult added = fit("friction: none, addends: [dahl]");
   const auto named = [&](const char* name) {
     return std::ranges::find(added.parameters, name, &ParameterEstimate::name) !=
            added.parameters.end();
   };
   EXPECT_TRUE(named("stretch.weft.dahl.a"));
   EXPECT_FALSE(named("stretch.weft.friction.a"));
-  EXPECT_NEAR(added.experiments.front().rms_percent, own.experiments.front().rms_percent, 0.05);
+  EXPECT_NEAR(added.experiments.front().rms_percent, one.experiments.front().rms_percent, 0.05);
 }
 
 TEST(SheetAddends, CannotCarryASheetWhereAllOfThemRemember) {

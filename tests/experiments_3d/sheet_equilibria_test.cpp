@@ -212,7 +212,7 @@ TEST(SlowSheetEquilibria, HangOverATableAsFarAsItsEdgeSaysWhateverTheMesh) {
     return sheet;
   }();
   const Session coarse = overhanging(regular_grid(0.1, 0.1, 25, 25), edges);
-  const Session fine = overhanging(regular_grid(0.1, 0.1, 49, 49), edges);
+  const Session fine = overhanging(regular_grid(0.1, 0.1, 37, 37), edges);
   SheetEquilibria few(coarse, material), many(fine, material);
   const auto of_few = few.predict(few.parameters(), {}, 2, {});
   const auto of_many = many.predict(many.parameters(), {}, 2, {});

@@ -113,8 +113,10 @@ TEST_P(SlowShellProfiles, GiveTheLawOfTheShellBack) {
 
 /// All but one that is between the others.
 std::vector<test::PublishedBending> fabrics() {
-  std::vector<test::PublishedBending> fabrics = test::published_bending();
-  std::erase_if(fabrics, [](const auto& fabric) { return fabric.name == "doublecloth"; });
+  std::vector<test::PublishedBending> fabrics;
+  for (const test::PublishedBending& fabric : test::published_bending()) {
+    if (fabric.name != "doublecloth") fabrics.push_back(fabric);
+  }
   return fabrics;
 }
 

@@ -61,7 +61,7 @@ TEST(SlowTangle, IsNotMadeByAStepThatGoesAstray) {
 TEST(Tangle, HasNoWayThroughASurface) { throw_about(30); }
 
 // PLIANT_THROWS asks for more.
-TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(test::asked_for("PLIANT_THROWS", 100)); }
+TEST(SlowTangle, HasNoWayThroughASurface) { throw_about(test::asked_for("PLIANT_THROWS", 60)); }
 
 }  // namespace
 }  // namespace pliant

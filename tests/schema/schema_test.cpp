@@ -399,7 +399,7 @@ TEST_F(SlowSchema, AgreesWithTheReadersOnMissingAndMisshapenValues) {
             (full.document.type == "rig" && object.to_string() == "/cameras") ||
             (full.document.type == "material" && whole.contains("limits") && key == "J") ||
             is_of_sample(object);
-        const auto with = [&](const char* how, Json other) {
+        const auto with = [&, &key = key](const char* how, Json other) {
           return mutated(place.document, place.object, key, how, std::move(other));
         };
         if (!may_be_told && !may_be_named) {

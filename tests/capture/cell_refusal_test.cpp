@@ -61,8 +61,7 @@ TEST(CellRefusal, OfACordTwiceOrOfASlopeBelowZero) {
   EXPECT_THAT(refused(kCell + ", slope: -1"), HasSubstr("is no slope of a cell"));
 }
 
-TEST(CellRefusal, OfAClockThatAMotionShouldTellOrOfNoRate) {
-  EXPECT_THAT(refused(kCell, "  rate: 1 Hz\n  start: by motion\n"), HasSubstr("cells tell none"));
+TEST(CellRefusal, OfATimeWithoutRate) {
   EXPECT_THAT(refused(kCell, "  still: 1 s\n"), HasSubstr("needs the `rate`"));
 }
 

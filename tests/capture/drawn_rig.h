@@ -81,6 +81,18 @@ class DrawnRig {
     return drawn;
   }
 
+  /// Of each pixel a coordinate of the sheet's place that it shows, over the side; 2: none.
+  GreyPicture places(int camera, int frame, Eigen::Index axis) const {
+    DrawnSurface surface = sheet(frame);
+    surface.brightness = [this, axis](const Eigen::Vector2d& place) { return place(axis) / size; };
+    ViewOptions plain;
+    plain.ambient = 1;
+    plain.background = 2;
+    plain.blur = 0;
+    plain.samples = 1;
+    return draw_view(cameras[camera], {surface}, plain);
+  }
+
   ReadPicture reader() const {
     return [this](const std::filesystem::path& file) {
       return picture(std::stoi(file.parent_path().string()), std::stoi(file.filename().string()));

@@ -1,6 +1,9 @@
 // What load cells and the cords that they pull make of a frame.
 #include "pliant/capture/frame_forces.h"
 
+#include <cmath>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,18 +18,22 @@ using ::testing::HasSubstr;
 /// A clip that one cord pulls, a row of the log a frame.
 class PulledClip {
  public:
-  PulledClip() {
+  /// @param more  of the forces, a line each
+  explicit PulledClip(const std::string& log = "time_s,F1_N\n0,0.1\n2,1.1\n4,2.1\n",
+                      const std::string& more = "", int frames = 3) {
     for (const char* name : {"left/0.png", "right/0.png"}) folder_.write(name, "");
-    folder_.write("cells.csv", "time_s,F1_N\n0,0.1\n2,1.1\n4,2.1\n");
+    folder_.write("cells.csv", log);
     dic_ = dic_of(read_yaml(folder_.write(
         "capture.yaml",
         "pliant: dic/1\ntest: pull\nsample: {width: 40 mm, height: 80 mm, density: 0.1 kg/m^2}\n"
         "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", right: "
         "\"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
         "clips: [{name: upper, side: top, labels: [0]}]\n"
-        "forces:\n  data: cells.csv\n  cells:\n    - {clip: upper, cord: front, column: F1, "
-        "tare: 0.1 N, slope: 1.5, picture: left/0.png, along: [[10, 10], [90, 10]]}\n")));
-    forces_.emplace(dic_, std::vector<SessionClip>{{"upper", 0, {}}}, 3);
+        "forces:\n  data: cells.csv\n" +
+            more +
+            "  cells:\n    - {clip: upper, cord: front, column: F1, "
+            "tare: 0.1 N, slope: 1.5, picture: left/0.png, along: [[10, 10], [90, 10]]}\n")));
+    forces_.emplace(dic_, std::vector<SessionClip>{{"upper", 0, {}}}, frames);
   }
 
   FrameForces& forces() { return *forces_; }
@@ -62,6 +69,34 @@ TEST(FrameForces, AreNotKnownOfACordThatIsPointedAtLater) {
   EXPECT_EQ(pulled.forces().add_to(free, 0, {}), "");
   EXPECT_TRUE(free.cords[0].empty());
   EXPECT_THAT(pulled.forces().add_to(early, 1, {}), HasSubstr("which is pointed at later"));
+}
+
+// The log was running for 3 s when the first frame was taken. The cord pulls by 0.2 N a millimetre,
+// out and back.
+TEST(FrameForces, AreReadByTheClockThatTheWaysOfTheCordsTell) {
+  constexpr int kFrames = 13;
+  constexpr double kStart = 3;
+  const auto way = [](double time) { return 1e-3 * std::max(6 - std::abs(time - 6), 0.0); };
+  std::string log = "time_s,F1_N\n";
+  for (int row = 0; row < 200; ++row) {
+    const double time = 0.1 * row;
+    log += fmt::format("{},{}\n", time, 0.1 + 200 * way(time - kStart) / 1.5);
+  }
+  PulledClip pulled(log, "  rate: 1 Hz\n  start: by motion\n", kFrames);
+  FrameForces& forces = pulled.forces();
+  ASSERT_TRUE(forces.needs_clock());
+  EXPECT_FALSE(forces.needs_way());
+  for (int f = 0; f < kFrames; ++f) {
+    CordLine line = kLine;
+    line.from += way(f) * line.direction;
+    forces.see_cords(f, {line});
+  }
+  EXPECT_THAT(forces.find_clock({}), HasSubstr("by the ways of the cords"));
+  EXPECT_FALSE(forces.needs_clock());
+  SessionFrame frame;
+  EXPECT_EQ(forces.add_to(frame, 4, {}), "");
+  EXPECT_NEAR(*frame.time, kStart + 4, 0.01);
+  EXPECT_NEAR(frame.cords[0][0].force.norm(), 200 * way(4), 2e-3);
 }
 
 }  // namespace

@@ -22,16 +22,12 @@ double pull(double time) {
   return std::max(0.0, std::min(there, 2 * kWay - there));
 }
 
-struct Log {
-  std::vector<double> times, extension;
-};
-
 template <class Motion>
-Log log_of(const Motion& motion, double seconds) {
-  Log log;
+ClockLog log_of(const Motion& motion, double seconds) {
+  ClockLog log;
   for (int row = 0; row < seconds * kRows; ++row) {
-    log.times.push_back(row / kRows);
-    log.extension.push_back(motion(row / kRows));
+    log.time.push_back(row / kRows);
+    log.value.push_back(motion(row / kRows));
   }
   return log;
 }
@@ -48,14 +44,14 @@ std::vector<double> ways_of(const Motion& motion, double start, int frames, std:
 }
 
 TEST(LogClock, IsFoundByAPullAndItsReturn) {
-  const Log log = log_of(pull, 30);
+  const ClockLog log = log_of(pull, 30);
   int held = 0;
   constexpr int kSeeds = 20;
   for (int seed = 0; seed < kSeeds; ++seed) {
     const double start = 0.7 + 0.13 * seed;
     auto ways = ways_of(pull, start, 120, static_cast<std::uint64_t>(seed));
     ways[30] = NAN;  // a frame that was left out
-    const ClockSearch search = find_clock(log.times, log.extension, ways, kRate);
+    const ClockSearch search = find_clock(log, ways, kRate);
     ASSERT_TRUE(search.clock) << search.why;
     EXPECT_NEAR(search.clock->start, start, 0.01);
     EXPECT_LT(search.clock->error, 0.005);
@@ -65,37 +61,83 @@ TEST(LogClock, IsFoundByAPullAndItsReturn) {
 }
 
 TEST(LogClock, MayBeginBeforeTheLog) {
-  const Log log = log_of(pull, 30);
-  const ClockSearch search = find_clock(log.times, log.extension, ways_of(pull, -2, 120, 1), kRate);
+  const ClockLog log = log_of(pull, 30);
+  const ClockSearch search = find_clock(log, ways_of(pull, -2, 120, 1), kRate);
   ASSERT_TRUE(search.clock) << search.why;
   EXPECT_NEAR(search.clock->start, -2, 0.01);
 }
 
 TEST(LogClock, IsNotGuessedOfASteadyPull) {
   const auto steady = [](double time) { return 1e-4 * time; };
-  const Log log = log_of(steady, 30);
-  const ClockSearch search =
-      find_clock(log.times, log.extension, ways_of(steady, 2, 100, 1), kRate);
+  const ClockLog log = log_of(steady, 30);
+  const ClockSearch search = find_clock(log, ways_of(steady, 2, 100, 1), kRate);
   EXPECT_FALSE(search.clock);
 }
 
 TEST(LogClock, IsNotGuessedOfCyclesThatAreAlike) {
   const auto cycles = [](double time) { return 1e-3 * (1 - std::cos(time)); };
-  const Log log = log_of(cycles, 60);
-  const ClockSearch search =
-      find_clock(log.times, log.extension, ways_of(cycles, 2, 100, 1), kRate);
+  const ClockLog log = log_of(cycles, 60);
+  const ClockSearch search = find_clock(log, ways_of(cycles, 2, 100, 1), kRate);
   EXPECT_FALSE(search.clock);
   EXPECT_THAT(search.why, HasSubstr("as well as at"));
 }
 
 TEST(LogClock, IsNotFoundInAnotherTest) {
-  const Log log = log_of(pull, 30);
+  const ClockLog log = log_of(pull, 30);
   const auto other = [](double time) {
     return 1e-3 * std::sin(2 * time) + 1e-3 * std::sin(5 * time);
   };
-  const ClockSearch search = find_clock(log.times, log.extension, ways_of(other, 2, 120, 1), kRate);
+  const ClockSearch search = find_clock(log, ways_of(other, 2, 120, 1), kRate);
   EXPECT_FALSE(search.clock);
   EXPECT_THAT(search.why, HasSubstr("does not move as the log's extension does"));
+}
+
+/// Steps of a second, and a second from each to the next: up, and down again half way.
+double step_at(double time) {
+  constexpr double kPeriod = 2, kStands = 1, kUp = 6, kAll = 9;
+  const auto level = [&](double number) {
+    const double within = std::clamp(number, 0.0, kAll);
+    return std::min(within, 2 * kUp - within);
+  };
+  const double number = std::floor(time / kPeriod);
+  const double moved =
+      std::clamp((time - kPeriod * number - kStands) / (kPeriod - kStands), 0.0, 1.0);
+  return level(number) + moved * (level(number + 1) - level(number));
+}
+
+// Cells of which one reads 2 mN wrongly, and whose force grows faster than the way.
+TEST(LogClock, IsFoundByForcesThatGoInSteps) {
+  constexpr double kFrames = 0.5;
+  for (int seed = 0; seed < 10; ++seed) {
+    RandomStream random(static_cast<std::uint64_t>(seed));
+    const double start = 4.4 + 0.02 * seed;  // the steps begin at 4 s, and stand for a second
+    ClockLog log{{}, {}, /*goes_straight=*/false, /*still=*/0.8};
+    for (int row = 0; row < 28 * kRows; ++row) {
+      const double step = step_at(row / kRows - 4);
+      log.time.push_back(row / kRows);
+      log.value.push_back(0.1 * step + 0.02 * step * step + 2e-3 * random.normal());
+    }
+    std::vector<double> ways;
+    for (int f = 0; f < 10; ++f) {
+      ways.push_back(1e-3 * step_at(start - 4 + f / kFrames) + kNoise * random.normal());
+    }
+    const ClockSearch search = find_clock(log, ways, kFrames);
+    ASSERT_TRUE(search.clock) << search.why;
+    EXPECT_NEAR(search.clock->start, 4.5, 0.05);
+    EXPECT_LT(search.clock->error, 0.15);
+  }
+}
+
+TEST(LogClock, IsNotFoundByForcesThatHaveNothingToDoWithTheCords) {
+  RandomStream random(4);
+  ClockLog log{{}, {}, /*goes_straight=*/false, 0};
+  for (int row = 0; row < 28 * kRows; ++row) {
+    log.time.push_back(row / kRows);
+    log.value.push_back(random.normal());
+  }
+  const ClockSearch search = find_clock(log, ways_of(pull, 2, 120, 1), kRate);
+  EXPECT_FALSE(search.clock);
+  EXPECT_THAT(search.why, HasSubstr("what cords pull does not move as the log's force does"));
 }
 
 }  // namespace

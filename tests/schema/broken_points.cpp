@@ -60,7 +60,6 @@ std::vector<NamedDocument> broken_points() {
       without("views of a sample anywhere", views, "/views/corners"),
       changed("a tester beside cells", cells, "/forces/on", "upper"),
       changed("no cells", cells, "/forces/cells", nlohmann::json::array()),
-      changed("a clock by cells that do not move", cells, "/forces/start", "by motion"),
       changed("a cell that pulls backwards", cells, "/forces/cells/0/slope", -1),
       changed("a tare in grams", cells, "/forces/cells/0/tare", "1 g"),
       changed("a cord by one pixel", cells, "/forces/cells/0/along", {{1, 2}}),

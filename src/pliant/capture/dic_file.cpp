@@ -137,7 +137,7 @@ DicReference read_camera(const Value& value) {
   return camera;
 }
 
-constexpr const char* kByMotion = "by motion";  // of the clip that the log is of
+constexpr const char* kByMotion = "by motion";  // of the clip that the log is of, or of the cords
 
 void require_rate(const Value& value, const DicForces& forces) {
   if (!forces.rate) value.fail("needs the `rate` of the frames", "both");
@@ -147,9 +147,6 @@ void read_start(const Value& value, DicForces& forces) {
   require_rate(value, forces);
   forces.start = LogStart{{}, value.location()};
   if (value.text() != kByMotion) forces.start->time = value.quantity(Dimension::time);
-  if (forces.needs_clock() && !forces.cells.empty()) {
-    value.fail("is to be found by a motion, and cells tell none", "a time");
-  }
 }
 
 DicForces read_forces(const Value& value) {
@@ -234,7 +231,7 @@ constexpr const char* kTwoLabelled =
 
 /// A clock is found by a clip that is seen to move.
 void require_motion_for_clock(const DicFile& dic) {
-  if (!dic.forces || !dic.forces->needs_clock()) return;
+  if (!dic.forces || !dic.forces->needs_clock() || !dic.forces->cells.empty()) return;
   const auto pulled = dic.pulled_clip();
   const bool is_seen = pulled != dic.clips.end() && pulled->motion != ClipMotion::held;
   if (is_seen && !dic.moves_by_log()) return;

@@ -161,7 +161,8 @@ class SheetFollower {
       moved = pushed_.inverse() * moved;
     }
     Eigen::VectorXd leverages;
-    frame.positions = seen_positions(motion_of(rest, moved), f, leverages);
+    const LocalMotion near = motion_of(rest, moved, points.patches(free));
+    frame.positions = seen_positions(near, f, leverages);
     if (points.deviations.cols() > 0) {
       frame.deviations = vertex_deviations(session.rest, rest, points.deviations(Eigen::all, free),
                                            leverages, kFar * result_.spacing);
@@ -215,7 +216,7 @@ class SheetFollower {
 
   /// Of the clip that the log is of, outwards, against the other (m).
   double way_of_pulled(const SessionFrame& frame) const {
-    if (!forces_->needs_clock()) return std::numeric_limits<double>::quiet_NaN();
+    if (!forces_->needs_way()) return std::numeric_limits<double>::quiet_NaN();
     const std::size_t pulled = forces_->pulled();
     double way = 0;
     for (std::size_t c = 0; c < held_.size(); ++c) {
@@ -305,10 +306,11 @@ class SheetFollower {
   }
 
   /// Out of its plane cloth bends, which a wider reach tells.
-  LocalMotion motion_of(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved) const {
+  LocalMotion motion_of(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved,
+                        const Eigen::VectorXd& patches) const {
     if (!points_->in_space()) return {rest, moved, kReach * result_.spacing};
     LocalMotion motion(rest, moved, kBentReach * result_.spacing);
-    motion.bend(points_->patch());
+    motion.bend(patches);
     return motion;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -130,25 +131,39 @@ FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, doubl
   return rows;
 }
 
-CellLog read_cell_log(const DicForces& forces, int frames) {
-  const DataRows rows(forces.data);
-  CellLog log;
-  const std::vector<double> own_times = read_times(rows, forces);
-  if (forces.rate) {
-    log.time = frame_times(forces, frames, forces.start ? *forces.start->time : 0, own_times);
+std::vector<double> CellRows::total() const {
+  std::vector<double> total(pull.front().size(), 0);
+  for (const std::vector<double>& cell : pull) {
+    std::ranges::transform(total, cell, total.begin(), std::plus());
   }
-  double squares = 0;
-  int readings = 0;
+  return total;
+}
+
+CellRows read_cell_rows(const DicForces& forces) {
+  const DataRows rows(forces.data);
+  CellRows cells{read_times(rows, forces), {}};
   for (const DicCell& cell : forces.cells) {
     std::vector<double> pull = rows.quantity(cell.column, Dimension::force);
     for (double& force : pull) force = cell.slope * (force - cell.tare);
-    if (!forces.rate) {
-      require_row_a_frame(forces, pull.size(), frames);
-      log.time = own_times;
-      log.pull.push_back(std::move(pull));
-      continue;
-    }
-    ColumnAtFrames at = column_at_frames(forces, own_times, pull, log.time);
+    cells.pull.push_back(std::move(pull));
+  }
+  return cells;
+}
+
+CellLog cells_at_frames(const CellRows& rows, const DicForces& forces, int frames, double start) {
+  CellLog log;
+  if (!forces.rate) {
+    require_row_a_frame(forces, rows.pull.front().size(), frames);
+    log.time = rows.time;
+    log.pull = rows.pull;
+    return log;
+  }
+  log.time = frame_times(forces, frames, start, rows.time);
+  double squares = 0;
+  int readings = 0;
+  for (std::size_t i = 0; i < rows.pull.size(); ++i) {
+    const DicCell& cell = forces.cells[i];
+    ColumnAtFrames at = column_at_frames(forces, rows.time, rows.pull[i], log.time);
     log.stands.resize(at.readings.size());
     for (std::size_t f = 0; f < at.readings.size(); ++f) {
       if (!at.readings[f]) continue;

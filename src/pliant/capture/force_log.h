@@ -34,7 +34,19 @@ FrameLog read_log_rows(const DicForces& forces);
 FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, double start);
 
 /// The columns of the cells, tare and slope taken off.
+struct CellRows {
+  std::vector<double> time;               ///< empty where the log tells none
+  std::vector<std::vector<double>> pull;  ///< of each cell
+
+  /// Of all cells at once (N).
+  std::vector<double> total() const;
+};
+
 /// @throws InputError
-CellLog read_cell_log(const DicForces& forces, int frames);
+CellRows read_cell_rows(const DicForces& forces);
+
+/// As log_of_frames.
+/// @throws InputError
+CellLog cells_at_frames(const CellRows& rows, const DicForces& forces, int frames, double start);
 
 }  // namespace pliant

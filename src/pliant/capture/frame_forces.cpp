@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,17 +17,16 @@ FrameForces::FrameForces(const DicFile& dic, const std::vector<SessionClip>& cli
     : dic_(dic), frames_(frames) {
   if (!dic.forces) return;
   const DicForces& forces = *dic.forces;
+  needs_clock_ = forces.needs_clock();
+  const double start = forces.start ? forces.start->time.value_or(0) : 0;
   if (!forces.cells.empty()) {
-    cells_ = read_cell_log(forces, frames);
-    log_.time = cells_.time;
-    log_.stands = cells_.stands;
+    cell_rows_ = read_cell_rows(forces);
+    if (!needs_clock_) place_cells(start);
     lines_.resize(static_cast<std::size_t>(frames));
     return;
   }
   if (!forces.cords) {
     rows_ = read_log_rows(forces);
-    needs_clock_ = forces.needs_clock();
-    const double start = forces.start ? forces.start->time.value_or(0) : 0;
     if (!needs_clock_) log_ = log_of_frames(rows_, forces, frames, start);
     return;
   }
@@ -37,6 +37,12 @@ FrameForces::FrameForces(const DicFile& dic, const std::vector<SessionClip>& cli
     if (time) log_.time.push_back(*time);
   }
   if (std::ssize(log_.time) < frames) log_.time.clear();
+}
+
+void FrameForces::place_cells(double start) {
+  cells_ = cells_at_frames(cell_rows_, *dic_.forces, frames_, start);
+  log_.time = cells_.time;
+  log_.stands = cells_.stands;
 }
 
 void FrameForces::see_cords(int frame, std::vector<std::optional<CordLine>> lines) {
@@ -73,21 +79,48 @@ std::size_t FrameForces::pulled() const {
   return static_cast<std::size_t>(dic_.pulled_clip() - dic_.clips.begin());
 }
 
+// Of all cords at once, along each, since all were seen: what they pull with all together.
+std::vector<double> FrameForces::ways_of_cords() const {
+  const auto all_seen = [](const auto& lines) {
+    return !lines.empty() &&
+           std::ranges::all_of(lines, [](const auto& line) { return line.has_value(); });
+  };
+  const auto first = std::ranges::find_if(lines_, all_seen);
+  std::vector<double> ways;
+  for (const auto& lines : lines_) {
+    ways.push_back(all_seen(lines) ? 0 : std::numeric_limits<double>::quiet_NaN());
+    if (std::isnan(ways.back())) continue;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ways.back() += lines[i]->direction.dot(lines[i]->from - (*first)[i]->from);
+    }
+  }
+  return ways;
+}
+
 std::string FrameForces::find_clock(const std::vector<double>& ways) {
   const DicForces& forces = *dic_.forces;
   const char* expected = "`start`, the time of the first frame by the log's clock";
-  if (rows_.extension.empty()) {
+  const bool by_cells = !forces.cells.empty();
+  if (!by_cells && rows_.extension.empty()) {
     throw InputError(forces.data.where, "has no column of the extension to find its clock by",
                      expected);
   }
-  const ClockSearch search = pliant::find_clock(rows_.time, rows_.extension, ways, *forces.rate);
+  ClockLog log{rows_.time, rows_.extension, /*goes_straight=*/true, forces.still.value_or(0)};
+  if (by_cells) log = {cell_rows_.time, cell_rows_.total(), /*goes_straight=*/false, log.still};
+  const ClockSearch search =
+      pliant::find_clock(log, by_cells ? ways_of_cords() : ways, *forces.rate);
   if (!search.clock) throw InputError(forces.start->where, "is not found: " + search.why, expected);
-  log_ = log_of_frames(rows_, forces, frames_, search.clock->start);
   needs_clock_ = false;
+  if (by_cells) {
+    place_cells(search.clock->start);
+  } else {
+    log_ = log_of_frames(rows_, forces, frames_, search.clock->start);
+  }
   return fmt::format(
-      "by the clip {} the first frame was taken at {:.4g} s of the log, to {:.2g} s (both motions "
-      "correlate by {:.5f})",
-      forces.clip, search.clock->start, search.clock->error, search.clock->correlation);
+      "by {} the first frame was taken at {:.4g} s of the log, to {:.2g} s (they go together by "
+      "{:.5f})",
+      by_cells ? "the ways of the cords" : "the clip " + forces.clip, search.clock->start,
+      search.clock->error, search.clock->correlation);
 }
 
 std::string FrameForces::add_to(SessionFrame& frame, int number,

@@ -34,11 +34,13 @@ class FrameForces {
   /// Whether cords are told or seen, and none of them in a frame.
   bool is_free(int frame) const;
   bool needs_clock() const { return needs_clock_; }
-  /// @param ways  of the clip that the log is of, outwards and against the other, NaN where it is
-  ///              not known (m)
+  /// @param ways  of the clip that a tester's log is of, outwards and against the other, NaN where
+  ///              it is not known (m); cells have those of their cords
   /// @return what was found, for the user
   /// @throws InputError
   std::string find_clock(const std::vector<double>& ways);
+  /// Whether a tester's log is of a clip whose way is to be told.
+  bool needs_way() const { return needs_clock_ && lines_.empty(); }
   /// Of the clip that the log is of.
   std::size_t pulled() const;
 
@@ -48,6 +50,8 @@ class FrameForces {
   std::string add_to(SessionFrame& frame, int number, const std::vector<HeldPlace>& held) const;
 
  private:
+  std::vector<double> ways_of_cords() const;
+  void place_cells(double start);
   double largest_pull(std::size_t cell) const;
   std::string add_cells(SessionFrame& frame, std::size_t number) const;
   std::string add_tester(SessionFrame& frame, std::size_t number,
@@ -57,6 +61,7 @@ class FrameForces {
   int frames_;
   FrameLog rows_, log_;
   bool needs_clock_ = false;
+  CellRows cell_rows_;
   CellLog cells_;
   std::vector<std::vector<std::optional<CordLine>>> lines_;  // by frame and cell
   std::vector<std::vector<std::vector<CordForce>>> cords_;   // by frame and clip

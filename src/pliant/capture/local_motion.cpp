@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "pliant/capture/median.h"
+#include "pliant/capture/scattered.h"
 
 namespace pliant {
 namespace {
 
 constexpr int kFewestPoints = 5;
 constexpr int kBentUnknowns = 6;
-constexpr int kFewestBent = 15;  // points of which a motion of second order is told
-constexpr double kWider = 1.4;   // reach at edges, where points lie on one side
+constexpr int kFewestBent = 15;   // points of which a motion of second order is told
+constexpr int kFewestSharp = 12;  // likewise where it bends sharply
+constexpr double kWider = 1.4;    // reach at edges, where points lie on one side
 
 /// Whether places lie in all directions about as far.
 bool spreads(const Eigen::Matrix2Xd& rest) {
@@ -64,18 +67,21 @@ std::optional<MovedPlace> affine_at(const Eigen::Vector2d& place, const Eigen::M
   return fitted(rows, moved, coefficients);
 }
 
-/// @param reach  of the points, by which their distances are scaled (m)
+/// By how much a position is off about, where the motion is not of second order (m): by what points
+/// miss it, and the more the further it is carried beyond them.
+double off_of(const MovedPlace& moved) { return std::sqrt(moved.residual) * moved.leverage; }
+
+/// @param patches  sides of the squares whose means the points are (m)
+/// @param reach    of the points, by which their distances are scaled (m)
 MovedPlace bent_at(const Eigen::Vector2d& place, const Eigen::Matrix2Xd& rest,
-                   const Eigen::Matrix3Xd& moved, double reach, double patch) {
+                   const Eigen::Matrix3Xd& moved, const Eigen::VectorXd& patches, double reach) {
   const Eigen::MatrixX2d off = (rest.colwise() - place).transpose() / reach;
+  const Eigen::VectorXd of_mean = (patches / reach).cwiseAbs2() / 24;
   Eigen::MatrixXd rows(rest.cols(), kBentUnknowns);
-  rows << Eigen::VectorXd::Ones(rest.cols()), off, off.col(0).cwiseAbs2() / 2,
-      off.col(0).cwiseProduct(off.col(1)), off.col(1).cwiseAbs2() / 2;
+  rows << Eigen::VectorXd::Ones(rest.cols()), off, off.col(0).cwiseAbs2() / 2 + of_mean,
+      off.col(0).cwiseProduct(off.col(1)), off.col(1).cwiseAbs2() / 2 + of_mean;
   Eigen::MatrixX3d coefficients;
   MovedPlace result = fitted(rows, moved, coefficients);
-  const Eigen::Vector3d laplacian =
-      (coefficients.row(3) + coefficients.row(5)).transpose() / (reach * reach);
-  result.position -= patch * patch / 24 * laplacian;
   result.slope /= reach;
   return result;
 }
@@ -85,24 +91,51 @@ MovedPlace bent_at(const Eigen::Vector2d& place, const Eigen::Matrix2Xd& rest,
 LocalMotion::LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach)
     : rest_(std::move(rest)), moved_(std::move(moved)), near_(rest_, reach), reach_(reach) {}
 
-void LocalMotion::bend(double patch) {
-  patch_ = patch;
+void LocalMotion::bend(Eigen::VectorXd patches) {
+  patches_ = std::move(patches);
   wide_.emplace(rest_, kWider * reach_);
+  constexpr int kProbes = 100;
+  constexpr double kTimes = 9;  // what points mostly miss
+  std::vector<double> residuals;
+  for (const int i : scattered(static_cast<int>(rest_.cols()), kProbes)) {
+    const Eigen::Vector2d place = rest_.col(i);
+    if (const auto moved = bent_by(place, near_.around(place), kFewestBent)) {
+      residuals.push_back(moved->residual);
+    }
+  }
+  smooth_ = residuals.empty() ? 0 : kTimes * median(std::move(residuals));
 }
 
 /// Of second order: at edges, and where points are few, by points from further around, as far as
 /// these tell it. An affine motion would lead straight on where cloth bends.
 std::optional<MovedPlace> LocalMotion::bent_motion(const Eigen::Vector2d& place,
                                                    const std::vector<int>& near) const {
-  constexpr double kMostLeverage = 6;
-  const Eigen::Matrix2Xd beside = rest_(Eigen::all, near);
-  if (std::ssize(near) >= kFewestBent && surrounds(beside, place)) {
-    return bent_at(place, beside, moved_(Eigen::all, near), reach_, *patch_);
+  constexpr double kCloser = 0.7;    // of the reach, where cloth bends sharply
+  constexpr double kAstray = 0.003;  // of the reach
+  const bool is_inside =
+      std::ssize(near) >= kFewestBent && surrounds(rest_(Eigen::all, near), place);
+  const auto first = bent_by(place, is_inside ? near : wide_->around(place), kFewestBent);
+  if (first && first->residual <= smooth_) return first;
+  std::vector<int> close;
+  std::ranges::copy_if(near, std::back_inserter(close),
+                       [&](int i) { return near_.distance(i, place) <= kCloser * reach_; });
+  std::vector<MovedPlace> tried;
+  for (const auto& moved :
+       {first, bent_by(place, near, kFewestBent), bent_by(place, close, kFewestSharp)}) {
+    if (moved && off_of(*moved) < kAstray * reach_) tried.push_back(*moved);
   }
-  const std::vector<int> more = wide_->around(place);
-  const Eigen::Matrix2Xd rest = rest_(Eigen::all, more);
-  if (std::ssize(more) < kFewestBent || !spreads(rest)) return std::nullopt;
-  const MovedPlace moved = bent_at(place, rest, moved_(Eigen::all, more), reach_, *patch_);
+  if (tried.empty()) return std::nullopt;
+  return *std::ranges::min_element(tried, {}, off_of);
+}
+
+/// By these points, as far as they tell it.
+std::optional<MovedPlace> LocalMotion::bent_by(const Eigen::Vector2d& place,
+                                               const std::vector<int>& points, int fewest) const {
+  constexpr double kMostLeverage = 6;
+  const Eigen::Matrix2Xd rest = rest_(Eigen::all, points);
+  if (std::ssize(points) < fewest || !spreads(rest)) return std::nullopt;
+  const MovedPlace moved =
+      bent_at(place, rest, moved_(Eigen::all, points), patches_(points), reach_);
   return moved.leverage <= kMostLeverage ? std::optional(moved) : std::nullopt;
 }
 
@@ -112,7 +145,7 @@ std::optional<MovedPlace> LocalMotion::at(const Eigen::Vector2d& place, double g
   const bool is_close =
       std::ranges::any_of(near, [&](int i) { return near_.distance(i, place) <= gap; });
   if (!is_close) return std::nullopt;
-  if (patch_) return bent_motion(place, near);
+  if (patches_.size() > 0) return bent_motion(place, near);
   return affine_at(place, rest_(Eigen::all, near), moved_(Eigen::all, near));
 }
 

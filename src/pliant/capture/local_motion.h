@@ -28,9 +28,9 @@ class LocalMotion {
   LocalMotion(Eigen::Matrix2Xd rest, Eigen::Matrix3Xd moved, double reach);
 
   /// From now on motions are of second order.
-  /// @param patch  side of the squares whose means the points are (m); where cloth bends these lie
-  ///               off it, by the square of the side over 24 times its Laplacian
-  void bend(double patch);
+  /// @param patches  of each point, side of the square whose mean it is (m); where cloth bends it
+  ///                 lies off it, by the square of the side over 24 times its Laplacian
+  void bend(Eigen::VectorXd patches);
 
   /// @param gap  the nearest point may be this far away (m)
   /// @return nothing where no point is so near, or those in reach do not tell the motion: fewer
@@ -40,13 +40,16 @@ class LocalMotion {
  private:
   std::optional<MovedPlace> bent_motion(const Eigen::Vector2d& place,
                                         const std::vector<int>& near) const;
+  std::optional<MovedPlace> bent_by(const Eigen::Vector2d& place, const std::vector<int>& points,
+                                    int fewest) const;
 
   Eigen::Matrix2Xd rest_;
   Eigen::Matrix3Xd moved_;
   NearPlaces near_;
   std::optional<NearPlaces> wide_;  // at edges, where motions are of second order
   double reach_;
-  std::optional<double> patch_;  // none: affine
+  Eigen::VectorXd patches_;  // none: affine
+  double smooth_ = 0;        // mean squares that a smooth motion misses are less (m^2)
 };
 
 /// The affine motion of points by least squares: position and slope at their middle. Nothing of

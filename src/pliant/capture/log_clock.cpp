@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "pliant/capture/line_through_rows.h"
@@ -16,19 +18,27 @@ constexpr double kCovered = 0.8;  // of the frames, by the log
 
 /// Both motions where a start puts the frames within the log.
 struct Overlap {
-  std::vector<double> seen, logged, speed;  // of the log (m/s)
+  std::vector<double> seen, logged;
+  std::vector<double> speed;  // of the log, a second
+  std::vector<double> rise;   // of the log while the frame stands still
+
+  Eigen::Index size() const { return std::ssize(seen); }
 };
+
+Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
+  return {values.data(), std::ssize(values)};
+}
 
 struct Alignment {
   double start = 0;
-  double unlike = 1;  // share of the variance of the ways that the log does not tell
+  double unlike = 1;  // share of the variance of the ways that the log does not tell, and of that
+                      // of the log what it moves while frames stand still
 };
 
 class ClockFinder {
  public:
-  ClockFinder(const std::vector<double>& times, const std::vector<double>& extension,
-              const std::vector<double>& ways, double rate)
-      : times_(times), extension_(extension), rate_(rate) {
+  ClockFinder(const ClockLog& log, const std::vector<double>& ways, double rate)
+      : log_(log), rate_(rate) {
     for (std::size_t f = 0; f < ways.size(); ++f) {
       if (std::isnan(ways[f])) continue;
       frames_.push_back(static_cast<double>(f));
@@ -41,12 +51,13 @@ class ClockFinder {
     const std::vector<Alignment> all = alignments();
     if (all.empty()) return {{}, "the log is shorter than the frames"};
     const auto best = std::ranges::min_element(all, {}, &Alignment::unlike);
-    constexpr double kMostUnlike = 0.02;
-    if (best->unlike > kMostUnlike) {
+    const double most_unlike = log_.goes_straight ? 0.02 : 0.1;
+    if (best->unlike > most_unlike) {
       return {{},
-              fmt::format("the clip does not move as the log's extension does: at best they "
-                          "correlate by {:.3f}",
-                          std::sqrt(1 - best->unlike))};
+              fmt::format("{} does not move as the log's {} does: at best they correlate by {:.3f}",
+                          log_.goes_straight ? "the clip" : "what cords pull",
+                          log_.goes_straight ? "extension" : "force",
+                          std::sqrt(std::max(1 - best->unlike, 0.0)))};
     }
     if (const auto other = rival(all, *best)) {
       return {{},
@@ -54,7 +65,9 @@ class ClockFinder {
                           "{:.4g} s",
                           best->start, *other)};
     }
-    return refined(best->start);
+    ClockSearch search;
+    if (log_.still == 0) search = refined(best->start);
+    return search.clock ? search : middle_of_step(all, *best);
   }
 
  private:
@@ -62,11 +75,12 @@ class ClockFinder {
     Overlap overlap;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       const double time = start + frames_[i] / rate_;
-      if (time < times_.front() || time > times_.back()) continue;
-      const LinePiece piece = line_at(times_, extension_, time);
+      if (time < log_.time.front() || time > log_.time.back()) continue;
+      const LinePiece piece = line_at(log_.time, log_.value, time);
       overlap.seen.push_back(ways_[i]);
       overlap.logged.push_back(piece.value);
       overlap.speed.push_back(piece.slope);
+      overlap.rise.push_back(value_at(time + log_.still / 2) - value_at(time - log_.still / 2));
     }
     const double least =
         std::max<double>(kFewestFrames, kCovered * static_cast<double>(frames_.size()));
@@ -74,27 +88,43 @@ class ClockFinder {
     return overlap;
   }
 
-  static double unlike(const Overlap& overlap) {
-    const auto size = static_cast<Eigen::Index>(overlap.seen.size());
-    Eigen::ArrayXd seen = Eigen::Map<const Eigen::ArrayXd>(overlap.seen.data(), size);
-    Eigen::ArrayXd logged = Eigen::Map<const Eigen::ArrayXd>(overlap.logged.data(), size);
-    seen -= seen.mean();
-    logged -= logged.mean();
-    const double product = (seen * logged).sum();
-    const double squares = seen.square().sum() * logged.square().sum();
-    return squares > 0 && product > 0 ? 1 - product * product / squares : 1;
+  double value_at(double time) const {
+    return line_at(log_.time, log_.value, std::clamp(time, log_.time.front(), log_.time.back()))
+        .value;
+  }
+
+  /// Rows of what ways are of: a constant, the log, and its square where they go by a parabola.
+  Eigen::MatrixXd rows_of(const Overlap& overlap) const {
+    const Eigen::VectorXd logged = vector_of(overlap.logged);
+    Eigen::MatrixXd rows(logged.size(), log_.goes_straight ? 2 : 3);
+    rows.col(0).setOnes();
+    rows.col(1) = logged;
+    if (!log_.goes_straight) rows.col(2) = logged.cwiseAbs2();
+    return rows;
+  }
+
+  double unlike(const Overlap& overlap) const {
+    const Eigen::ArrayXd seen = vector_of(overlap.seen).array() - vector_of(overlap.seen).mean();
+    const Eigen::ArrayXd logged =
+        vector_of(overlap.logged).array() - vector_of(overlap.logged).mean();
+    if (!((seen * logged).sum() > 0)) return 1;
+    const Eigen::MatrixXd rows = rows_of(overlap);
+    const Eigen::VectorXd left =
+        seen.matrix() - rows * rows.colPivHouseholderQr().solve(seen.matrix());
+    return left.squaredNorm() / seen.square().sum() +
+           vector_of(overlap.rise).squaredNorm() / logged.square().sum();
   }
 
   /// A quarter of a frame or of the log's rows apart, whatever is finer.
   std::vector<Alignment> alignments() const {
     constexpr int kMost = 40000;
-    const double length = times_.back() - times_.front();
+    const double length = log_.time.back() - log_.time.front();
     const double of_frames = frames_.back() / rate_;
-    const double rows = static_cast<double>(times_.size() - 1);
+    const double rows = static_cast<double>(log_.time.size() - 1);
     const double step =
         std::max(std::min(1 / rate_, length / rows) / 4, (length + of_frames) / kMost);
     std::vector<Alignment> all;
-    for (double start = times_.front() - of_frames; start <= times_.back(); start += step) {
+    for (double start = log_.time.front() - of_frames; start <= log_.time.back(); start += step) {
       const auto both = overlap(start);
       if (both) all.push_back({start, unlike(*both)});
     }
@@ -120,6 +150,28 @@ class ClockFinder {
                           all.rend());
   }
 
+  /// Where the log stands still while frames are taken, all starts of a while are alike.
+  ClockSearch middle_of_step(const std::vector<Alignment>& all, const Alignment& best) const {
+    constexpr double kTimes = 4, kRounding = 1e-6, kHill = 3;
+    const double frame = 1 / rate_;
+    double hill = 0;
+    for (const Alignment& other : all) {
+      if (std::abs(other.start - best.start) < frame) hill = std::max(hill, other.unlike);
+    }
+    const double level = kTimes * best.unlike + kRounding;
+    if (hill < kHill * level) return {{}, kSteady};
+    const auto is_above = [&](const Alignment& other) { return other.unlike > level; };
+    const auto at = all.begin() + (&best - all.data());
+    const auto after = std::find_if(at, all.end(), is_above);
+    const auto before = std::find_if(std::make_reverse_iterator(at), all.rend(), is_above);
+    if (after == all.end() || before == all.rend()) return {{}, kSteady};
+    const double width = after->start - before->start;
+    if (width > frame) return {{}, kSteady};
+    return {LogClock{(after->start + before->start) / 2, width / std::sqrt(12.0),
+                     std::sqrt(std::max(1 - best.unlike, 0.0))},
+            {}};
+  }
+
   /// By Gauss and Newton's method in start, offset and gain.
   ClockSearch refined(double start) const {
     constexpr int kRounds = 20;
@@ -127,23 +179,24 @@ class ClockFinder {
     for (int round = 0; round < kRounds; ++round) {
       const auto both = overlap(clock.start);
       if (!both) return {{}, "the log is shorter than the frames"};
-      const auto size = static_cast<Eigen::Index>(both->seen.size());
-      Eigen::MatrixX3d rows(size, 3);
-      rows.col(0).setOnes();
-      rows.col(1) = Eigen::Map<const Eigen::VectorXd>(both->logged.data(), size);
-      const Eigen::VectorXd seen = Eigen::Map<const Eigen::VectorXd>(both->seen.data(), size);
-      const Eigen::Vector2d line = rows.leftCols<2>().colPivHouseholderQr().solve(seen);
-      const Eigen::VectorXd residual = seen - rows.leftCols<2>() * line;
-      rows.col(2) = line(1) * Eigen::Map<const Eigen::VectorXd>(both->speed.data(), size);
-      const Eigen::Matrix3d normal = rows.transpose() * rows;
+      const Eigen::MatrixXd own = rows_of(*both);
+      const Eigen::Index last = own.cols();
+      const Eigen::VectorXd seen = vector_of(both->seen);
+      const Eigen::VectorXd law = own.colPivHouseholderQr().solve(seen);
+      const Eigen::VectorXd residual = seen - own * law;
+      Eigen::VectorXd by_value = Eigen::VectorXd::Constant(both->size(), law(1));
+      if (!log_.goes_straight) by_value += 2 * law(2) * vector_of(both->logged);
+      Eigen::MatrixXd rows(both->size(), last + 1);
+      rows << own, by_value.cwiseProduct(vector_of(both->speed));
       const auto qr = rows.colPivHouseholderQr();
-      if (qr.rank() < 3) return {{}, kSteady};
-      const double step = qr.solve(residual)(2);
+      if (qr.rank() <= last) return {{}, kSteady};
+      const double step = qr.solve(residual)(last);
       clock.start += step;
-      const double variance =
-          residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(size - 3, 1));
-      clock.error = std::sqrt(variance * normal.inverse()(2, 2));
-      clock.correlation = std::sqrt(1 - unlike(*both));
+      const double variance = residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(
+                                                           both->size() - last - 1, 1));
+      const Eigen::MatrixXd normal = rows.transpose() * rows;
+      clock.error = std::sqrt(variance * normal.inverse()(last, last));
+      clock.correlation = std::sqrt(std::max(1 - unlike(*both), 0.0));
       if (std::abs(step) < 1e-3 * clock.error + 1e-9) break;
     }
     constexpr double kMostError = 0.5;  // frames
@@ -154,16 +207,15 @@ class ClockFinder {
   static constexpr const char* kSteady =
       "the clip moves too steadily to tell by it when a frame was taken";
 
-  const std::vector<double>&times_, &extension_;
+  const ClockLog& log_;
   double rate_;
   std::vector<double> frames_, ways_;  // of those that show the clip
 };
 
 }  // namespace
 
-ClockSearch find_clock(const std::vector<double>& times, const std::vector<double>& extension,
-                       const std::vector<double>& ways, double rate) {
-  return ClockFinder(times, extension, ways, rate).found();
+ClockSearch find_clock(const ClockLog& log, const std::vector<double>& ways, double rate) {
+  return ClockFinder(log, ways, rate).found();
 }
 
 }  // namespace pliant

@@ -18,13 +18,21 @@ struct ClockSearch {
   std::string why;
 };
 
-/// Finds the time at which what cameras saw of a clip's way and the log's extension go together:
-/// ways = offset + gain extension(start + frame / rate), by least squares. A motion that turns,
-/// starts or stops tells it; a steady one does not.
-/// @param times, extension  of the log, times increasing (s; m)
-/// @param ways  of the clip in each frame, NaN where it was not seen (m)
+/// What a log tells of a motion.
+struct ClockLog {
+  std::vector<double> time;   ///< increasing (s)
+  std::vector<double> value;  ///< extension (m) or force (N)
+  bool goes_straight = true;  ///< ways go with it by a straight line, as with an extension, or by a
+                              ///< parabola, as with a force
+  double still = 0;           ///< how long nothing moves around a frame (s); 0: not known
+};
+
+/// Finds the time at which what cameras saw of a way and what the log tells go together:
+/// ways = offset + gain value(start + frame / rate), and for a force a term of its square, by least
+/// squares. A motion that turns, starts or stops tells it; a steady one does not. Of one that goes
+/// in steps, which fits as well anywhere on them, it is the middle.
+/// @param ways  in each frame, NaN where they were not seen (m)
 /// @param rate  of the frames (1/s)
-ClockSearch find_clock(const std::vector<double>& times, const std::vector<double>& extension,
-                       const std::vector<double>& ways, double rate);
+ClockSearch find_clock(const ClockLog& log, const std::vector<double>& ways, double rate);
 
 }  // namespace pliant

@@ -17,6 +17,25 @@ constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, 
 constexpr int kSeeds = 40;                // that are looked for first
 constexpr int kFactor = 4;                // of reduced pictures
 constexpr int kReducedRadius = 8;
+constexpr int kSmallestCore = 4;    // radius (pixels)
+constexpr double kCoreAlike = 0.9;  // fewer pixels are alike by chance more often
+
+/// Of the middle that is looked for alone.
+int core_radius(int radius) { return radius / 2; }
+
+void take(TrackedPatch& point, const PatchMatch& match, bool by_core) {
+  point.motion = match.motion;
+  point.correlation = match.correlation;
+  point.covariance = match.covariance;
+  point.is_seen = true;
+  point.by_core = by_core;
+}
+
+/// By how much a patch is elsewhere than those around it tell (pixels).
+double miss_of(const TrackedPatch& patch, const LocalMotion& around, double reach) {
+  const auto moved = around.at(patch.place, reach);
+  return moved ? (moved->position.head<2>() - patch.now()).norm() : INFINITY;
+}
 
 }  // namespace
 
@@ -89,7 +108,7 @@ PatchTracker::PatchTracker(GreyPicture first, int radius, double step, const Run
 
 bool PatchTracker::add(const Eigen::Vector2d& place) {
   auto patch = ReferencePatch::of(first_spline_, place, radius_);
-  if (patch) tracked_.push_back({place, *std::move(patch), {}});
+  if (patch) tracked_.push_back({.place = place, .patch = *std::move(patch)});
   return patch.has_value();
 }
 
@@ -141,11 +160,27 @@ void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& 
 void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,
                             const PatchMotion& start) const {
   const auto match = point.patch.match(now, start);
-  point.is_seen = match && match->correlation > kAlike;
-  if (!point.is_seen) return;
-  point.motion = match->motion;
-  point.correlation = match->correlation;
-  point.covariance = match->covariance;
+  if (match && match->correlation > kAlike) {
+    take(point, *match, /*by_core=*/false);
+  } else {
+    point.is_seen = look_for_core(point, now, start, kCoreAlike);
+  }
+}
+
+bool PatchTracker::look_for_core(TrackedPatch& point, const SplinePicture& now,
+                                 const PatchMotion& start, double least) const {
+  const int radius = core_radius(radius_);
+  if (radius < kSmallestCore) return false;
+  if (!point.core) point.core = ReferencePatch::of(first_spline_, point.place, radius);
+  if (!point.core) return false;
+  const auto match = point.core->match(now, start);
+  if (!match || match->correlation < least) return false;
+  take(point, *match, /*by_core=*/true);
+  return true;
+}
+
+int PatchTracker::side(const TrackedPatch& patch) const {
+  return 2 * (patch.by_core ? core_radius(radius_) : radius_) + 1;
 }
 
 // What is lost little by little is hidden; what is lost at once has jumped.
@@ -215,6 +250,7 @@ void PatchTracker::spread(const SplinePicture& now) {
          match_beside_neighbour(now)) {
     context_.stop.throw_if_requested();
   }
+  see_bent_by_cores(now);
   leave_out_strays();
 }
 
@@ -280,26 +316,46 @@ bool PatchTracker::match_beside_neighbour(const SplinePicture& now) {
   return seen() > before;
 }
 
+double PatchTracker::most_unlike() const {
+  constexpr double kTimes = 8, kLeast = 0.02;  // the median; of what two patches do not share
+  std::vector<double> unlike;
+  for (const TrackedPatch& point : tracked_) {
+    if (point.is_seen) unlike.push_back(1 - point.correlation);
+  }
+  return std::max(kTimes * median(std::move(unlike)), kLeast);
+}
+
+// What is bent within a patch is not affine, and makes it unlike.
+void PatchTracker::see_bent_by_cores(const SplinePicture& now) {
+  if (seen() < kFewestFound) return;
+  const double most = most_unlike();
+  with_threads(context_.threads, [&] {
+    parallel_for(count(), [&](int i) {
+      TrackedPatch& point = tracked_[static_cast<std::size_t>(i)];
+      if (!point.is_seen || point.by_core || 1 - point.correlation <= most) return;
+      look_for_core(point, now, point.motion, point.correlation);
+    });
+  });
+}
+
 void PatchTracker::leave_out_strays() {
-  constexpr double kTimes = 8;                    // the median
-  constexpr double kLeast = 0.1, kUnlike = 0.02;  // pixels; of what two patches do not share
+  constexpr double kTimes = 8, kLeast = 0.1;  // the median; pixels
   const double reach = kNear * step_;
   if (seen() < kFewestFound) return;
   const LocalMotion around = motion_of_found(reach);
-  std::vector<double> off, unlike;  // of the points that were seen
+  LocalMotion bent = around;
+  bent.bend(Eigen::VectorXd::Zero(seen()));
+  std::vector<double> off;  // of the points that were seen
   for (const TrackedPatch& point : tracked_) {
     if (!point.is_seen) continue;
-    const auto moved = around.at(point.place, reach);
-    off.push_back(moved ? (moved->position.head<2>() - point.now()).norm() : INFINITY);
-    unlike.push_back(1 - point.correlation);
+    off.push_back(std::min(miss_of(point, around, reach), miss_of(point, bent, reach)));
   }
   const double most_off = std::max(kTimes * median(off), kLeast);
-  const double most_unlike = std::max(kTimes * median(unlike), kUnlike);
+  const double unlike = most_unlike();
   std::size_t next = 0;
   for (TrackedPatch& point : tracked_) {
     if (!point.is_seen) continue;
-    point.is_seen = off[next] <= most_off && unlike[next] <= most_unlike;
-    ++next;
+    point.is_seen = off[next++] <= most_off && 1 - point.correlation <= unlike;
   }
 }
 

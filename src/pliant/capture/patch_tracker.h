@@ -17,10 +17,12 @@ namespace pliant {
 struct TrackedPatch {
   Eigen::Vector2d place;  ///< of its middle in the first picture (pixels)
   ReferencePatch patch;
-  PatchMotion motion;                                    ///< when it was seen last
-  double correlation = 1;                                ///< then
+  std::optional<ReferencePatch> core = {};  ///< its middle, half as wide, once that was needed
+  PatchMotion motion = {};                  ///< when it was seen last
+  double correlation = 1;                   ///< then
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of its place then (pixels^2)
   bool is_seen = true;
+  bool by_core = false;  ///< it was the middle alone that was seen then
 
   Eigen::Vector2d now() const { return place + motion.shift; }
 };
@@ -40,6 +42,8 @@ using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vec
 /// A patch is looked for where it was in the picture before, and if it is not there where the
 /// patches around it have gone; where half are lost at once, a few are searched for far around, and
 /// lead the others. One that has gone elsewhere than those around it counts as lost.
+///
+/// Where cloth is bent within a patch, or part of it is hidden, its middle is looked for alone.
 class PatchTracker {
  public:
   /// @param radius  patches have 2 radius + 1 pixels a side
@@ -60,6 +64,8 @@ class PatchTracker {
   /// The picture that was followed last, smoothed like the first; there is one.
   const SplinePicture& now() const { return *now_; }
   int radius() const { return radius_; }
+  /// Pixels along a side of what was seen of a patch.
+  int side(const TrackedPatch& patch) const;
   const std::vector<TrackedPatch>& patches() const { return tracked_; }
   int count() const { return static_cast<int>(tracked_.size()); }
   int seen() const;
@@ -69,6 +75,9 @@ class PatchTracker {
   struct Reduced;
 
   void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
+  /// The middle alone; whether it is there, and more alike than `least`.
+  bool look_for_core(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start,
+                     double least) const;
   bool has_jumped(const SplinePicture& now);
   void match_where_they_were(const SplinePicture& now);
   /// How a patch of reduced pictures, and with it that of the whole ones, has moved, about, in
@@ -83,6 +92,8 @@ class PatchTracker {
   /// Whether a patch has not been looked for there since it was lost.
   bool is_new(int patch, const PatchMotion& start);
   LocalMotion motion_of_found(double reach) const;
+  double most_unlike() const;
+  void see_bent_by_cores(const SplinePicture& now);
   void leave_out_strays();
 
   GreyPicture first_;

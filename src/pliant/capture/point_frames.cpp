@@ -86,6 +86,7 @@ PointFrame frame_of(const Places& places, std::size_t all) {
     frame.rest.col(i) = rest;
     frame.moved.col(i) = moved;
   }
+  frame.patches.setZero(frame.rest.cols());
   frame.lost = static_cast<int>(all - places.size());
   return frame;
 }

@@ -42,6 +42,8 @@ struct PointFrame {
   /// Standard deviations of `moved` along the axes (m), those of the apparatus among them; empty
   /// where the source does not know them.
   Eigen::Matrix3Xd deviations;
+  /// Sides of the squares of the sample whose means the points are (m); 0 where that is not known.
+  Eigen::VectorXd patches;
   int lost = 0;  ///< points that were not found
   /// How each clip has moved since the first frame, where labels on it tell; empty without labels.
   std::vector<std::optional<Pose>> clips;
@@ -61,7 +63,8 @@ class PointSource {
   virtual int count() const = 0;
   /// Whether points have three coordinates.
   virtual bool in_space() const = 0;
-  /// Side of the squares of the sample whose means the points are (m); 0 where that is not known.
+  /// Side of the squares of the sample whose means the points are at rest (m); 0 where that is not
+  /// known.
   virtual double patch() const { return 0; }
   /// The file of a frame, for messages.
   virtual std::string file(int frame) const = 0;

@@ -15,6 +15,7 @@ namespace pliant {
 namespace {
 
 constexpr double kCornerNoise = 0.03;  // pixels
+constexpr double kOff = 0.5;           // what calibration and corners miss is less (pixels)
 
 /// Tags by their codes, without those that a picture shows twice.
 std::map<int, DetectedTag> single_tags(const GreyPicture& picture) {
@@ -81,7 +82,7 @@ std::map<int, SpaceLabels::Corners> SpaceLabels::corners(const SeenTags& tags) c
   return found;
 }
 
-LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) const {
+LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) {
   const SeenTags seen = tags(pictures);
   const std::map<int, Corners> now = corners(seen);
   LabelledMotions motions;
@@ -93,6 +94,7 @@ LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) c
       return motions;
     }
     motions.clips.back() = pose_of(clip.labels, now, seen);
+    note_misses(clip.labels, *motions.clips.back(), seen);
   }
   return motions;
 }
@@ -122,6 +124,46 @@ Pose SpaceLabels::pose_of(const std::vector<int>& codes, const std::map<int, Cor
     }
   }
   return sighted_pose(sightings, start, kCornerNoise);
+}
+
+void SpaceLabels::note_misses(const std::vector<int>& codes, const Pose& pose,
+                              const SeenTags& tags) {
+  for (const int code : codes) {
+    std::vector<LabelSightings>& sightings = sightings_[code];
+    sightings.resize(tags.size());
+    for (std::size_t c = 0; c < tags.size(); ++c) {
+      const auto tag = tags[c].find(code);
+      if (tag == tags[c].end()) continue;
+      double miss = 0;
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        const auto shown = dic_.views->cameras[c].project(pose.apply(first_.at(code).col(k)));
+        if (shown) miss = std::max(miss, (tag->second.corners.col(k) - *shown).norm());
+      }
+      ++sightings[c].seen;
+      sightings[c].off += miss > kOff;
+      sightings[c].worst = std::max(sightings[c].worst, miss);
+    }
+  }
+}
+
+std::vector<std::string> SpaceLabels::warnings() const {
+  constexpr double kOften = 0.1;  // of the frames
+  std::vector<std::string> warnings;
+  for (const DicClip& clip : dic_.clips) {
+    for (const int code : clip.labels) {
+      const auto found = sightings_.find(code);
+      if (found == sightings_.end()) continue;
+      for (std::size_t c = 0; c < found->second.size(); ++c) {
+        const LabelSightings& label = found->second[c];
+        if (label.off < 2 || label.off < kOften * label.seen) continue;
+        warnings.push_back(fmt::format(
+            "{} sees the label {} of the clip {} elsewhere than the clip is, by up to {:.2g} "
+            "pixels, in {} of {} frames: keep cords and shadows off it",
+            dic_.views->names[c], code, clip.name, label.worst, label.off, label.seen));
+      }
+    }
+  }
+  return warnings;
 }
 
 }  // namespace pliant

@@ -21,6 +21,13 @@ struct LabelledMotions {
   std::string missing;  ///< the label that two cameras should see, where they do not
 };
 
+/// A label in the pictures of a camera.
+struct LabelSightings {
+  int seen = 0;      ///< frames in which the camera showed it
+  int off = 0;       ///< of them those in which it was elsewhere than its clip
+  double worst = 0;  ///< by how much, at most (pixels)
+};
+
 /// Clips by labels that several cameras see: the corners of a label's black square are points of
 /// the clip, which is rigid. How large it is need not be known.
 class SpaceLabels {
@@ -30,7 +37,9 @@ class SpaceLabels {
   /// @throws InputError where two cameras do not see each label
   SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
 
-  LabelledMotions motions(const std::vector<GreyPicture>& pictures) const;
+  LabelledMotions motions(const std::vector<GreyPicture>& pictures);
+  /// Of labels that a camera mostly saw elsewhere than the rest of what was seen of their clip.
+  std::vector<std::string> warnings() const;
 
  private:
   using Corners = Eigen::Matrix<double, 3, 4>;
@@ -43,10 +52,13 @@ class SpaceLabels {
   /// By the corners that two cameras see, and from there by all that any sees.
   Pose pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
                const SeenTags& tags) const;
+  /// Tells labels that do not move with their clip.
+  void note_misses(const std::vector<int>& codes, const Pose& pose, const SeenTags& tags);
 
   const DicFile& dic_;
   int threads_;
   std::map<int, Corners> first_;
+  std::map<int, std::vector<LabelSightings>> sightings_;  // by code and camera
 };
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,21 @@
 #include "pliant/capture/repeating_texture.h"
 
 namespace pliant {
+namespace {
+
+/// Side of the squares that cameras saw of a point (pixels): a mean, as their squares count.
+double mean_side(const std::vector<std::optional<SeenPlace>>& seen, const std::vector<bool>& used) {
+  double squares = 0, count = 0;
+  for (std::size_t c = 0; c < seen.size(); ++c) {
+    if (!used[c]) continue;
+    squares += seen[c]->side * seen[c]->side;
+    ++count;
+  }
+  return std::sqrt(squares / count);
+}
+
+}  // namespace
+
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   std::vector<GreyPicture> first = pictures(0);
@@ -34,6 +50,7 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
   begin_cords(first);
   begin_views(std::move(first));
   for (const RestPoint& point : rest_) now_.emplace_back(point.agreed);
+  sides_.setConstant(std::ssize(rest_), views().patch);
   tell_errors();
   const PatchTracker& tracker = *follow_.front().tracker;
   warnings_ = repeat_warnings(tracker.first(), tracker.found().places, context_.threads);
@@ -183,6 +200,7 @@ std::string SpacePoints::follow(int frame) {
     parallel_for(static_cast<int>(rest_.size()), [&](int i) {
       const auto point = static_cast<std::size_t>(i);
       now_[point] = agreed_point(views().cameras, seen[point], most);
+      if (now_[point]) sides_(i) = mean_side(seen[point], now_[point]->used);
     });
   });
   note_agreement(seen);
@@ -203,7 +221,8 @@ std::vector<SpacePoints::SeenPlaces> SpacePoints::seen_in(
       if (!patch.is_seen) continue;
       const auto point = static_cast<std::size_t>(view.points[i]);
       const double noise = std::sqrt(patch.covariance.trace() / 2);
-      seen[point][c] = SeenPlace{patch.now(), std::hypot(noise, rest_[point].seen[c]->noise)};
+      seen[point][c] = SeenPlace{patch.now(), std::hypot(noise, rest_[point].seen[c]->noise),
+                                 view.tracker->side(patch)};
     }
   }
   return seen;
@@ -282,6 +301,7 @@ PointFrame SpacePoints::read(int frame) {
   }
   points.rest.resize(3, std::ssize(seen));
   points.moved.resize(3, std::ssize(seen));
+  points.patches = patch() / views().patch * sides_(seen);
   for (Eigen::Index k = 0; k < std::ssize(seen); ++k) {
     const std::size_t i = seen[static_cast<std::size_t>(k)];
     points.rest.col(k) = placement_.to_sample * rest_[i].agreed.position;
@@ -349,6 +369,12 @@ std::vector<std::string> SpacePoints::notes() const {
                       "be {} x {}",
                       length(placement_.sides.x()), length(placement_.sides.y()),
                       length(dic_.sample.width), length(dic_.sample.height))};
+}
+
+std::vector<std::string> SpacePoints::warnings() const {
+  std::vector<std::string> warnings = warnings_;
+  if (labels_) std::ranges::move(labels_->warnings(), std::back_inserter(warnings));
+  return warnings;
 }
 
 std::optional<Eigen::Vector3d> SpacePoints::gravity() const {

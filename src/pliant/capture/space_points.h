@@ -33,7 +33,7 @@ class SpacePoints : public PointSource {
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
-  std::vector<std::string> warnings() const override { return warnings_; }
+  std::vector<std::string> warnings() const override;
   std::optional<Eigen::Vector3d> gravity() const override;
   std::vector<std::string> cameras() const override { return views().names; }
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
@@ -88,6 +88,7 @@ class SpacePoints : public PointSource {
   std::vector<std::string> warnings_;
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
+  Eigen::VectorXd sides_;                        // of their squares when they were seen (pixels)
   double agreeing_ = 1;                          // as of SightQuality
   MatchMisses matches_;                          // of this frame
   std::vector<RegionMisses> misses_;             // of each camera

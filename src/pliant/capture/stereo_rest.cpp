@@ -85,7 +85,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
   }
   std::vector<Seen> seen(patches.patches().size(), Seen(cameras.size()));
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    seen[i][0] = SeenPlace{patches.patches()[i].place, kLeastNoise};
+    seen[i][0] = SeenPlace{patches.patches()[i].place, kLeastNoise, 2 * grid.radius + 1};
   }
   rest.shared.push_back(patches.count());
   for (std::size_t c = 1; c < cameras.size(); ++c) {
@@ -97,7 +97,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
       const TrackedPatch& patch = patches.patches()[i];
       if (!patch.is_seen) continue;
       const double noise = std::sqrt(patch.covariance.trace() / 2);
-      seen[i][c] = SeenPlace{patch.now(), std::hypot(noise, kLeastNoise)};
+      seen[i][c] = SeenPlace{patch.now(), std::hypot(noise, kLeastNoise), patches.side(patch)};
     }
   }
   std::vector<double> misses;

@@ -160,6 +160,7 @@ PointFrame TrackedPoints::points() const {
   frame.moved = frame.rest;
   frame.rest.topRows<2>() = first_.on_plane(found.places);
   frame.moved.topRows<2>() = now_.on_plane(found.now);
+  frame.patches.setZero(frame.rest.cols());
   frame.lost = tracker_->count() - frame.count() + without_texture_;
   frame.clips = now_.clips;
   frame.nearer = now_.nearer;

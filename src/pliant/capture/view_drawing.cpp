@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -164,13 +165,18 @@ class RowDrawing {
   }
 
  private:
-  // No two samples of a pixel are in a line along rows or columns: edges along these would move by
-  // steps of a sample.
+  // No two samples of a pixel are in a line along rows or columns, nor are those of pixels along an
+  // edge: edges along these would move by steps of a sample.
   Eigen::Vector3d direction(int row, int column, int k) const {
     const int right = k % side_, down = k / side_;
     const double step = 1.0 / (side_ * side_);
-    return corners_.direction(row, column, (right * side_ + down + 0.5) * step,
-                              (down * side_ + right + 0.5) * step);
+    return corners_.direction(row, column, (right * side_ + down + part(row)) * step,
+                              (down * side_ + right + part(column)) * step);
+  }
+  /// Of a number of numbers in a row, evenly spread from 0 to 1.
+  static double part(int number) {
+    const double along = number / std::numbers::phi;
+    return along - std::floor(along);
   }
   std::size_t index(int row, int column, int k) const {
     return static_cast<std::size_t>(((row - first_row_) * columns_ + column) * side_ * side_ + k);

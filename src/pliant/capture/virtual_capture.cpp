@@ -57,8 +57,8 @@ struct LabelChoice {
   double tag = kLabel;
 };
 
-/// Two far apart tell best how a bar has turned. Where cords swing over its ends one in the middle
-/// is larger; beside a corner it is on an arm along the sheet.
+/// Two far apart tell best how a bar has turned; where cords swing over its ends they are nearer to
+/// its middle. Beside a corner there is one, on an arm along the sheet.
 std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vector2d& size) {
   constexpr double kBeside = 1e-3, kOfCord = 3e-3, kLarge = 18e-3;  // m
   const bool is_first = clip.cloth.min()(clip.axis) < size(clip.axis) - clip.cloth.max()(clip.axis);
@@ -74,10 +74,11 @@ std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vecto
   const double apart = half - room - kOfCord;
   const double inwards = clip.cloth.center()(along) < size(along) / 2 ? 1 : -1;
   std::vector<LabelChoice> choices;
-  if (apart >= 2 * room) {
-    choices.push_back({{label(kLabel, -apart), label(kLabel, apart)}, kLabel});
-    choices.push_back({{label(kLarge, 0)}, kLarge});
+  for (const double share : {1.0, 0.8, 0.6, 0.4}) {
+    const double off = share * apart;
+    if (off >= room) choices.push_back({{label(kLabel, -off), label(kLabel, off)}, kLabel});
   }
+  if (apart >= 2 * room) choices.push_back({{label(kLarge, 0)}, kLarge});
   if (half < 2 * room) {
     choices.push_back({{label(kLabel, inwards * (half + room + kOfCord))}, kLabel});
   }

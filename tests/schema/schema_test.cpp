@@ -16,7 +16,9 @@
 #include "pliant/io/schema_text.h"
 #include "pliant/io/text_file.h"
 
+#include "schema/added_keys.h"
 #include "schema/documents.h"
+#include "schema/schema_fixture.h"
 #include "schema/schema_judge.h"
 
 namespace pliant::test {
@@ -25,44 +27,6 @@ namespace {
 using Json = nlohmann::json;
 
 const std::filesystem::path kSource = PLIANT_SOURCE_DIR;
-
-class Schema : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!can_judge_schemas())
-      GTEST_SKIP() << "needs python3 with fastjsonschema (python3-fastjsonschema)";
-  }
-
-  static std::vector<std::optional<std::string>> schema_verdicts(
-      const std::vector<NamedDocument>& documents) {
-    std::vector<SchemaCase> cases;
-    for (const NamedDocument& one : documents) cases.push_back(one.document);
-    return judge_by_schema(cases);
-  }
-
-  /// Both judges, or a test failure that names the document on which they differ.
-  /// @return of each document, whether both accept it
-  std::vector<bool> accepted_by_both(const std::vector<NamedDocument>& documents) {
-    const auto by_schema = schema_verdicts(documents);
-    std::vector<bool> accepted;
-    for (std::size_t i = 0; i < documents.size(); ++i) {
-      const auto by_reader = judge_by_reader(documents[i].document, folder_.path());
-      EXPECT_EQ(by_reader.has_value(), by_schema[i].has_value())
-          << documents[i].name << "\n  reader: " << by_reader.value_or("accepts")
-          << "\n  schema: " << by_schema[i].value_or("accepts");
-      accepted.push_back(!by_reader && !by_schema[i]);
-    }
-    return accepted;
-  }
-
-  /// @return how many of the documents both accept
-  int expect_agreement(const std::vector<NamedDocument>& documents) {
-    const std::vector<bool> accepted = accepted_by_both(documents);
-    return static_cast<int>(std::ranges::count(accepted, true));
-  }
-
-  DocumentFolder folder_;
-};
 
 using SlowSchema = Schema;  // hundreds of documents
 
@@ -259,59 +223,10 @@ TEST_F(Schema, LeavesSizesToTheFiles) {
   EXPECT_FALSE(judge_by_schema({study})[0].has_value());
 }
 
-/// What a reader says of a key that it does not know: the keys that it does, in the order of the
-/// alphabet and as far as they are not many.
-class KnownKeys {
- public:
-  explicit KnownKeys(const std::string& refusal)
-      : text_(refusal), are_keys_(refusal.find("unknown key") != std::string::npos) {
-    const std::size_t cut = text_.find("\", ...");
-    lists_ = text_.find(", ...") == std::string::npos || (are_keys_ && cut != std::string::npos);
-    if (!lists_ || cut == std::string::npos) return;
-    const std::size_t before = text_.rfind('"', cut - 1);
-    last_ = text_.substr(before + 1, cut - before - 1);
-  }
-
-  /// Whether it speaks of keys, and not of what they have.
-  bool are_keys() const { return are_keys_; }
-
-  /// Nothing where the list does not reach so far.
-  std::optional<bool> contain(const std::string& key) const {
-    if (!lists_ || (last_ && key > *last_)) return std::nullopt;
-    return text_.find(key) != std::string::npos;
-  }
-
- private:
-  std::string text_;
-  bool are_keys_, lists_ = false;
-  std::optional<std::string> last_;
-};
-
-/// Keys without values that are added to one object.
-struct AddedKeys {
-  SchemaCase document;
-  Json::json_pointer object;
-  std::vector<std::string> keys;
-
-  NamedDocument together() const {
-    SchemaCase copy = document;
-    for (const std::string& key : keys) copy.document[object][key] = nullptr;
-    return {document.type + object.to_string() + " other keys added", std::move(copy)};
-  }
-
-  /// Whether a schema, which refuses the object, names each of them.
-  bool are_in(const std::string& verdict) const {
-    return verdict.find("must not contain {") != std::string::npos &&
-           std::ranges::all_of(keys, [&](const std::string& key) {
-             return verdict.find("'" + key + "'") != std::string::npos;
-           });
-  }
-};
-
 TEST_F(SlowSchema, KnowsExactlyTheKeysThatTheReadersAskFor) {
   const std::vector<NamedDocument> all_full = full_documents();
   std::vector<NamedDocument> documents;
-  std::vector<std::size_t> first;  // of each full document
+  std::vector<std::size_t> first;       // of each full document
   std::vector<AddedKeys> unknown_keys;  // each of which its reader refuses
   for (const NamedDocument& full : all_full) {
     const std::set<std::string> properties = properties_of(full.document.type);

@@ -174,8 +174,7 @@ struct SixteenSamples {
   Material material = neo_hookean_solid(kSoft, 10 * kSoft);
 
   explicit SixteenSamples(const VirtualMovedBody& body)
-      : folder(
-            test::measurements_of(test::lab_of(StiffPlace(kSoftEdged).material(), {body}), 1)) {
+      : folder(test::measurements_of(test::lab_of(StiffPlace(kSoftEdged).material(), {body}), 1)) {
     material.samples = body_samples(study);
     for (SampledComponents& sample : material.samples.at) {
       sample.components["I1-bar"] = material.components.at("I1-bar");

@@ -28,7 +28,7 @@ VirtualPress pressed_fingertip() {
   press.setup.direction = {0, 0, 1};
   press.fixed = "nail";
   press.depths = {2e-3};
-  press.samples = test::makes_figures() ? 7 : 5;
+  press.samples = 7;
   return press;
 }
 

@@ -39,9 +39,9 @@ class FiveSheetTests {
       const auto stiffness = [&](const char* component) {
         return material.components.at(component).stiffness->value(0);
       };
-      text += fmt::format(
-          "fit: {{fix: {{bend.weft.k: {}, bend.warp.k: {}, bend.diagonal.k: {}}}}}\n",
-          stiffness("bend.weft"), stiffness("bend.warp"), stiffness("bend.diagonal"));
+      text +=
+          fmt::format("fit: {{fix: {{bend.weft.k: {}, bend.warp.k: {}, bend.diagonal.k: {}}}}}\n",
+                      stiffness("bend.weft"), stiffness("bend.warp"), stiffness("bend.diagonal"));
     }
     folder_.write("study.yaml", text);
   }

@@ -58,7 +58,9 @@ class Sight {
     const CameraModel& camera = rig_.cameras[c];
     const auto& motion = rig_.frames[static_cast<std::size_t>(frame_)];
     const auto pixel = camera.project(rig_.to_rig() * motion(place));
+    if (!pixel) return false;
     const Eigen::Array2i at = pixel->array().round().cast<int>();
+    if ((at < 0).any() || at.x() >= camera.columns || at.y() >= camera.rows) return false;
     const Eigen::Vector2d shown(pictures_[c].first(at.y(), at.x()),
                                 pictures_[c].second(at.y(), at.x()));
     return (shown * rig_.size - place).norm() < kNear &&

@@ -1,6 +1,8 @@
 #include "pliant/capture/log_clock.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -126,6 +128,40 @@ TEST(LogClock, IsFoundByForcesThatGoInSteps) {
     EXPECT_NEAR(search.clock->start, 4.5, 0.05);
     EXPECT_LT(search.clock->error, 0.15);
   }
+}
+
+// Even steps up are much alike a step later.
+TEST(LogClock, IsNotMistakenByAFrameWhereForcesGoStepByStepUp) {
+  constexpr double kFrames = 0.5;
+  const auto up = [](double time) {
+    const double number = std::floor(time / 2);
+    return std::clamp(number + std::clamp(time - 2 * number - 1, 0.0, 1.0), 0.0, 19.0);
+  };
+  int found = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    RandomStream random(static_cast<std::uint64_t>(seed));
+    ClockLog log{{}, {}, /*goes_straight=*/false, /*still=*/0.8};
+    for (int row = 0; row < 48 * kRows; ++row) {
+      const double step = up(row / kRows - 4);
+      log.time.push_back(row / kRows);
+      log.value.push_back(0.1 * step + 0.005 * step * step + 2e-3 * random.normal());
+    }
+    std::vector<double> ways;
+    for (int f = 0; f < 20; ++f) {
+      ways.push_back(1e-3 * (up(0.5 + f / kFrames) + 0.25 * random.normal()));
+    }
+    const ClockSearch search = find_clock(log, ways, kFrames);
+    if (!search.clock) continue;
+    ++found;
+    EXPECT_NEAR(search.clock->start, 4.5, 0.2) << seed;
+  }
+  std::printf("%d of 20 clocks found of noisy steps\n", found);
+}
+
+TEST(LogClock, IsNotFoundInALogOfOneRow) {
+  const ClockSearch search = find_clock({{1}, {0.1}}, ways_of(pull, 2, 120, 1), kRate);
+  EXPECT_FALSE(search.clock);
+  EXPECT_THAT(search.why, HasSubstr("shorter than the frames"));
 }
 
 TEST(LogClock, IsNotFoundByForcesThatHaveNothingToDoWithTheCords) {

@@ -229,7 +229,7 @@ void refuse_place(Fields& fields) {
 constexpr const char* kTwoLabelled =
     "labels on two clips at least, which tell how the plane of the sample is tilted";
 
-/// A clock is found by a clip that is seen to move.
+/// A tester's clock is found by a clip that is seen to move.
 void require_motion_for_clock(const DicFile& dic) {
   if (!dic.forces || !dic.forces->needs_clock() || !dic.forces->cells.empty()) return;
   const auto pulled = dic.pulled_clip();

@@ -50,7 +50,7 @@ struct PointAxis {
 
 /// When the first frame was taken by the clock of a log.
 struct LogStart {
-  std::optional<double> time;  ///< s; none: as the clip's motion tells
+  std::optional<double> time;  ///< s; none: as the motion of the clip, or of cords, tells
   Location where;
 };
 

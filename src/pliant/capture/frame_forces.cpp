@@ -105,8 +105,10 @@ std::string FrameForces::find_clock(const std::vector<double>& ways) {
     throw InputError(forces.data.where, "has no column of the extension to find its clock by",
                      expected);
   }
-  ClockLog log{rows_.time, rows_.extension, /*goes_straight=*/true, forces.still.value_or(0)};
-  if (by_cells) log = {cell_rows_.time, cell_rows_.total(), /*goes_straight=*/false, log.still};
+  const double still = forces.still.value_or(0);
+  const ClockLog log =
+      by_cells ? ClockLog{cell_rows_.time, cell_rows_.total(), /*goes_straight=*/false, still}
+               : ClockLog{rows_.time, rows_.extension, /*goes_straight=*/true, still};
   const ClockSearch search =
       pliant::find_clock(log, by_cells ? ways_of_cords() : ways, *forces.rate);
   if (!search.clock) throw InputError(forces.start->where, "is not found: " + search.why, expected);

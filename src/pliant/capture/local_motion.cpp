@@ -95,7 +95,6 @@ void LocalMotion::bend(Eigen::VectorXd patches) {
   patches_ = std::move(patches);
   wide_.emplace(rest_, kWider * reach_);
   constexpr int kProbes = 100;
-  constexpr double kTimes = 9;  // what points mostly miss
   std::vector<double> residuals;
   for (const int i : scattered(static_cast<int>(rest_.cols()), kProbes)) {
     const Eigen::Vector2d place = rest_.col(i);
@@ -103,26 +102,29 @@ void LocalMotion::bend(Eigen::VectorXd patches) {
       residuals.push_back(moved->residual);
     }
   }
-  smooth_ = residuals.empty() ? 0 : kTimes * median(std::move(residuals));
+  usual_ = residuals.empty() ? INFINITY : median(std::move(residuals));
 }
 
 /// Of second order: at edges, and where points are few, by points from further around, as far as
-/// these tell it. An affine motion would lead straight on where cloth bends.
+/// these tell it. An affine motion would lead straight on where cloth bends. Where points miss it
+/// by more than they mostly do, cloth bends sharply: nearer ones tell it, or none.
 std::optional<MovedPlace> LocalMotion::bent_motion(const Eigen::Vector2d& place,
                                                    const std::vector<int>& near) const {
-  constexpr double kCloser = 0.7;    // of the reach, where cloth bends sharply
-  constexpr double kAstray = 0.003;  // of the reach
-  const bool is_inside =
-      std::ssize(near) >= kFewestBent && surrounds(rest_(Eigen::all, near), place);
-  const auto first = bent_by(place, is_inside ? near : wide_->around(place), kFewestBent);
-  if (first && first->residual <= smooth_) return first;
+  constexpr double kCloser = 0.7;     // of the reach, where cloth bends sharply
+  constexpr double kAstray = 0.003;   // of the reach
+  constexpr double kTimes = 3;        // what points mostly miss
+  constexpr double kRounding = 1e-9;  // of the reach
+  const auto usual = bent_by(place, near, kFewestBent);
+  const bool is_inside = usual && surrounds(rest_(Eigen::all, near), place);
+  const auto first = is_inside ? usual : bent_by(place, wide_->around(place), kFewestBent);
+  const double smooth = kTimes * std::sqrt(usual_) + kRounding * reach_;
+  if (first && std::sqrt(first->residual) <= smooth) return first;
   std::vector<int> close;
   std::ranges::copy_if(near, std::back_inserter(close),
                        [&](int i) { return near_.distance(i, place) <= kCloser * reach_; });
   std::vector<MovedPlace> tried;
-  for (const auto& moved :
-       {first, bent_by(place, near, kFewestBent), bent_by(place, close, kFewestSharp)}) {
-    if (moved && off_of(*moved) < kAstray * reach_) tried.push_back(*moved);
+  for (const auto& moved : {first, usual, bent_by(place, close, kFewestSharp)}) {
+    if (moved && off_of(*moved) < std::max(kAstray * reach_, smooth)) tried.push_back(*moved);
   }
   if (tried.empty()) return std::nullopt;
   return *std::ranges::min_element(tried, {}, off_of);

@@ -34,7 +34,8 @@ class LocalMotion {
 
   /// @param gap  the nearest point may be this far away (m)
   /// @return nothing where no point is so near, or those in reach do not tell the motion: fewer
-  ///         than five, or all in a line
+  ///         than five (of second order twelve), all in a line, too far on one side, or all about a
+  ///         sharp bend
   std::optional<MovedPlace> at(const Eigen::Vector2d& place, double gap) const;
 
  private:
@@ -49,7 +50,7 @@ class LocalMotion {
   std::optional<NearPlaces> wide_;  // at edges, where motions are of second order
   double reach_;
   Eigen::VectorXd patches_;  // none: affine
-  double smooth_ = 0;        // mean squares that a smooth motion misses are less (m^2)
+  double usual_ = 0;         // mean square by which points miss, median (m^2)
 };
 
 /// The affine motion of points by least squares: position and slope at their middle. Nothing of

@@ -13,7 +13,7 @@
 namespace pliant {
 namespace {
 
-constexpr int kFewestFrames = 5;
+constexpr int kFewestFrames = 5;  // of a way that goes straight; one more of a parabola
 constexpr double kCovered = 0.8;  // of the frames, by the log
 
 /// Both motions where a start puts the frames within the log.
@@ -47,30 +47,29 @@ class ClockFinder {
   }
 
   ClockSearch found() const {
-    if (std::ssize(frames_) < kFewestFrames) return {{}, "hardly a frame shows the clip"};
+    if (std::ssize(frames_) < fewest_frames()) {
+      return {{}, fmt::format("hardly a frame shows {}", moved())};
+    }
+    if (log_.time.size() < 2) return {{}, kShort};
     const std::vector<Alignment> all = alignments();
-    if (all.empty()) return {{}, "the log is shorter than the frames"};
+    if (all.empty()) return {{}, kShort};
     const auto best = std::ranges::min_element(all, {}, &Alignment::unlike);
     const double most_unlike = log_.goes_straight ? 0.02 : 0.1;
     if (best->unlike > most_unlike) {
       return {{},
               fmt::format("{} does not move as the log's {} does: at best they correlate by {:.3f}",
-                          log_.goes_straight ? "the clip" : "what cords pull",
-                          log_.goes_straight ? "extension" : "force",
+                          moved(), log_.goes_straight ? "extension" : "force",
                           std::sqrt(std::max(1 - best->unlike, 0.0)))};
     }
-    if (const auto other = rival(all, *best)) {
-      return {{},
-              fmt::format("motions go together with the first frame at {:.4g} s as well as at "
-                          "{:.4g} s",
-                          best->start, *other)};
-    }
-    ClockSearch search;
-    if (log_.still == 0) search = refined(best->start);
-    return search.clock ? search : middle_of_step(all, *best);
+    if (const auto other = rival(all, *best)) return two_starts(best->start, *other);
+    if (log_.still > 0) return middle_of_step(all, *best);
+    const ClockSearch search = refined(best->start);
+    return search.why == steady() ? middle_of_step(all, *best) : search;
   }
 
  private:
+  int fewest_frames() const { return log_.goes_straight ? kFewestFrames : kFewestFrames + 1; }
+
   std::optional<Overlap> overlap(double start) const {
     Overlap overlap;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -83,7 +82,7 @@ class ClockFinder {
       overlap.rise.push_back(value_at(time + log_.still / 2) - value_at(time - log_.still / 2));
     }
     const double least =
-        std::max<double>(kFewestFrames, kCovered * static_cast<double>(frames_.size()));
+        std::max<double>(fewest_frames(), kCovered * static_cast<double>(frames_.size()));
     if (static_cast<double>(overlap.seen.size()) < least) return std::nullopt;
     return overlap;
   }
@@ -133,14 +132,14 @@ class ClockFinder {
 
   /// Another start that is about as good, beyond a hill.
   static std::optional<double> rival(const std::vector<Alignment>& all, const Alignment& best) {
-    constexpr double kAsGood = 4, kHill = 20, kRounding = 1e-6;
+    constexpr double kAsGood = 4, kHill = 20, kHighest = 0.5, kRounding = 1e-6;
     const double as_good = kAsGood * best.unlike + kRounding;
     const auto at = static_cast<std::size_t>(&best - all.data());
     const auto beyond = [&](auto begin, auto end) -> std::optional<double> {
       double hill = 0;
       for (auto it = begin; it != end; ++it) {
         hill = std::max(hill, it->unlike);
-        if (it->unlike < as_good && hill > kHill * as_good) return it->start;
+        if (it->unlike < as_good && hill > std::min(kHill * as_good, kHighest)) return it->start;
       }
       return std::nullopt;
     };
@@ -154,31 +153,43 @@ class ClockFinder {
   ClockSearch middle_of_step(const std::vector<Alignment>& all, const Alignment& best) const {
     constexpr double kTimes = 4, kRounding = 1e-6, kHill = 3;
     const double frame = 1 / rate_;
+    const double level = kTimes * best.unlike + kRounding;
     double hill = 0;
     for (const Alignment& other : all) {
       if (std::abs(other.start - best.start) < frame) hill = std::max(hill, other.unlike);
     }
-    const double level = kTimes * best.unlike + kRounding;
-    if (hill < kHill * level) return {{}, kSteady};
+    if (hill < kHill * level) return {{}, steady()};
     const auto is_above = [&](const Alignment& other) { return other.unlike > level; };
     const auto at = all.begin() + (&best - all.data());
     const auto after = std::find_if(at, all.end(), is_above);
     const auto before = std::find_if(std::make_reverse_iterator(at), all.rend(), is_above);
-    if (after == all.end() || before == all.rend()) return {{}, kSteady};
+    if (after == all.end() || before == all.rend()) return {{}, steady()};
     const double width = after->start - before->start;
-    if (width > frame) return {{}, kSteady};
+    if (width > frame) return {{}, steady()};
+    // Steps that go evenly up are alike a step later.
+    for (const Alignment& other : all) {
+      const bool is_beyond = other.start < before->start || other.start > after->start;
+      if (is_beyond && !is_above(other)) return two_starts(best.start, other.start);
+    }
     return {LogClock{(after->start + before->start) / 2, width / std::sqrt(12.0),
                      std::sqrt(std::max(1 - best.unlike, 0.0))},
             {}};
   }
 
-  /// By Gauss and Newton's method in start, offset and gain.
+  static ClockSearch two_starts(double best, double other) {
+    return {
+        {},
+        fmt::format("motions go together with the first frame at {:.4g} s as well as at {:.4g} s",
+                    best, other)};
+  }
+
+  /// By Gauss and Newton's method in the start and the coefficients of the way.
   ClockSearch refined(double start) const {
     constexpr int kRounds = 20;
     LogClock clock{start, 0, 0};
     for (int round = 0; round < kRounds; ++round) {
       const auto both = overlap(clock.start);
-      if (!both) return {{}, "the log is shorter than the frames"};
+      if (!both) return {{}, kShort};
       const Eigen::MatrixXd own = rows_of(*both);
       const Eigen::Index last = own.cols();
       const Eigen::VectorXd seen = vector_of(both->seen);
@@ -189,7 +200,7 @@ class ClockFinder {
       Eigen::MatrixXd rows(both->size(), last + 1);
       rows << own, by_value.cwiseProduct(vector_of(both->speed));
       const auto qr = rows.colPivHouseholderQr();
-      if (qr.rank() <= last) return {{}, kSteady};
+      if (qr.rank() <= last) return {{}, steady()};
       const double step = qr.solve(residual)(last);
       clock.start += step;
       const double variance = residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(
@@ -200,12 +211,16 @@ class ClockFinder {
       if (std::abs(step) < 1e-3 * clock.error + 1e-9) break;
     }
     constexpr double kMostError = 0.5;  // frames
-    if (!(clock.error < kMostError / rate_)) return {{}, kSteady};
+    if (!(clock.error < kMostError / rate_)) return {{}, steady()};
     return {clock, {}};
   }
 
-  static constexpr const char* kSteady =
-      "the clip moves too steadily to tell by it when a frame was taken";
+  const char* moved() const { return log_.goes_straight ? "the clip" : "what cords pull"; }
+  std::string steady() const {
+    return fmt::format("{} moves too steadily to tell by it when a frame was taken", moved());
+  }
+
+  static constexpr const char* kShort = "the log is shorter than the frames";
 
   const ClockLog& log_;
   double rate_;

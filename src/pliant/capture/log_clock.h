@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-/// When the first frame was taken, by the clock of a tester's log.
+/// When the first frame was taken, by the clock of a log.
 struct LogClock {
   double start = 0, error = 0;  ///< s, and its standard deviation
   double correlation = 0;       ///< of both motions

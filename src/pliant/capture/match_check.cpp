@@ -27,7 +27,7 @@ PatchMotion since(const PatchMotion& before, const PatchMotion& after) {
 
 /// By how much a patch that is looked for in the first picture misses where it was there.
 std::optional<double> back_miss(const TrackedPatch& tracked, const PatchTracker& tracker) {
-  const auto patch = ReferencePatch::of(tracker.now(), tracked.now(), tracker.radius());
+  const auto patch = ReferencePatch::of(tracker.now(), tracked.now(), tracker.side(tracked) / 2);
   if (!patch) return std::nullopt;
   const auto match = patch->match(tracker.first_spline(), inverse(tracked.motion));
   if (!match) return std::nullopt;

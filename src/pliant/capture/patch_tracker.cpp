@@ -158,7 +158,7 @@ void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& 
 }
 
 void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,
-                            const PatchMotion& start) const {
+                            PatchMotion start) const {
   const auto match = point.patch.match(now, start);
   if (match && match->correlation > kAlike) {
     take(point, *match, /*by_core=*/false);
@@ -167,12 +167,13 @@ void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,
   }
 }
 
-bool PatchTracker::look_for_core(TrackedPatch& point, const SplinePicture& now,
-                                 const PatchMotion& start, double least) const {
+bool PatchTracker::look_for_core(TrackedPatch& point, const SplinePicture& now, PatchMotion start,
+                                 double least) const {
   const int radius = core_radius(radius_);
-  if (radius < kSmallestCore) return false;
+  if (radius < kSmallestCore || point.lacks_core) return false;
   if (!point.core) point.core = ReferencePatch::of(first_spline_, point.place, radius);
-  if (!point.core) return false;
+  point.lacks_core = !point.core;
+  if (point.lacks_core) return false;
   const auto match = point.core->match(now, start);
   if (!match || match->correlation < least) return false;
   take(point, *match, /*by_core=*/true);
@@ -348,7 +349,8 @@ void PatchTracker::leave_out_strays() {
   std::vector<double> off;  // of the points that were seen
   for (const TrackedPatch& point : tracked_) {
     if (!point.is_seen) continue;
-    off.push_back(std::min(miss_of(point, around, reach), miss_of(point, bent, reach)));
+    off.push_back(miss_of(point, around, reach));
+    if (off.back() > kLeast) off.back() = std::min(off.back(), miss_of(point, bent, reach));
   }
   const double most_off = std::max(kTimes * median(off), kLeast);
   const double unlike = most_unlike();

@@ -18,6 +18,7 @@ struct TrackedPatch {
   Eigen::Vector2d place;  ///< of its middle in the first picture (pixels)
   ReferencePatch patch;
   std::optional<ReferencePatch> core = {};  ///< its middle, half as wide, once that was needed
+  bool lacks_core = false;                  ///< that has no texture to be found by
   PatchMotion motion = {};                  ///< when it was seen last
   double correlation = 1;                   ///< then
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of its place then (pixels^2)
@@ -74,9 +75,9 @@ class PatchTracker {
  private:
   struct Reduced;
 
-  void look_for(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start) const;
-  /// The middle alone; whether it is there, and more alike than `least`.
-  bool look_for_core(TrackedPatch& point, const SplinePicture& now, const PatchMotion& start,
+  void look_for(TrackedPatch& point, const SplinePicture& now, PatchMotion start) const;
+  /// The middle alone; whether it is there, and alike by `least` or more.
+  bool look_for_core(TrackedPatch& point, const SplinePicture& now, PatchMotion start,
                      double least) const;
   bool has_jumped(const SplinePicture& now);
   void match_where_they_were(const SplinePicture& now);

@@ -94,7 +94,9 @@ LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) {
       return motions;
     }
     motions.clips.back() = pose_of(clip.labels, now, seen);
-    note_misses(clip.labels, *motions.clips.back(), seen);
+  }
+  for (std::size_t i = 0; i < motions.clips.size(); ++i) {
+    if (motions.clips[i]) note_misses(dic_.clips[i].labels, *motions.clips[i], seen);
   }
   return motions;
 }

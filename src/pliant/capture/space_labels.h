@@ -38,7 +38,7 @@ class SpaceLabels {
   SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
 
   LabelledMotions motions(const std::vector<GreyPicture>& pictures);
-  /// Of labels that a camera mostly saw elsewhere than the rest of what was seen of their clip.
+  /// Of labels that a camera saw elsewhere than their clip in a tenth of the frames, and in two.
   std::vector<std::string> warnings() const;
 
  private:

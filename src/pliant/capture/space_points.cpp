@@ -17,7 +17,8 @@
 namespace pliant {
 namespace {
 
-/// Side of the squares that cameras saw of a point (pixels): a mean, as their squares count.
+/// Side of the squares that cameras saw of a point (pixels): root mean square, since what bends
+/// within them counts by its square.
 double mean_side(const std::vector<std::optional<SeenPlace>>& seen, const std::vector<bool>& used) {
   double squares = 0, count = 0;
   for (std::size_t c = 0; c < seen.size(); ++c) {

@@ -85,7 +85,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
   }
   std::vector<Seen> seen(patches.patches().size(), Seen(cameras.size()));
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    seen[i][0] = SeenPlace{patches.patches()[i].place, kLeastNoise, 2 * grid.radius + 1};
+    seen[i][0] = SeenPlace{patches.patches()[i].place, kLeastNoise};
   }
   rest.shared.push_back(patches.count());
   for (std::size_t c = 1; c < cameras.size(); ++c) {
@@ -95,9 +95,10 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
     rest.shared.push_back(patches.seen());
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const TrackedPatch& patch = patches.patches()[i];
-      if (!patch.is_seen) continue;
+      // What is partly hidden at rest would be looked for together with what hides it.
+      if (!patch.is_seen || patch.by_core) continue;
       const double noise = std::sqrt(patch.covariance.trace() / 2);
-      seen[i][c] = SeenPlace{patch.now(), std::hypot(noise, kLeastNoise), patches.side(patch)};
+      seen[i][c] = SeenPlace{patch.now(), std::hypot(noise, kLeastNoise)};
     }
   }
   std::vector<double> misses;

@@ -17,7 +17,7 @@ namespace pliant {
 struct SeenPlace {
   Eigen::Vector2d pixel;
   double noise = 0;  ///< of a coordinate (pixels)
-  int side = 0;      ///< of the square that was seen there (pixels)
+  int side = 0;      ///< of the square that was seen there (pixels); 0 at rest: all of it
 };
 
 /// A point by several cameras, of which one at a time is left out that disagrees.

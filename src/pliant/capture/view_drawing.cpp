@@ -173,7 +173,7 @@ class RowDrawing {
     return corners_.direction(row, column, (right * side_ + down + part(row)) * step,
                               (down * side_ + right + part(column)) * step);
   }
-  /// Of a number of numbers in a row, evenly spread from 0 to 1.
+  /// Of a number: between 0 and 1, and those of numbers in a row evenly spread (golden ratio).
   static double part(int number) {
     const double along = number / std::numbers::phi;
     return along - std::floor(along);

@@ -58,7 +58,7 @@ struct LabelChoice {
 };
 
 /// Two far apart tell best how a bar has turned; where cords swing over its ends they are nearer to
-/// its middle. Beside a corner there is one, on an arm along the sheet.
+/// its middle, or one there is larger. Beside a corner there is one, on an arm along the sheet.
 std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vector2d& size) {
   constexpr double kBeside = 1e-3, kOfCord = 3e-3, kLarge = 18e-3;  // m
   const bool is_first = clip.cloth.min()(clip.axis) < size(clip.axis) - clip.cloth.max()(clip.axis);

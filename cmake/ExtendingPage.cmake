@@ -67,9 +67,6 @@ function(pliant_test_extending_pages)
   target_include_directories(pliant_extended PRIVATE "${out}/src")
   target_compile_options(pliant_extended PRIVATE ${PLIANT_LITTLE_OPTIMISED})
   target_link_libraries(pliant_extended PRIVATE pliant_app)
-  if(TARGET pliant_test_headers)
-    target_precompile_headers(pliant_extended REUSE_FROM pliant_test_headers)
-  endif()
   pliant_run_page(docs/extending.md pliant_extended
     stretch.warp.fung.k:29:31,stretch.warp.fung.alpha:11.8:12.2)
   pliant_run_page(docs/adding-a-test.md pliant_extended

@@ -107,18 +107,25 @@ double step_at(double time) {
   return level(number) + moved * (level(number + 1) - level(number));
 }
 
-// Cells of which one reads 2 mN wrongly, and whose force grows faster than the way.
+/// Of cells that read 2 mN wrongly: 0.1 N a step, more by `growth` times its square.
+template <class Motion>
+ClockLog log_of_steps(const Motion& step, double growth, double seconds, RandomStream& random) {
+  ClockLog log{{}, {}, /*goes_straight=*/false, /*still=*/0.8};
+  for (int row = 0; row < seconds * kRows; ++row) {
+    const double at = step(row / kRows - 4);
+    log.time.push_back(row / kRows);
+    log.value.push_back(0.1 * at + growth * at * at + 2e-3 * random.normal());
+  }
+  return log;
+}
+
+// The force grows faster than the way.
 TEST(LogClock, IsFoundByForcesThatGoInSteps) {
   constexpr double kFrames = 0.5;
   for (int seed = 0; seed < 10; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed));
     const double start = 4.4 + 0.02 * seed;  // the steps begin at 4 s, and stand for a second
-    ClockLog log{{}, {}, /*goes_straight=*/false, /*still=*/0.8};
-    for (int row = 0; row < 28 * kRows; ++row) {
-      const double step = step_at(row / kRows - 4);
-      log.time.push_back(row / kRows);
-      log.value.push_back(0.1 * step + 0.02 * step * step + 2e-3 * random.normal());
-    }
+    const ClockLog log = log_of_steps(step_at, 0.02, 28, random);
     std::vector<double> ways;
     for (int f = 0; f < 10; ++f) {
       ways.push_back(1e-3 * step_at(start - 4 + f / kFrames) + kNoise * random.normal());
@@ -140,12 +147,7 @@ TEST(LogClock, IsNotMistakenByAFrameWhereForcesGoStepByStepUp) {
   int found = 0;
   for (int seed = 0; seed < 20; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed));
-    ClockLog log{{}, {}, /*goes_straight=*/false, /*still=*/0.8};
-    for (int row = 0; row < 48 * kRows; ++row) {
-      const double step = up(row / kRows - 4);
-      log.time.push_back(row / kRows);
-      log.value.push_back(0.1 * step + 0.005 * step * step + 2e-3 * random.normal());
-    }
+    const ClockLog log = log_of_steps(up, 0.005, 48, random);
     std::vector<double> ways;
     for (int f = 0; f < 20; ++f) {
       ways.push_back(1e-3 * (up(0.5 + f / kFrames) + 0.25 * random.normal()));

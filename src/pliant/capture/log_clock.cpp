@@ -130,10 +130,16 @@ class ClockFinder {
     return all;
   }
 
+  /// By how much a start may be unlike that is about as good.
+  static double as_good_as(const Alignment& best) {
+    constexpr double kTimes = 4, kRounding = 1e-6;
+    return kTimes * best.unlike + kRounding;
+  }
+
   /// Another start that is about as good, beyond a hill.
   static std::optional<double> rival(const std::vector<Alignment>& all, const Alignment& best) {
-    constexpr double kAsGood = 4, kHill = 20, kHighest = 0.5, kRounding = 1e-6;
-    const double as_good = kAsGood * best.unlike + kRounding;
+    constexpr double kHill = 20, kHighest = 0.5;
+    const double as_good = as_good_as(best);
     const auto at = static_cast<std::size_t>(&best - all.data());
     const auto beyond = [&](auto begin, auto end) -> std::optional<double> {
       double hill = 0;
@@ -151,9 +157,9 @@ class ClockFinder {
 
   /// Where the log stands still while frames are taken, all starts of a while are alike.
   ClockSearch middle_of_step(const std::vector<Alignment>& all, const Alignment& best) const {
-    constexpr double kTimes = 4, kRounding = 1e-6, kHill = 3;
+    constexpr double kHill = 3;
     const double frame = 1 / rate_;
-    const double level = kTimes * best.unlike + kRounding;
+    const double level = as_good_as(best);
     double hill = 0;
     for (const Alignment& other : all) {
       if (std::abs(other.start - best.start) < frame) hill = std::max(hill, other.unlike);

@@ -331,7 +331,8 @@ std::vector<int> ElementPotential<Measure>::columns_of_parameters(
 // the other: strains, the strains before, what the density keeps.
 template <class Measure>
 void ElementPotential<Measure>::add_force_sensitivity(
-    const Evaluation& at, const std::vector<int>& by, const Eigen::MatrixXd& history_by_parameter,
+    const Evaluation& at, const std::vector<int>& by,
+    const Eigen::Ref<const Eigen::MatrixXd>& history_by_parameter,
     Eigen::MatrixXd& gradient_by_parameter) const {
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size();
@@ -359,10 +360,9 @@ void ElementPotential<Measure>::add_force_sensitivity(
 }
 
 template <class Measure>
-void ElementPotential<Measure>::advance_sensitivity(const Evaluation& at,
-                                                    const std::vector<int>& by,
-                                                    const Eigen::MatrixXd& positions_by_parameter,
-                                                    Eigen::MatrixXd& history_by_parameter) const {
+void ElementPotential<Measure>::advance_sensitivity(
+    const Evaluation& at, const std::vector<int>& by, const Eigen::MatrixXd& positions_by_parameter,
+    Eigen::Ref<Eigen::MatrixXd> history_by_parameter) const {
   constexpr int m = Measure::kStrains;
   const int own = density_->history_size();
   if (own == 0) return;  // nothing depends on the strains of an elastic material's steps

@@ -45,11 +45,11 @@ class NodalDilatation : public ParametricPotential, public ElementFields {
 
   std::shared_ptr<const ParametricDensity> law(const Eigen::VectorXd& all) const override;
   void add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
-                             const Eigen::MatrixXd& history_by_parameter,
+                             const Eigen::Ref<const Eigen::MatrixXd>& history_by_parameter,
                              Eigen::MatrixXd& gradient_by_parameter) const override;
   void advance_sensitivity(const Evaluation& at, const std::vector<int>& by,
                            const Eigen::MatrixXd& positions_by_parameter,
-                           Eigen::MatrixXd& history_by_parameter) const override;
+                           Eigen::Ref<Eigen::MatrixXd> history_by_parameter) const override;
 
   std::vector<std::string> field_names() const override { return field_names_; }
   Eigen::MatrixXd field_values(const double* history) const override;

@@ -15,9 +15,10 @@ std::vector<int> NodalDilatation::columns_of_parameters(const std::vector<int>& 
   return columns;
 }
 
-void NodalDilatation::add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
-                                            const Eigen::MatrixXd& history_by_parameter,
-                                            Eigen::MatrixXd& gradient_by_parameter) const {
+void NodalDilatation::add_force_sensitivity(
+    const Evaluation& at, const std::vector<int>& by,
+    const Eigen::Ref<const Eigen::MatrixXd>& history_by_parameter,
+    Eigen::MatrixXd& gradient_by_parameter) const {
   const int own = density_->history_size();
   const std::vector<int> own_columns = columns_of_parameters(by);
   const bool has_own = std::ranges::any_of(own_columns, [](int column) { return column >= 0; });
@@ -51,7 +52,7 @@ void NodalDilatation::add_force_sensitivity(const Evaluation& at, const std::vec
 
 void NodalDilatation::advance_sensitivity(const Evaluation& at, const std::vector<int>& by,
                                           const Eigen::MatrixXd& positions_by_parameter,
-                                          Eigen::MatrixXd& history_by_parameter) const {
+                                          Eigen::Ref<Eigen::MatrixXd> history_by_parameter) const {
   const int own = density_->history_size();
   if (own == 0) return;
   const std::vector<int> own_columns = columns_of_parameters(by);

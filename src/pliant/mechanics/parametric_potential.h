@@ -20,14 +20,14 @@ class ParametricPotential : public HistoryPotential {
   /// @param history_by_parameter   history_size() x by
   /// @param gradient_by_parameter  3 points x by (N per unit of each)
   virtual void add_force_sensitivity(const Evaluation& at, const std::vector<int>& by,
-                                     const Eigen::MatrixXd& history_by_parameter,
+                                     const Eigen::Ref<const Eigen::MatrixXd>& history_by_parameter,
                                      Eigen::MatrixXd& gradient_by_parameter) const = 0;
 
   /// Carries d history / d parameters over an accepted step that ended at `at`.
   /// @param positions_by_parameter  3 points x by, at the end of the step
   virtual void advance_sensitivity(const Evaluation& at, const std::vector<int>& by,
                                    const Eigen::MatrixXd& positions_by_parameter,
-                                   Eigen::MatrixXd& history_by_parameter) const = 0;
+                                   Eigen::Ref<Eigen::MatrixXd> history_by_parameter) const = 0;
 };
 
 }  // namespace pliant

@@ -177,10 +177,9 @@ void System::advance_sensitivity(const Configuration& at, const Conditions& unde
                                  Eigen::MatrixXd& history_by_parameter) const {
   for (const Part& part : parts_) {
     if (!part.parametric) continue;
-    Eigen::MatrixXd own = history_by_parameter.middleRows(part.first_history, part.history_size);
-    part.parametric->advance_sensitivity(evaluation(part, at, under), by, positions_by_parameter,
-                                         own);
-    history_by_parameter.middleRows(part.first_history, part.history_size) = own;
+    part.parametric->advance_sensitivity(
+        evaluation(part, at, under), by, positions_by_parameter,
+        history_by_parameter.middleRows(part.first_history, part.history_size));
   }
 }
 

@@ -12,6 +12,7 @@ find_package(Eigen3 QUIET)
 find_package(Boost QUIET) # its headers: Boost.Math
 find_package(CLI11 QUIET)
 find_package(PNG QUIET)
+find_package(TIFF QUIET)
 find_package(ZLIB QUIET)
 find_package(embree 3 QUIET)
 find_package(apriltag QUIET)

@@ -248,7 +248,7 @@ TEST(SlowVirtualRig, SeesASheetThatHangsOverATable) {
   const TemporaryFolder folder;
   folder.write("lab.yaml", fmt::format(R"(pliant: lab/1
 material: {}/examples/assumed-cloth.json
-cameras: {{count: 3, picture: 640x480, boards: 8}}
+cameras: {{count: 3, picture: 640x480, boards: 8, bits: 12}}
 experiments:
   - {{name: bend, type: session, test: bend-weft, size: 60 mm x 40 mm, overhang: 30 mm, frames: 3, mesh: {{edge: 2 mm}}}}
 )",

@@ -47,28 +47,29 @@ struct DrawnClip {
   const char* side = "left";
   Eigen::AlignedBox2d cloth;            // at rest (m)
   std::vector<Eigen::Vector2d> labels;  // their middles
-  double tag = kLabel;                  // of each
   std::vector<int> codes;               // likewise
 };
 
-/// Some labels on a clip.
-struct LabelChoice {
-  std::vector<Eigen::Vector2d> middles;
-  double tag = kLabel;
-};
+/// Middles of some labels on a clip.
+using LabelChoice = std::vector<Eigen::Vector2d>;
 
 /// Two far apart tell best how a bar has turned; where cords swing over its ends they are nearer to
-/// its middle, or one there is larger. Beside a corner there is one, on an arm along the sheet.
+/// its middle. Where cords cross those, too, there are three, of which some are whole. Beside a
+/// corner they are on an arm along the sheet.
 std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vector2d& size) {
-  constexpr double kBeside = 1e-3, kOfCord = 3e-3, kLarge = 18e-3;  // m
+  constexpr double kBeside = 1e-3, kOfCord = 3e-3;  // m
   const bool is_first = clip.cloth.min()(clip.axis) < size(clip.axis) - clip.cloth.max()(clip.axis);
   const Eigen::Index along = 1 - clip.axis;
-  const auto label = [&](double tag, double off_middle) {
-    const double out = tag / 2 + kLabelMargin + kBeside;
-    Eigen::Vector2d middle = clip.cloth.center();
-    middle(clip.axis) = is_first ? -out : size(clip.axis) + out;
-    middle(along) += off_middle;
-    return middle;
+  const auto labels = [&](const std::vector<double>& off_middle) {
+    const double out = kLabel / 2 + kLabelMargin + kBeside;
+    LabelChoice choice;
+    for (const double off : off_middle) {
+      Eigen::Vector2d middle = clip.cloth.center();
+      middle(clip.axis) = is_first ? -out : size(clip.axis) + out;
+      middle(along) += off;
+      choice.push_back(middle);
+    }
+    return choice;
   };
   const double half = clip.cloth.sizes()(along) / 2, room = kLabel / 2 + kLabelMargin;
   const double apart = half - room - kOfCord;
@@ -76,13 +77,16 @@ std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vecto
   std::vector<LabelChoice> choices;
   for (const double share : {1.0, 0.8, 0.6, 0.4}) {
     const double off = share * apart;
-    if (off >= room) choices.push_back({{label(kLabel, -off), label(kLabel, off)}, kLabel});
+    if (off >= room) choices.push_back(labels({-off, off}));
   }
-  if (apart >= 2 * room) choices.push_back({{label(kLarge, 0)}, kLarge});
-  if (half < 2 * room) {
-    choices.push_back({{label(kLabel, inwards * (half + room + kOfCord))}, kLabel});
+  if (apart >= 2 * room) {
+    choices.push_back(labels({-apart, 0, apart}));
+  } else if (half < 2 * room) {
+    const double beside = inwards * (half + room + kOfCord), next = beside + inwards * 2 * room;
+    if (std::abs(next) + room < size(along) / 2 - half) choices.push_back(labels({beside, next}));
+    choices.push_back(labels({beside}));
   }
-  choices.push_back({{label(kLabel, 0)}, kLabel});
+  if (choices.empty()) choices.push_back(labels({0}));
   return choices;
 }
 
@@ -98,10 +102,9 @@ bool is_crossed(const Session& session, std::size_t clip, const LabelChoice& cho
       const Eigen::Vector3d along = pose.rotation.conjugate() * cord.force.normalized();
       for (int i = 0; i < kSteps; ++i) {
         const Eigen::Vector2d at = (from + i * kStep * along).head<2>();
-        const bool is_near =
-            std::ranges::any_of(choice.middles, [&](const Eigen::Vector2d& middle) {
-              return (at - middle).cwiseAbs().maxCoeff() < choice.tag / 2 + kLabelMargin + kNear;
-            });
+        const bool is_near = std::ranges::any_of(choice, [&](const Eigen::Vector2d& middle) {
+          return (at - middle).cwiseAbs().maxCoeff() < kLabel / 2 + kLabelMargin + kNear;
+        });
         if (is_near) return true;
       }
     }
@@ -125,9 +128,7 @@ DrawnClip drawn_clip(const Session& session, std::size_t number, int first_code)
   const std::vector<LabelChoice> choices = label_choices(drawn, size);
   const auto clear = std::ranges::find_if(
       choices, [&](const LabelChoice& choice) { return !is_crossed(session, number, choice); });
-  const LabelChoice& chosen = clear == choices.end() ? choices.back() : *clear;
-  drawn.labels = chosen.middles;
-  drawn.tag = chosen.tag;
+  drawn.labels = clear == choices.end() ? choices.back() : *clear;
   drawn.codes.resize(drawn.labels.size());
   std::iota(drawn.codes.begin(), drawn.codes.end(), first_code);
   return drawn;
@@ -139,9 +140,9 @@ DrawnSurface plate(const Eigen::AlignedBox2d& box, double height) {
   return flat_rectangle(box, height, [](const Eigen::Vector2d&) { return kMetal; });
 }
 
-DrawnSurface label_at(const Eigen::Vector2d& middle, double tag, int code) {
-  DrawnSurface surface = board_surface(TagBoard{1, 1, tag, kLabelMargin, code});
-  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(tag / 2);
+DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
+  DrawnSurface surface = board_surface(TagBoard{1, 1, kLabel, kLabelMargin, code});
+  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(kLabel / 2);
   surface.positions.row(2).setConstant(kPlate);
   return surface;
 }
@@ -200,7 +201,7 @@ class DrawnSession {
       std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
                                     plate(clips_[c].cloth, -kPlate)};
       for (std::size_t i = 0; i < clips_[c].labels.size(); ++i) {
-        own.push_back(label_at(clips_[c].labels[i], clips_[c].tag, clips_[c].codes[i]));
+        own.push_back(label_at(clips_[c].labels[i], clips_[c].codes[i]));
       }
       for (DrawnSurface& surface : own) {
         if (frame >= 0) move(surface, session_.frames[static_cast<std::size_t>(frame)].poses[c]);
@@ -405,7 +406,8 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
       });
       RandomStream own = random.split(name);
       add_chip_noise(picture, noise, own);
-      write(name, grey_png_bytes(picture, 1 / options.pixel));
+      write(name, options.bits > 8 ? deep_grey_png_bytes(picture, 1 / options.pixel)
+                                   : grey_png_bytes(picture, 1 / options.pixel));
     }
   };
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include "pliant/base/errors.h"
+#include "pliant/imaging/deep_picture.h"
 
 namespace pliant {
 namespace {
@@ -34,6 +36,7 @@ void make_paler(cv::Mat picture) { picture.convertTo(picture, -1, 0.5, kLevels /
 }  // namespace
 
 Photo read_photo(const std::filesystem::path& file) {
+  if (auto deep = read_deep_picture(file)) return *std::move(deep);
   ColourPhoto colours = read_picture(file);
   cv::Mat levels;
   cv::cvtColor(matrix_of(colours), levels, cv::COLOR_BGR2GRAY);

@@ -43,7 +43,7 @@ VirtualCameras read_virtual_cameras(const Value& value) {
   }
   if (auto v = fields.optional("read_noise")) cameras.read_noise = read_share(*v);
   if (auto v = fields.optional("shot_noise")) cameras.shot_noise = read_share(*v);
-  if (auto v = fields.optional("bits")) cameras.bits = v->integer(6, 8);
+  if (auto v = fields.optional("bits")) cameras.bits = v->integer(6, 16);
   if (auto v = fields.optional("gloss")) {
     cameras.gloss = v->quantity_from_zero(Dimension::fraction);
     if (cameras.gloss > 1) v->fail("is more than the light", "at most 100 %");

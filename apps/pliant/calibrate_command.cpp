@@ -25,9 +25,10 @@ struct CalibrateArguments {
 ReadPicture required_picture_reader(const std::string& rig) {
   ReadPicture reader = picture_reader();
   if (reader) return reader;
-  throw InputError({rig}, "needs pictures; this program was built without OpenCV or GdkPixbuf",
-                   "a build where they are installed (libopencv-imgproc-dev, "
-                   "libgdk-pixbuf-2.0-dev)");
+  throw InputError(
+      {rig}, "needs pictures; this program was built without OpenCV, GdkPixbuf or LibTIFF",
+      "a build where they are installed (libopencv-imgproc-dev, libgdk-pixbuf-2.0-dev, "
+      "libtiff-dev)");
 }
 
 std::string camera_line(const RigCalibration& found, int c) {

@@ -138,7 +138,8 @@ TEST(SlowFoldedSheet, IsSeenWhereItDoesNotHideItself) {
   std::printf("%d were found that rays say cannot be seen, off by %.3f mm at most\n", beyond,
               1e3 * worst_beyond);
   EXPECT_LE(wrong, 1e-3 * all);
-  // What rays would leave out is not what is wrong.
+  // What rays would leave out is not what is wrong: 0.055 mm were seen.
+  EXPECT_GT(beyond, 0);
   EXPECT_LT(worst_beyond, 0.1e-3);
   EXPECT_EQ(made.unseen.back(), made.unseen.front());
 }

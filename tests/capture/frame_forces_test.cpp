@@ -33,7 +33,7 @@ class PulledClip {
             more +
             "  cells:\n    - {clip: upper, cord: front, column: F1, "
             "tare: 0.1 N, slope: 1.5, picture: left/0.png, along: [[10, 10], [90, 10]]}\n")));
-    forces_.emplace(dic_, std::vector<SessionClip>{{"upper", 0, {}}}, frames);
+    forces_ = frame_forces(dic_, {{"upper", 0, {}}}, frames);
   }
 
   FrameForces& forces() { return *forces_; }
@@ -41,16 +41,18 @@ class PulledClip {
  private:
   TemporaryFolder folder_;
   DicFile dic_;
-  std::optional<FrameForces> forces_;
+  std::unique_ptr<FrameForces> forces_;
 };
 
+/// Of the one clip.
+const std::vector<HeldPlace> kHeld(1);
 const CordLine kLine{{0.02, 0.085, 0}, {0, 0.6, 0.8}, 0.05, 1e-3, 0.1, 2};
 
 TEST(FrameForces, PullAlongACordAsItsCellReads) {
   PulledClip pulled;
   pulled.forces().see_cords(2, {kLine});
   SessionFrame frame;
-  EXPECT_EQ(pulled.forces().add_to(frame, 2, {}), "");
+  EXPECT_EQ(pulled.forces().add_to(frame, 2, kHeld), "");
   ASSERT_EQ(frame.cords.size(), 1U);
   ASSERT_EQ(frame.cords[0].size(), 1U);
   EXPECT_EQ(frame.cords[0][0].cord, "front");
@@ -66,9 +68,9 @@ TEST(FrameForces, AreNotKnownOfACordThatIsPointedAtLater) {
   pulled.forces().see_cords(2, {kLine});
   EXPECT_TRUE(pulled.forces().is_free(0));
   SessionFrame free, early;
-  EXPECT_EQ(pulled.forces().add_to(free, 0, {}), "");
+  EXPECT_EQ(pulled.forces().add_to(free, 0, kHeld), "");
   EXPECT_TRUE(free.cords[0].empty());
-  EXPECT_THAT(pulled.forces().add_to(early, 1, {}), HasSubstr("which is pointed at later"));
+  EXPECT_THAT(pulled.forces().add_to(early, 1, kHeld), HasSubstr("which is pointed at later"));
 }
 
 // The log was running for 3 s when the first frame was taken. The cord pulls by 0.2 N a millimetre,
@@ -94,7 +96,7 @@ TEST(FrameForces, AreReadByTheClockThatTheWaysOfTheCordsTell) {
   EXPECT_THAT(forces.find_clock({}), HasSubstr("by the ways of the cords"));
   EXPECT_FALSE(forces.needs_clock());
   SessionFrame frame;
-  EXPECT_EQ(forces.add_to(frame, 4, {}), "");
+  EXPECT_EQ(forces.add_to(frame, 4, kHeld), "");
   EXPECT_NEAR(*frame.time, kStart + 4, 0.01);
   EXPECT_NEAR(frame.cords[0][0].force.norm(), 200 * way(4), 2e-3);
 }

@@ -117,6 +117,9 @@ struct DicFile {
   std::vector<DicClip>::const_iterator clip_named(const std::string& name) const;
   /// The clip that the log is of, or the end.
   std::vector<DicClip>::const_iterator pulled_clip() const { return clip_named(forces->clip); }
+  std::size_t pulled_number() const {
+    return static_cast<std::size_t>(pulled_clip() - clips.begin());
+  }
 };
 
 /// Reads what it names, too: the labels and the camera.

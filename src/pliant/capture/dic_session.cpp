@@ -49,7 +49,7 @@ class SheetFollower {
     if (result_.unrolled) begin_unrolled(first);
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
-    forces_.emplace(dic, result_.session.clips, points_->count());
+    forces_ = frame_forces(dic, result_.session.clips, points_->count());
     result_.cameras = points_->cameras();
     begin_middle();
     for (const DicClip& clip : dic.clips) {
@@ -217,7 +217,7 @@ class SheetFollower {
   /// Of the clip that the log is of, outwards, against the other (m).
   double way_of_pulled(const SessionFrame& frame) const {
     if (!forces_->needs_way()) return std::numeric_limits<double>::quiet_NaN();
-    const std::size_t pulled = forces_->pulled();
+    const std::size_t pulled = dic_.pulled_number();
     double way = 0;
     for (std::size_t c = 0; c < held_.size(); ++c) {
       const Eigen::Vector3d middle =
@@ -428,7 +428,7 @@ class SheetFollower {
   std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
   std::optional<RestPlaces> places_;
-  std::optional<FrameForces> forces_;
+  std::unique_ptr<FrameForces> forces_;
   std::vector<std::pair<int, SessionFrame>> followed_;  // without forces yet
   std::vector<double> ways_;  // of each frame, of the clip whose log has no clock yet
   DicSession result_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,56 +16,49 @@ namespace pliant {
 /// Why a frame has no force.
 inline constexpr const char* kBeyondLog = "was taken when the log was not running";
 
-/// What pulls at the clips of a sample in each frame: cords of a table, or that are seen while
-/// cells pull them, or a tester's log, whose clock may have to be found first.
+/// What pulls at the clips of a sample in each frame; of this class itself: nothing does.
 class FrameForces {
  public:
-  /// @param dic    outlives the forces
-  /// @param clips  of the session
-  /// @throws InputError
-  FrameForces(const DicFile& dic, const std::vector<SessionClip>& clips, int frames);
+  virtual ~FrameForces() = default;
 
   /// Empty where there is none, or its clock is to be found yet.
   const FrameLog& log() const { return log_; }
-  const CellLog& cells() const { return cells_; }
-  /// Where the cords of the cells are in a frame, in the sample's axes.
-  void see_cords(int frame, std::vector<std::optional<CordLine>> lines);
+  /// Where the cords of cells are in a frame, in the sample's axes.
+  virtual void see_cords(int /*frame*/, std::vector<std::optional<CordLine>> /*lines*/) {}
   /// Standard deviation of a component of a clip's force (N), where it is known.
-  std::optional<double> noise() const;
+  virtual std::optional<double> noise() const { return std::nullopt; }
   /// Whether cords are told or seen, and none of them in a frame.
-  bool is_free(int frame) const;
-  bool needs_clock() const { return needs_clock_; }
-  /// @param ways  of the clip that a tester's log is of, outwards and against the other, NaN where
-  ///              it is not known (m); cells have those of their cords
+  virtual bool is_free(int /*frame*/) const { return false; }
+  virtual bool needs_clock() const { return false; }
+  /// Whether the clock is found by the way of the clip that the log is of.
+  virtual bool needs_way() const { return false; }
+  /// @param ways  of that clip, outwards and against the other, NaN where it is not known (m)
   /// @return what was found, for the user
   /// @throws InputError
-  std::string find_clock(const std::vector<double>& ways);
-  /// Whether a tester's log is of a clip whose way is to be told.
-  bool needs_way() const { return needs_clock_ && lines_.empty(); }
-  /// Of the clip that the log is of.
-  std::size_t pulled() const;
+  virtual std::string find_clock(const std::vector<double>& /*ways*/) { return {}; }
 
   /// Puts time and forces into a frame.
   /// @param held  of each clip
   /// @return why that frame cannot be used, or nothing
   std::string add_to(SessionFrame& frame, int number, const std::vector<HeldPlace>& held) const;
 
- private:
-  std::vector<double> ways_of_cords() const;
-  void place_cells(double start);
-  double largest_pull(std::size_t cell) const;
-  std::string add_cells(SessionFrame& frame, std::size_t number) const;
-  std::string add_tester(SessionFrame& frame, std::size_t number,
-                         const std::vector<HeldPlace>& held) const;
+ protected:
+  FrameLog log_;
 
-  const DicFile& dic_;
-  int frames_;
-  FrameLog rows_, log_;
-  bool needs_clock_ = false;
-  CellRows cell_rows_;
-  CellLog cells_;
-  std::vector<std::vector<std::optional<CordLine>>> lines_;  // by frame and cell
-  std::vector<std::vector<std::vector<CordForce>>> cords_;   // by frame and clip
+ private:
+  /// The forces; there is a place for the cords of each clip.
+  virtual std::string add_forces(SessionFrame& /*frame*/, std::size_t /*number*/,
+                                 const std::vector<HeldPlace>& /*held*/) const {
+    return {};
+  }
 };
+
+/// Those of a dic/1 file: cords of a table, cords that are seen while cells pull them, or a
+/// tester's log.
+/// @param dic    outlives the forces
+/// @param clips  of the session
+/// @throws InputError
+std::unique_ptr<FrameForces> frame_forces(const DicFile& dic, const std::vector<SessionClip>& clips,
+                                          int frames);
 
 }  // namespace pliant

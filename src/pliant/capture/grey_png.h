@@ -17,7 +17,7 @@ std::string grey_png_bytes(std::span<const std::uint8_t> levels, int columns, in
 
 /// @param picture  brightness, 0 to 1; what is beyond is cut
 std::string grey_png_bytes(const GreyPicture& picture, double pixels_per_metre);
-/// The same of 16-bit grey levels.
+/// The same of 16-bit grey levels, which it states to be linear in the light (gAMA 1).
 std::string deep_grey_png_bytes(const GreyPicture& picture, double pixels_per_metre);
 
 }  // namespace pliant

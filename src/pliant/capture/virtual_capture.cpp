@@ -54,8 +54,8 @@ struct DrawnClip {
 using LabelChoice = std::vector<Eigen::Vector2d>;
 
 /// Two far apart tell best how a bar has turned; where cords swing over its ends they are nearer to
-/// its middle. Where cords cross those, too, there are three, of which some are whole. Beside a
-/// corner they are on an arm along the sheet.
+/// its middle. Where cords cross those, too, there are three, of which some are whole, or on a
+/// short bar one. Beside a corner they are on an arm along the sheet.
 std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vector2d& size) {
   constexpr double kBeside = 1e-3, kOfCord = 3e-3;  // m
   const bool is_first = clip.cloth.min()(clip.axis) < size(clip.axis) - clip.cloth.max()(clip.axis);
@@ -81,12 +81,14 @@ std::vector<LabelChoice> label_choices(const DrawnClip& clip, const Eigen::Vecto
   }
   if (apart >= 2 * room) {
     choices.push_back(labels({-apart, 0, apart}));
-  } else if (half < 2 * room) {
+    return choices;
+  }
+  if (half < 2 * room) {
     const double beside = inwards * (half + room + kOfCord), next = beside + inwards * 2 * room;
     if (std::abs(next) + room < size(along) / 2 - half) choices.push_back(labels({beside, next}));
     choices.push_back(labels({beside}));
   }
-  if (choices.empty()) choices.push_back(labels({0}));
+  choices.push_back(labels({0}));
   return choices;
 }
 

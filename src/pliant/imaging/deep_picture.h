@@ -3,17 +3,18 @@
 #include <filesystem>
 #include <optional>
 
-#include "pliant/imaging/photo.h"
+#include "pliant/imaging/picture_file.h"
 
 namespace pliant {
 
-/// Reads a grey picture of more than 8 bits a level, PNG or TIFF, as cameras for measurement write
-/// them, as brightness from 0 to 1.
+/// Reads a grey picture of 16 bits a level, as cameras for measurement write them, as brightness
+/// from 0 to 1: PNG without transparency, whatever gamma it states, or TIFF, black at 0, in rows
+/// from the top.
 ///
-/// Cameras store 10, 12 or 14 bits as numbers of 16: white is the largest number of the fewest of
-/// these bits that hold the brightest pixel.
+/// Cameras of 10 and 12 bits store numbers up to 4095: that is white where no pixel is brighter,
+/// and else 65535.
 /// @return nothing for any other picture
-/// @throws InputError for a file that ends too early
+/// @throws InputError for a file that is damaged, or of more than 250 million pixels
 std::optional<Photo> read_deep_picture(const std::filesystem::path& file);
 
 }  // namespace pliant

@@ -12,9 +12,6 @@
 
 namespace pliant {
 
-/// A photograph as brightness from 0 to 1; row 0 is the uppermost, column 0 the leftmost.
-using Photo = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Reads a photograph as brightness, turned as its camera held it.
 /// @throws InputError for a file that is no picture
 Photo read_photo(const std::filesystem::path& file);

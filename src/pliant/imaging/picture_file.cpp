@@ -1,11 +1,13 @@
 #include "pliant/imaging/picture_file.h"
 
+#include <cmath>
 #include <memory>
 #include <new>
 
 #include <gdk-pixbuf/gdk-pixbuf.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/imaging/deep_picture.h"
 
 namespace pliant {
 namespace {
@@ -21,6 +23,17 @@ struct Free {
   void operator()(gchar* bytes) const { g_free(bytes); }
 };
 
+ColourPhoto grey_levels(const Photo& photo) {
+  constexpr float kWhite = 255;
+  ColourPhoto picture{static_cast<int>(photo.rows()), static_cast<int>(photo.cols()), {}};
+  picture.levels.reserve(static_cast<std::size_t>(kColours * photo.size()));
+  for (const float brightness : photo.reshaped<Eigen::RowMajor>()) {
+    const auto level = static_cast<unsigned char>(std::lround(kWhite * brightness));
+    picture.levels.insert(picture.levels.end(), kColours, level);
+  }
+  return picture;
+}
+
 /// The library gives none where memory ends.
 Pixbuf owned(GdkPixbuf* picture) {
   if (!picture) throw std::bad_alloc();
@@ -30,6 +43,7 @@ Pixbuf owned(GdkPixbuf* picture) {
 }  // namespace
 
 ColourPhoto read_picture(const std::filesystem::path& file) {
+  if (const auto deep = read_deep_picture(file)) return grey_levels(*deep);
   const Pixbuf stored(gdk_pixbuf_new_from_file(file.c_str(), nullptr));
   if (!stored) {
     throw InputError({file.string()}, "is no picture that can be read",

@@ -4,7 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace pliant {
+
+/// A photograph as brightness from 0 to 1; row 0 is the uppermost, column 0 the leftmost.
+using Photo = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A photograph with its colours.
 struct ColourPhoto {
@@ -12,7 +17,7 @@ struct ColourPhoto {
   std::vector<unsigned char> levels;  ///< blue, green and red of each pixel, row by row
 };
 
-/// Reads a photograph, turned as its camera held it.
+/// Reads a photograph, turned as its camera held it; one of more bits a level as 8.
 /// @throws InputError for a file that is no picture
 ColourPhoto read_picture(const std::filesystem::path& file);
 

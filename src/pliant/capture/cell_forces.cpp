@@ -1,0 +1,102 @@
+#include "pliant/capture/cell_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace pliant {
+
+CellForces::CellForces(const DicFile& dic, int frames)
+    : LoggedForces(dic, frames),
+      rows_(read_cell_rows(forces())),
+      lines_(static_cast<std::size_t>(frames)) {
+  place_by_stated_start();
+}
+
+void CellForces::place(double start) {
+  cells_ = cells_at_frames(rows_, forces(), frames(), start);
+  log_.time = cells_.time;
+  log_.stands = cells_.stands;
+}
+
+void CellForces::see_cords(int frame, std::vector<std::optional<CordLine>> lines) {
+  lines_[static_cast<std::size_t>(frame)] = std::move(lines);
+}
+
+std::optional<double> CellForces::noise() const {
+  double squares = 0;
+  int count = 0;
+  for (std::size_t f = 0; f < lines_.size(); ++f) {
+    for (std::size_t i = 0; i < lines_[f].size(); ++i) {
+      const double pull = cells_.pull[i][f];
+      if (!lines_[f][i] || std::isnan(pull)) continue;
+      const double aside = pull * lines_[f][i]->error;
+      squares += (cells_.error * cells_.error + 2 * aside * aside) / 3;
+      ++count;
+    }
+  }
+  if (count == 0 || cells_.error == 0) return std::nullopt;
+  const auto cords = static_cast<double>(cells_.pull.size());
+  return std::sqrt(squares / count * cords / static_cast<double>(dic().clips.size()));
+}
+
+bool CellForces::is_free(int frame) const {
+  return std::ranges::none_of(lines_[static_cast<std::size_t>(frame)],
+                              [](const auto& line) { return line.has_value(); });
+}
+
+std::vector<double> CellForces::ways_of_cords() const {
+  const auto all_seen = [](const auto& lines) {
+    return !lines.empty() &&
+           std::ranges::all_of(lines, [](const auto& line) { return line.has_value(); });
+  };
+  const auto first = std::ranges::find_if(lines_, all_seen);
+  std::vector<double> ways;
+  for (const auto& lines : lines_) {
+    ways.push_back(all_seen(lines) ? 0 : std::numeric_limits<double>::quiet_NaN());
+    if (std::isnan(ways.back())) continue;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ways.back() += lines[i]->direction.dot(lines[i]->from - (*first)[i]->from);
+    }
+  }
+  return ways;
+}
+
+LoggedForces::Together CellForces::together(const std::vector<double>& /*ways*/) const {
+  return {{rows_.time, rows_.total(), /*goes_straight=*/false, forces().still.value_or(0)},
+          ways_of_cords(),
+          "the ways of the cords"};
+}
+
+double CellForces::largest_pull(std::size_t cell) const {
+  double most = 0;
+  for (const double pull : cells_.pull[cell]) {
+    if (!std::isnan(pull)) most = std::max(most, std::abs(pull));
+  }
+  return most;
+}
+
+std::string CellForces::add_forces(SessionFrame& frame, std::size_t number,
+                                   const std::vector<HeldPlace>& /*held*/) const {
+  const std::vector<std::optional<CordLine>>& lines = lines_[number];
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const DicCell& cell = forces().cells[i];
+    const double pull = cells_.pull[i][number];
+    if (!lines[i]) {
+      constexpr double kHardly = 0.05;  // of the largest pull
+      if (!(std::abs(pull) > kHardly * largest_pull(i))) continue;
+      return fmt::format("is pulled by the cord {} of the clip {}, which is pointed at later",
+                         cell.cord, cell.clip);
+    }
+    if (std::isnan(pull)) return kBeyondLog;
+    const auto clip = dic().clip_named(cell.clip);
+    frame.cords[static_cast<std::size_t>(clip - dic().clips.begin())].push_back(
+        {cell.cord, lines[i]->from, pull * lines[i]->direction});
+  }
+  return {};
+}
+
+}  // namespace pliant

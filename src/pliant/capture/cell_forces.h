@@ -1,0 +1,31 @@
+#pragma once
+
+#include "pliant/capture/logged_forces.h"
+
+namespace pliant {
+
+/// Load cells that pull at cords, which cameras see.
+class CellForces : public LoggedForces {
+ public:
+  CellForces(const DicFile& dic, int frames);
+
+  void see_cords(int frame, std::vector<std::optional<CordLine>> lines) override;
+  std::optional<double> noise() const override;
+  bool is_free(int frame) const override;
+
+ private:
+  /// By the ways of all cords at once, along each, since all were seen: what they pull with all
+  /// together.
+  Together together(const std::vector<double>& ways) const override;
+  void place(double start) override;
+  std::string add_forces(SessionFrame& frame, std::size_t number,
+                         const std::vector<HeldPlace>& held) const override;
+  std::vector<double> ways_of_cords() const;
+  double largest_pull(std::size_t cell) const;
+
+  CellRows rows_;
+  CellLog cells_;
+  std::vector<std::vector<std::optional<CordLine>>> lines_;  // by frame and cell
+};
+
+}  // namespace pliant

@@ -1,0 +1,28 @@
+#include "pliant/capture/logged_forces.h"
+
+#include <fmt/format.h>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+
+void LoggedForces::place_by_stated_start() {
+  if (needs_clock_) return;
+  place(forces().start ? forces().start->time.value_or(0) : 0);
+}
+
+std::string LoggedForces::find_clock(const std::vector<double>& ways) {
+  const Together both = together(ways);
+  const ClockSearch search = pliant::find_clock(both.log, both.ways, *forces().rate);
+  if (!search.clock) {
+    throw InputError(forces().start->where, "is not found: " + search.why, kStatedStart);
+  }
+  needs_clock_ = false;
+  place(search.clock->start);
+  return fmt::format(
+      "by {} the first frame was taken at {:.4g} s of the log, to {:.2g} s (they go together by "
+      "{:.5f})",
+      both.by, search.clock->start, search.clock->error, search.clock->correlation);
+}
+
+}  // namespace pliant

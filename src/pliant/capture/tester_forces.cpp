@@ -1,0 +1,41 @@
+#include "pliant/capture/tester_forces.h"
+
+#include <cmath>
+
+#include "pliant/base/errors.h"
+
+namespace pliant {
+
+TesterForces::TesterForces(const DicFile& dic, int frames)
+    : LoggedForces(dic, frames), rows_(read_log_rows(forces())) {
+  place_by_stated_start();
+}
+
+LoggedForces::Together TesterForces::together(const std::vector<double>& ways) const {
+  if (rows_.extension.empty()) {
+    throw InputError(forces().data.where, "has no column of the extension to find its clock by",
+                     kStatedStart);
+  }
+  return {{rows_.time, rows_.extension, /*goes_straight=*/true, forces().still.value_or(0)},
+          ways,
+          "the clip " + forces().clip};
+}
+
+void TesterForces::place(double start) { log_ = log_of_frames(rows_, forces(), frames(), start); }
+
+std::string TesterForces::add_forces(SessionFrame& frame, std::size_t number,
+                                     const std::vector<HeldPlace>& held) const {
+  const double force = log_.force[number];
+  if (std::isnan(force)) return kBeyondLog;
+  const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
+    const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
+    frame.cords[c].push_back({"", middle, by});
+  };
+  const std::size_t pulled = dic().pulled_number();
+  add(pulled, force * held[pulled].outward);
+  // What answers it is at the only other clip.
+  if (held.size() == 2) add(1 - pulled, -force * held[pulled].outward);
+  return {};
+}
+
+}  // namespace pliant

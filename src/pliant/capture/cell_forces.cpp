@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "pliant/base/quantity.h"
+#include "pliant/capture/log_doubts.h"
+
 namespace pliant {
 
 CellForces::CellForces(const DicFile& dic, int frames)
@@ -79,6 +82,30 @@ double CellForces::largest_pull(std::size_t cell) const {
   return most;
 }
 
+bool CellForces::pulls(std::size_t cell, std::size_t frame) const {
+  constexpr double kHardly = 0.05;  // of the largest pull
+  return std::abs(cells_.pull[cell][frame]) > kHardly * largest_pull(cell);
+}
+
+std::vector<std::string> CellForces::warnings(const std::vector<double>& /*ways*/) const {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < forces().cells.size(); ++i) {
+    const DicCell& cell = forces().cells[i];
+    const std::string name =
+        fmt::format("the cell of the cord {} of the clip {}", cell.cord, cell.clip);
+    const std::string limit = limit_doubt(rows_.pull[i]);
+    if (!limit.empty()) warnings.push_back(name + " " + limit);
+    for (std::size_t f = 0; f < lines_.size() && !lines_[f].empty() && !lines_[f][i]; ++f) {
+      if (!pulls(i, f)) continue;
+      warnings.push_back(
+          fmt::format("{} reads {} in frame {}, before its cord was pointed at: is its tare right?",
+                      name, format_quantity(cells_.pull[i][f], Dimension::force, 3), f));
+      break;
+    }
+  }
+  return warnings;
+}
+
 std::string CellForces::add_forces(SessionFrame& frame, std::size_t number,
                                    const std::vector<HeldPlace>& /*held*/) const {
   const std::vector<std::optional<CordLine>>& lines = lines_[number];
@@ -86,8 +113,7 @@ std::string CellForces::add_forces(SessionFrame& frame, std::size_t number,
     const DicCell& cell = forces().cells[i];
     const double pull = cells_.pull[i][number];
     if (!lines[i]) {
-      constexpr double kHardly = 0.05;  // of the largest pull
-      if (!(std::abs(pull) > kHardly * largest_pull(i))) continue;
+      if (!pulls(i, number)) continue;
       return fmt::format("is pulled by the cord {} of the clip {}, which is pointed at later",
                          cell.cord, cell.clip);
     }

@@ -12,6 +12,7 @@ class CellForces : public LoggedForces {
   void see_cords(int frame, std::vector<std::optional<CordLine>> lines) override;
   std::optional<double> noise() const override;
   bool is_free(int frame) const override;
+  std::vector<std::string> warnings(const std::vector<double>& ways) const override;
 
  private:
   /// By the ways of all cords at once, along each, since all were seen: what they pull with all
@@ -22,6 +23,8 @@ class CellForces : public LoggedForces {
                          const std::vector<HeldPlace>& held) const override;
   std::vector<double> ways_of_cords() const;
   double largest_pull(std::size_t cell) const;
+  /// Whether a cell reads so much that its cord pulls.
+  bool pulls(std::size_t cell, std::size_t frame) const;
 
   CellRows rows_;
   CellLog cells_;

@@ -222,8 +222,8 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   }
   if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
-    study.warnings = made.warnings;
   }
+  study.warnings = made.warnings;
   if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
   constexpr double kWrinkled = 0.01;
   if (made.unrolled.value_or(0) > kWrinkled) {
@@ -237,6 +237,15 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
     study.warnings.emplace_back(
         "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
         "forces");
+  }
+  constexpr double kInto = 0.3e-3;  // m
+  for (const ClipSlip& slip : made.slips) {
+    const auto into = std::ranges::find_if(slip.slip, [](double out) { return out < -kInto; });
+    if (into == slip.slip.end()) continue;
+    study.warnings.push_back(fmt::format(
+        "in frame {} the clip {} has gone {} further than the cloth beside it, as if into the "
+        "cloth: are its labels, or its motion, those of another clip?",
+        into - slip.slip.begin(), slip.clip, millimetres(-*into)));
   }
   constexpr double kPretension = 0.02;  // of the largest force
   if (!made.force.empty() && std::abs(made.force.front()) > kPretension * largest(made.force)) {

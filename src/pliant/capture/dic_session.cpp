@@ -74,6 +74,7 @@ class SheetFollower {
     require_frames();
     std::ranges::move(points_->notes(), std::back_inserter(result_.notes));
     result_.warnings = points_->warnings();
+    std::ranges::move(forces_->warnings(ways_), std::back_inserter(result_.warnings));
     result_.misses = points_->misses();
     result_.point_noise = std::sqrt(median(residuals_));
     if (result_.point_noise > 0) {
@@ -286,11 +287,7 @@ class SheetFollower {
   }
 
   /// Whether the first frame shows the sample where it lies on something: nothing pulls it there.
-  bool lies_somewhere(int f) const {
-    if (f > 0) return false;
-    if (dic_.table) return true;
-    return forces_->is_free(f);
-  }
+  bool lies_somewhere(int f) const { return f == 0 && (dic_.table || forces_->is_free(f)); }
 
   /// Whether a sample that lies in a plane carries nothing after it was pulled: it has buckled out
   /// of the plane, which a single camera does not see.

@@ -23,6 +23,7 @@ std::string doubt_of(const SightQuality& quality, const std::vector<std::string>
                        cameras[static_cast<std::size_t>(least - quality.share.begin())],
                        100 * *least);
   }
+  if (!quality.doubt.empty()) return quality.doubt;
   if (quality.matches.back > kMostBack) {
     return fmt::format(
         "patches that are matched there and back miss where they were by {:.2g} "

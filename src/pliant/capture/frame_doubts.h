@@ -14,7 +14,8 @@ struct FrameDoubt {
 };
 
 /// Frames in which cameras disagree as if one had been moved, that hardly show the sample, whose
-/// matches do not hold both ways, or in which a force creeps.
+/// matches do not hold both ways, whose pictures are blurred or over-exposed, or in which a force
+/// creeps.
 std::vector<FrameDoubt> frame_doubts(const DicSession& made);
 
 }  // namespace pliant

@@ -30,12 +30,18 @@ class FrameForces {
   /// Whether cords are told or seen, and none of them in a frame.
   virtual bool is_free(int /*frame*/) const { return false; }
   virtual bool needs_clock() const { return false; }
-  /// Whether the clock is found by the way of the clip that the log is of.
+  /// Whether the way of the clip that the log is of is to be told.
   virtual bool needs_way() const { return false; }
   /// @param ways  of that clip, outwards and against the other, NaN where it is not known (m)
   /// @return what was found, for the user
   /// @throws InputError
   virtual std::string find_clock(const std::vector<double>& /*ways*/) { return {}; }
+
+  /// What speaks against them, once the clock is known.
+  /// @param ways  as above
+  virtual std::vector<std::string> warnings(const std::vector<double>& /*ways*/) const {
+    return {};
+  }
 
   /// Puts time and forces into a frame.
   /// @param held  of each clip

@@ -27,6 +27,7 @@ struct SightQuality {
   std::optional<double> miss;
   std::vector<double> share;  ///< of the patches of each camera: found, in agreement with others
   MatchQuality matches;
+  std::string doubt = {};  ///< what speaks against one of its pictures; empty: nothing
 };
 
 /// Where a picture shows some points.

@@ -77,6 +77,35 @@ void warn_of_regions(const RigFile& rig, RigCalibration& result) {
   }
 }
 
+/// A camera that was moved or refocused meanwhile fits none of its pictures well, or not all.
+void warn_of_contradictions(const RigFile& rig, RigCalibration& result) {
+  constexpr double kMostLeftOut = 0.05, kMostMiss = 1;  // of the corners; pixels
+  for (int c = 0; c < std::ssize(rig.cameras); ++c) {
+    const CameraResiduals& own = result.cameras[c];
+    const double left_out = static_cast<double>(own.left_out) / (own.corners + own.left_out);
+    if (left_out < kMostLeftOut && own.rms < kMostMiss) continue;
+    result.warnings.push_back(fmt::format(
+        "{}: its pictures do not go together: {:.0f} % of the corners had to be left out, and the "
+        "others are missed by {:.2g} pixels: was it moved, refocused or stabilised meanwhile, or "
+        "is the board bent?",
+        rig.cameras[c].name, 100 * left_out, own.rms));
+  }
+}
+
+/// @throws InputError where two cameras have taken the same pictures
+void require_places(const RigFile& rig, const RigCalibration& result) {
+  constexpr double kNearest = 1e-3;  // m
+  for (const EpipolarResidual& pair : result.pairs) {
+    const auto place = [&](int c) { return result.bundle.cameras[c].pose.inverse().translation; };
+    const double apart = (place(pair.first) - place(pair.second)).norm();
+    if (apart > kNearest) continue;
+    throw InputError(rig.cameras[pair.second].where,
+                     fmt::format("stands where {} does, {} apart", rig.cameras[pair.first].name,
+                                 format_quantity(apart, Dimension::length, 2)),
+                     "pictures of its own, from another place");
+  }
+}
+
 void warn_of_length(const RigFile& rig, RigCalibration& result) {
   if (!rig.second_length) {
     result.warnings.emplace_back(
@@ -126,6 +155,7 @@ RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> picture
   result.cameras = camera_residuals(result.bundle);
   require_tilts(rig, result);
   result.pairs = epipolar_residuals(result.bundle);
+  require_places(rig, result);
   task.advance(3);
   result.held_out = held_out_boards(result.bundle, options);
   if (rig.second_length) {
@@ -134,6 +164,7 @@ RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> picture
   }
   result.gravity = gravity_of(rig.gravity, result.bundle, result.pictures, result.covariance);
   warn_of_pictures(result);
+  warn_of_contradictions(rig, result);
   warn_of_tilts(rig, result);
   warn_of_regions(rig, result);
   warn_of_length(rig, result);

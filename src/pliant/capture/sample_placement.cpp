@@ -1,6 +1,11 @@
 #include "pliant/capture/sample_placement.h"
 
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include "pliant/base/quantity.h"
 
 namespace pliant {
 
@@ -26,6 +31,16 @@ std::optional<SamplePlacement> place_sample(const Eigen::Matrix3Xd& points,
   own << 0, size.x(), size.x(), 0, 0, 0, size.y(), size.y(), 0, 0, 0, 0;
   placement.to_sample = Eigen::Isometry3d(Eigen::umeyama(seen, own, /*with_scaling=*/false));
   return placement;
+}
+
+std::string size_doubt(double seen, double stated, const char* which) {
+  constexpr double kMost = 0.015;
+  if (std::abs(seen / stated - 1) < kMost) return {};
+  return fmt::format(
+      "the sample is {} {} by the pictures, {:.1f} % {} than the {} that it is said to: is the "
+      "size of the board, of the labels or of the sample wrong, or was a camera refocused?",
+      format_quantity(seen, Dimension::length, 4), which, 100 * std::abs(seen / stated - 1),
+      seen > stated ? "more" : "less", format_quantity(stated, Dimension::length, 4));
 }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <Eigen/Geometry>
 
@@ -24,5 +25,11 @@ struct SamplePlacement {
 std::optional<SamplePlacement> place_sample(const Eigen::Matrix3Xd& points,
                                             const Quadrilateral& corners, const CameraModel& camera,
                                             const Eigen::Vector2d& size);
+
+/// What to say where a sample is seen larger or smaller than it is said to be, by 1.5 % or more;
+/// else nothing.
+/// @param seen, stated  its width or height (m)
+/// @param which         "wide" or "high"
+std::string size_doubt(double seen, double stated, const char* which);
 
 }  // namespace pliant

@@ -148,20 +148,70 @@ void SpaceLabels::note_misses(const std::vector<int>& codes, const Pose& pose,
   }
 }
 
+const LabelSightings* SpaceLabels::sightings_of(int code, std::size_t camera) const {
+  const auto found = sightings_.find(code);
+  if (found == sightings_.end() || found->second[camera].seen == 0) return nullptr;
+  return &found->second[camera];
+}
+
+// Two labels or more are elsewhere than it is, for most cameras that see its labels.
+bool SpaceLabels::is_torn(const DicClip& clip) const {
+  int seen = 0, off = 0, labels = 0;
+  for (const int code : clip.labels) {
+    const int before = off;
+    for (std::size_t c = 0; c < dic_.views->cameras.size(); ++c) {
+      const LabelSightings* label = sightings_of(code, c);
+      seen += label != nullptr;
+      off += label && label->is_off();
+    }
+    labels += off > before;
+  }
+  return labels >= 2 && 2 * off > seen;
+}
+
+// It sees most labels elsewhere than other cameras do, of two clips or more.
+bool SpaceLabels::is_moved(std::size_t camera) const {
+  int seen = 0, off = 0, clips = 0;
+  for (const DicClip& clip : dic_.clips) {
+    const int before = off;
+    for (const int code : clip.labels) {
+      const LabelSightings* label = sightings_of(code, camera);
+      seen += label != nullptr;
+      off += label && label->is_off();
+    }
+    clips += off > before;
+  }
+  return clips >= 2 && 2 * off > seen;
+}
+
 std::vector<std::string> SpaceLabels::warnings() const {
-  constexpr double kOften = 0.1;  // of the frames
+  const auto& names = dic_.views->names;
+  std::vector<std::string> moved;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    if (is_moved(c)) moved.push_back(names[c]);
+  }
+  if (!moved.empty()) {
+    return {fmt::format(
+        "{} sees most labels elsewhere than their clips are: was a camera moved, refocused or "
+        "stabilised since it was calibrated, or do labels stand at other clips?",
+        fmt::join(moved, ", "))};
+  }
   std::vector<std::string> warnings;
   for (const DicClip& clip : dic_.clips) {
+    if (is_torn(clip)) {
+      warnings.push_back(
+          fmt::format("the labels {} of the clip {} do not move as one: are they all on it?",
+                      fmt::join(clip.labels, ", "), clip.name));
+      continue;
+    }
     for (const int code : clip.labels) {
-      const auto found = sightings_.find(code);
-      if (found == sightings_.end()) continue;
-      for (std::size_t c = 0; c < found->second.size(); ++c) {
-        const LabelSightings& label = found->second[c];
-        if (label.off < 2 || label.off < kOften * label.seen) continue;
+      for (std::size_t c = 0; c < names.size(); ++c) {
+        const LabelSightings* label = sightings_of(code, c);
+        if (!label || !label->is_off()) continue;
         warnings.push_back(fmt::format(
             "{} sees the label {} of the clip {} elsewhere than the clip is, by up to {:.2g} "
             "pixels, in {} of {} frames: keep cords and shadows off it",
-            dic_.views->names[c], code, clip.name, label.worst, label.off, label.seen));
+            names[c], code, clip.name, label->worst, label->off, label->seen));
       }
     }
   }

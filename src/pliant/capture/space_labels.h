@@ -26,6 +26,9 @@ struct LabelSightings {
   int seen = 0;      ///< frames in which the camera showed it
   int off = 0;       ///< of them those in which it was elsewhere than its clip
   double worst = 0;  ///< by how much, at most (pixels)
+
+  /// In a tenth of the frames, and in two.
+  bool is_off() const { return off >= 2 && 10 * off >= seen; }
 };
 
 /// Clips by labels that several cameras see: the corners of a label's black square are points of
@@ -38,7 +41,8 @@ class SpaceLabels {
   SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
 
   LabelledMotions motions(const std::vector<GreyPicture>& pictures);
-  /// Of labels that a camera saw elsewhere than their clip in a tenth of the frames, and in two.
+  /// Of labels that a camera saw elsewhere than their clip; of cameras that saw most of them so,
+  /// and of clips most of whose labels were.
   std::vector<std::string> warnings() const;
 
  private:
@@ -52,6 +56,10 @@ class SpaceLabels {
   /// By the corners that two cameras see, and from there by all that any sees.
   Pose pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
                const SeenTags& tags) const;
+  /// The sightings of a label by a camera; nothing where it was not seen.
+  const LabelSightings* sightings_of(int code, std::size_t camera) const;
+  bool is_torn(const DicClip& clip) const;
+  bool is_moved(std::size_t camera) const;
   /// Tells labels that do not move with their clip.
   void note_misses(const std::vector<int>& codes, const Pose& pose, const SeenTags& tags);
 

@@ -12,6 +12,7 @@
 #include "pliant/base/quantity.h"
 #include "pliant/capture/camera_picture.h"
 #include "pliant/capture/median.h"
+#include "pliant/capture/picture_doubt.h"
 #include "pliant/capture/repeating_texture.h"
 
 namespace pliant {
@@ -144,8 +145,8 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
         fmt::format("{} of {} patches of the sample that the camera {} sees are found in this "
                     "picture of {}",
                     rest.shared[c], rest.places, views().names.front(), views().names[c]),
-        "pictures of one moment, of cameras that have not been exchanged, moved or refocused since "
-        "they were calibrated");
+        "pictures of one moment, of cloth with an irregular pattern that does not repeat, by "
+        "cameras that have not been exchanged, moved or refocused since they were calibrated");
   }
   if (rest.median_miss > kMostMiss || static_cast<double>(rest.points.size()) < kFewest * places) {
     throw InputError(
@@ -207,7 +208,15 @@ std::string SpacePoints::follow(int frame) {
   note_agreement(seen);
   note_misses(seen);
   matches_ = {};
-  for (View& view : follow_) matches_.add(view.check->of(*view.tracker, context_.threads));
+  doubt_.clear();
+  for (std::size_t c = 0; c < follow_.size(); ++c) {
+    View& view = follow_[c];
+    matches_.add(view.check->of(*view.tracker, context_.threads));
+    const std::string doubt = picture_doubt(*view.tracker, now[c]);
+    if (doubt_.empty() && !doubt.empty()) {
+      doubt_ = fmt::format("the picture of {} {}", views().names[c], doubt);
+    }
+  }
   return "";
 }
 
@@ -328,6 +337,7 @@ SightQuality SpacePoints::quality() const {
   }
   quality.miss = median(std::move(misses));
   quality.matches = matches_.quality();
+  quality.doubt = doubt_;
   for (std::size_t c = 0; c < used.size(); ++c) {
     quality.share.push_back(used[c] / std::max(follow_[c].tracker->count(), 1));
   }
@@ -374,6 +384,11 @@ std::vector<std::string> SpacePoints::notes() const {
 
 std::vector<std::string> SpacePoints::warnings() const {
   std::vector<std::string> warnings = warnings_;
+  for (const Eigen::Index axis : {0, 1}) {
+    const std::string doubt =
+        size_doubt(placement_.sides(axis), size()(axis), axis == 0 ? "wide" : "high");
+    if (!doubt.empty()) warnings.push_back(doubt);
+  }
   if (labels_) std::ranges::move(labels_->warnings(), std::back_inserter(warnings));
   return warnings;
 }

@@ -91,6 +91,7 @@ class SpacePoints : public PointSource {
   Eigen::VectorXd sides_;                        // of their squares when they were seen (pixels)
   double agreeing_ = 1;                          // as of SightQuality
   MatchMisses matches_;                          // of this frame
+  std::string doubt_;                            // of a picture of it
   std::vector<RegionMisses> misses_;             // of each camera
   std::vector<std::optional<Pose>> clips_;       // in rig axes
   std::unique_ptr<SpaceCords> cords_;            // null without cells

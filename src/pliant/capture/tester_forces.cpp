@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pliant/base/errors.h"
+#include "pliant/capture/log_doubts.h"
 
 namespace pliant {
 
@@ -19,6 +20,15 @@ LoggedForces::Together TesterForces::together(const std::vector<double>& ways) c
   return {{rows_.time, rows_.extension, /*goes_straight=*/true, forces().still.value_or(0)},
           ways,
           "the clip " + forces().clip};
+}
+
+std::vector<std::string> TesterForces::warnings(const std::vector<double>& ways) const {
+  std::vector<std::string> warnings;
+  const std::string limit = limit_doubt(rows_.force);
+  if (!limit.empty()) warnings.push_back("the log of the forces " + limit);
+  const std::string extension = extension_doubt(log_.extension, ways);
+  if (!extension.empty()) warnings.push_back(extension);
+  return warnings;
 }
 
 void TesterForces::place(double start) { log_ = log_of_frames(rows_, forces(), frames(), start); }

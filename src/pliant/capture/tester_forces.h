@@ -9,7 +9,8 @@ class TesterForces : public LoggedForces {
  public:
   TesterForces(const DicFile& dic, int frames);
 
-  bool needs_way() const override { return needs_clock(); }
+  bool needs_way() const override { return !rows_.extension.empty() && !dic().moves_by_log(); }
+  std::vector<std::string> warnings(const std::vector<double>& ways) const override;
 
  private:
   Together together(const std::vector<double>& ways) const override;

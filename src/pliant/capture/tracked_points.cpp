@@ -9,8 +9,10 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
 #include "pliant/capture/camera_picture.h"
+#include "pliant/capture/picture_doubt.h"
 #include "pliant/capture/quadrilateral.h"
 #include "pliant/capture/repeating_texture.h"
+#include "pliant/capture/sample_placement.h"
 
 namespace pliant {
 namespace {
@@ -36,6 +38,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
   if (dic_.labels) {
     labels_ = std::make_unique<LabelViews>(dic_, rest);
     first_ = labels_->first();
+    require_size();
   } else {
     first_ = straight_view(*dic_.scale);
   }
@@ -46,6 +49,32 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
   place_patches();
   check_.emplace(*tracker_);
   warnings_ = repeat_warnings(tracker_->first(), tracker_->found().places, context_.threads);
+  for (const auto& [which, seen, stated] : sizes_by_labels()) {
+    const std::string doubt = size_doubt(seen, stated, which);
+    if (!doubt.empty()) warnings_.push_back(doubt);
+  }
+}
+
+std::vector<TrackedPoints::LabelledSize> TrackedPoints::sizes_by_labels() const {
+  std::vector<LabelledSize> sizes;
+  if (!labels_) return sizes;
+  const auto& [width, height] = labels_->lengths();
+  if (width) sizes.push_back({"wide", *width, dic_.sample.width});
+  if (height) sizes.push_back({"high", *height, dic_.sample.height});
+  return sizes;
+}
+
+// Labels that are not told from their reflection put the edges of clips on their wrong side.
+void TrackedPoints::require_size() const {
+  for (const auto& [which, seen, stated] : sizes_by_labels()) {
+    if (seen > stated / 2 && seen < 2 * stated) continue;
+    throw InputError(
+        {dic_.file, 0, "labels"},
+        fmt::format("say that the clips' edges are {} apart, where the sample is said to be {} {}",
+                    format_quantity(seen, Dimension::length, 4),
+                    format_quantity(stated, Dimension::length, 4), which),
+        "labels that point away from the sample, their size as it was printed, and the sample's");
+  }
 }
 
 double TrackedPoints::patch() const {
@@ -107,15 +136,12 @@ void TrackedPoints::place_patches() {
 std::vector<std::string> TrackedPoints::notes() const {
   if (!labels_) return {};
   std::vector<std::string> notes;
-  const Eigen::Vector2d size(dic_.sample.width, dic_.sample.height);
-  for (const std::size_t axis : {0U, 1U}) {
-    if (!labels_->lengths()[axis]) continue;
+  for (const auto& [which, seen, stated] : sizes_by_labels()) {
     notes.push_back(fmt::format(
         "the labels say that the clips' edges are {} apart at rest, where the sample is said to be "
         "{} {}",
-        format_quantity(*labels_->lengths()[axis], Dimension::length, 4),
-        format_quantity(size(static_cast<Eigen::Index>(axis)), Dimension::length, 4),
-        axis == 0 ? "wide" : "high"));
+        format_quantity(seen, Dimension::length, 4), format_quantity(stated, Dimension::length, 4),
+        which));
   }
   if (views_ > 0) {
     notes.push_back(fmt::format("corners of labels miss the view of a plane by {:.2g} pixels",
@@ -150,6 +176,8 @@ std::string TrackedPoints::track(int frame) {
   }
   tracker_->follow(grey);
   matches_ = check_->of(*tracker_, context_.threads);
+  const std::string doubt = picture_doubt(*tracker_, grey);
+  doubt_ = doubt.empty() ? "" : "its picture " + doubt;
   return "";
 }
 
@@ -168,6 +196,7 @@ PointFrame TrackedPoints::points() const {
   SightQuality& quality = frame.quality.emplace();
   quality.share = {frame.count() / tracked};
   quality.matches = matches_.quality();
+  quality.doubt = doubt_;
   if (labels_) quality.miss = now_.miss;
   return frame;
 }

@@ -30,6 +30,13 @@ class TrackedPoints : public PointSource {
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
 
  private:
+  /// Between the edges of clips, as labels say it, and as the file does (m).
+  struct LabelledSize {
+    const char* which;  ///< "wide" or "high"
+    double seen, stated;
+  };
+  std::vector<LabelledSize> sizes_by_labels() const;
+  void require_size() const;
   void place_patches();
   GreyPicture picture(int frame) const;
   std::string track(int frame);
@@ -45,6 +52,7 @@ class TrackedPoints : public PointSource {
   std::unique_ptr<PatchTracker> tracker_;
   std::optional<MatchCheck> check_;
   MatchMisses matches_;  // of this frame
+  std::string doubt_;    // of this frame's picture
   int without_texture_ = 0;
   std::vector<std::string> warnings_;
   int frame_ = 0;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "pliant/capture/patch_tracker.h"
+
+namespace pliant {
+
+/// Why a picture that was followed last is to be distrusted, e.g. "is blurred"; empty: it is not.
+///
+/// Over-exposed, many pixels are as bright as the brightest; blurred, brightness changes less from
+/// pixel to pixel than in the first picture. Both are looked at where patches were found, in some
+/// of them.
+/// @param now  the picture itself
+std::string picture_doubt(const PatchTracker& tracker, const GreyPicture& now);
+
+}  // namespace pliant

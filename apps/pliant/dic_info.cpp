@@ -12,7 +12,8 @@ namespace {
 std::string forces_of(const DicFile& dic) {
   if (dic.table) return "its own weight, over the edge of a table";
   if (!dic.forces) return "not known";
-  return dic.forces->cords ? "of cords" : "on " + dic.forces->clip;
+  if (!dic.forces->is_tester()) return "of cords";
+  return "on " + dic.forces->clip;
 }
 
 }  // namespace

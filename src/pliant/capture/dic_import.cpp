@@ -129,9 +129,15 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
         100 * std::abs(made.nearer[f]), made.nearer[f] > 0 ? "nearer" : "further away", f));
   }
   if (!made.left_out.empty()) {
-    notes.push_back(fmt::format("{} frames are left out: frame {} {}{}", made.left_out.size(),
-                                made.left_out.front().frame, made.left_out.front().why,
-                                made.left_out.size() > 1 ? ", ..." : ""));
+    constexpr std::size_t kNamed = 4;
+    std::vector<std::string> named;
+    for (const LeftOutFrame& frame : made.left_out) {
+      named.push_back(fmt::format("frame {} {}", frame.frame, frame.why));
+    }
+    const bool all = named.size() <= kNamed;
+    if (!all) named.resize(kNamed);
+    notes.push_back(fmt::format("{} frames are left out: {}{}", made.left_out.size(),
+                                fmt::join(named, "; "), all ? "" : "; ..."));
   }
   if (!dic.origin)
     notes.emplace_back("the sample is centred on the points (`origin` says otherwise)");

@@ -45,6 +45,7 @@ class SheetFollower {
     const Eigen::Vector2d size(dic.sample.width, dic.sample.height);
     places_.emplace(axes_, first.rest, size, result_.spacing);
     result_.unrolled = places_->stretch();
+    places_->require_sheet(points_->file(0));
     make_rest();
     if (result_.unrolled) begin_unrolled(first);
     if (dic.table) begin_table(*dic.table);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "pliant/base/errors.h"
 #include "pliant/capture/unrolled_sheet.h"
 
 namespace pliant {
@@ -18,6 +19,13 @@ RestPlaces::RestPlaces(const SampleAxes& axes, const Eigen::Matrix3Xd& first,
   shown_ = points.topRows<2>();
   laid_ = std::move(flat.places);
   near_.emplace(shown_, kReach * spacing);
+}
+
+void RestPlaces::require_sheet(const std::string& file) const {
+  constexpr double kMost = 0.2;
+  if (!stretch_ || *stretch_ < kMost) return;
+  throw InputError({file}, "shows points that are not those of a sheet: it cannot be laid flat",
+                   "a sample with an irregular pattern, without folds in the first frame");
 }
 
 Eigen::Matrix2Xd RestPlaces::of(const Eigen::Matrix3Xd& rest) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "pliant/capture/near_places.h"
 #include "pliant/capture/sample_axes.h"
@@ -20,6 +21,9 @@ class RestPlaces {
   Eigen::Matrix2Xd of(const Eigen::Matrix3Xd& rest) const;
   /// By how much it had to be stretched, as of UnrolledSheet; nothing where it lies flat.
   std::optional<double> stretch() const { return stretch_; }
+  /// @param file  of the points
+  /// @throws InputError where they are not those of a sheet at all
+  void require_sheet(const std::string& file) const;
 
  private:
   SampleAxes axes_;

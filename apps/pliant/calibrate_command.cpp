@@ -46,12 +46,9 @@ std::vector<std::string> summary_lines(const RigCalibration& found) {
   std::vector<std::string> lines;
   for (int c = 0; c < std::ssize(found.names); ++c) lines.push_back(camera_line(found, c));
   for (const EpipolarResidual& pair : found.pairs) {
-    const double apart =
-        (found.bundle.cameras[pair.first].centre() - found.bundle.cameras[pair.second].centre())
-            .norm();
     lines.push_back(fmt::format("{} and {}: {} apart, corners {:.3f} px from epipolar lines, RMS",
                                 found.names[pair.first], found.names[pair.second],
-                                format_quantity(apart, Dimension::length), pair.rms));
+                                format_quantity(found.apart(pair), Dimension::length), pair.rms));
   }
   if (found.held_out) {
     lines.push_back(

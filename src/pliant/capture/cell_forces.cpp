@@ -118,8 +118,7 @@ std::string CellForces::add_forces(SessionFrame& frame, std::size_t number,
                          cell.cord, cell.clip);
     }
     if (std::isnan(pull)) return kBeyondLog;
-    const auto clip = dic().clip_named(cell.clip);
-    frame.cords[static_cast<std::size_t>(clip - dic().clips.begin())].push_back(
+    frame.cords[dic().clip_number(cell.clip)].push_back(
         {cell.cord, lines[i]->from, pull * lines[i]->direction});
   }
   return {};

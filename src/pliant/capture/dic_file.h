@@ -117,8 +117,9 @@ struct DicFile {
   std::vector<DicClip>::const_iterator clip_named(const std::string& name) const;
   /// The clip that the log is of, or the end.
   std::vector<DicClip>::const_iterator pulled_clip() const { return clip_named(forces->clip); }
-  std::size_t pulled_number() const {
-    return static_cast<std::size_t>(pulled_clip() - clips.begin());
+  /// That of a clip of the file.
+  std::size_t clip_number(const std::string& name) const {
+    return static_cast<std::size_t>(clip_named(name) - clips.begin());
   }
 };
 

@@ -219,7 +219,7 @@ class SheetFollower {
   /// Of the clip that the log is of, outwards, against the other (m).
   double way_of_pulled(const SessionFrame& frame) const {
     if (!forces_->needs_way()) return std::numeric_limits<double>::quiet_NaN();
-    const std::size_t pulled = dic_.pulled_number();
+    const std::size_t pulled = dic_.clip_number(dic_.forces->clip);
     double way = 0;
     for (std::size_t c = 0; c < held_.size(); ++c) {
       const Eigen::Vector3d middle =

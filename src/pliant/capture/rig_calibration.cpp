@@ -96,8 +96,7 @@ void warn_of_contradictions(const RigFile& rig, RigCalibration& result) {
 void require_places(const RigFile& rig, const RigCalibration& result) {
   constexpr double kNearest = 1e-3;  // m
   for (const EpipolarResidual& pair : result.pairs) {
-    const auto place = [&](int c) { return result.bundle.cameras[c].pose.inverse().translation; };
-    const double apart = (place(pair.first) - place(pair.second)).norm();
+    const double apart = result.apart(pair);
     if (apart > kNearest) continue;
     throw InputError(rig.cameras[pair.second].where,
                      fmt::format("stands where {} does, {} apart", rig.cameras[pair.first].name,
@@ -136,6 +135,10 @@ void warn_of_pictures(RigCalibration& result) {
 double RigCalibration::error(int camera, int number) const {
   const auto i = kCameraNumbers * camera + number;
   return std::sqrt(covariance.cameras(i, i));
+}
+
+double RigCalibration::apart(const EpipolarResidual& pair) const {
+  return (bundle.cameras[pair.first].centre() - bundle.cameras[pair.second].centre()).norm();
 }
 
 RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> pictures,

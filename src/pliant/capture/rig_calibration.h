@@ -26,6 +26,8 @@ struct RigCalibration {
 
   /// Standard error of one of a camera's numbers (kCameraNumbers).
   double error(int camera, int number) const;
+  /// How far two cameras are from each other (m).
+  double apart(const EpipolarResidual& pair) const;
 };
 
 /// Calibrates from what was found in the pictures.

@@ -41,7 +41,7 @@ SpaceCords::SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig,
     : dic_(dic), to_rig_(to_rig), threads_(threads) {
   for (const DicCell& cell : dic.forces->cells) {
     Cord cord;
-    cord.clip = static_cast<std::size_t>(dic.clip_named(cell.clip) - dic.clips.begin());
+    cord.clip = dic.clip_number(cell.clip);
     const Eigen::Vector2d middle = held_cloth(dic, dic.clips[cord.clip]).center();
     Eigen::Index nearest = 0;
     (rest.colwise() - to_rig * Eigen::Vector3d(middle.x(), middle.y(), 0))

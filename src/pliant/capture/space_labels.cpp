@@ -148,6 +148,21 @@ void SpaceLabels::note_misses(const std::vector<int>& codes, const Pose& pose,
   }
 }
 
+SpaceLabels::OffLabels SpaceLabels::off_labels(const DicClip& clip,
+                                               std::optional<std::size_t> camera) const {
+  OffLabels count;
+  for (const int code : clip.labels) {
+    const int before = count.off;
+    for (std::size_t c = 0; c < dic_.views->cameras.size(); ++c) {
+      const LabelSightings* label = camera.value_or(c) == c ? sightings_of(code, c) : nullptr;
+      count.seen += label != nullptr;
+      count.off += label && label->is_off();
+    }
+    count.labels += count.off > before;
+  }
+  return count;
+}
+
 const LabelSightings* SpaceLabels::sightings_of(int code, std::size_t camera) const {
   const auto found = sightings_.find(code);
   if (found == sightings_.end() || found->second[camera].seen == 0) return nullptr;
@@ -156,30 +171,18 @@ const LabelSightings* SpaceLabels::sightings_of(int code, std::size_t camera) co
 
 // Two labels or more are elsewhere than it is, for most cameras that see its labels.
 bool SpaceLabels::is_torn(const DicClip& clip) const {
-  int seen = 0, off = 0, labels = 0;
-  for (const int code : clip.labels) {
-    const int before = off;
-    for (std::size_t c = 0; c < dic_.views->cameras.size(); ++c) {
-      const LabelSightings* label = sightings_of(code, c);
-      seen += label != nullptr;
-      off += label && label->is_off();
-    }
-    labels += off > before;
-  }
-  return labels >= 2 && 2 * off > seen;
+  const OffLabels count = off_labels(clip, std::nullopt);
+  return count.labels >= 2 && 2 * count.off > count.seen;
 }
 
 // It sees most labels elsewhere than other cameras do, of two clips or more.
 bool SpaceLabels::is_moved(std::size_t camera) const {
   int seen = 0, off = 0, clips = 0;
   for (const DicClip& clip : dic_.clips) {
-    const int before = off;
-    for (const int code : clip.labels) {
-      const LabelSightings* label = sightings_of(code, camera);
-      seen += label != nullptr;
-      off += label && label->is_off();
-    }
-    clips += off > before;
+    const OffLabels own = off_labels(clip, camera);
+    seen += own.seen;
+    off += own.off;
+    clips += own.off > 0;
   }
   return clips >= 2 && 2 * off > seen;
 }

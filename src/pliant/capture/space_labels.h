@@ -56,6 +56,14 @@ class SpaceLabels {
   /// By the corners that two cameras see, and from there by all that any sees.
   Pose pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
                const SeenTags& tags) const;
+  /// Sightings of a clip's labels.
+  struct OffLabels {
+    int seen = 0;    ///< labels and cameras that see them
+    int off = 0;     ///< of them those that are elsewhere than the clip
+    int labels = 0;  ///< that are so for some camera
+  };
+  /// By one camera, or by all.
+  OffLabels off_labels(const DicClip& clip, std::optional<std::size_t> camera) const;
   /// The sightings of a label by a camera; nothing where it was not seen.
   const LabelSightings* sightings_of(int code, std::size_t camera) const;
   bool is_torn(const DicClip& clip) const;

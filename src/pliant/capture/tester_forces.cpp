@@ -41,7 +41,7 @@ std::string TesterForces::add_forces(SessionFrame& frame, std::size_t number,
     const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
     frame.cords[c].push_back({"", middle, by});
   };
-  const std::size_t pulled = dic().pulled_number();
+  const std::size_t pulled = dic().clip_number(forces().clip);
   add(pulled, force * held[pulled].outward);
   // What answers it is at the only other clip.
   if (held.size() == 2) add(1 - pulled, -force * held[pulled].outward);

@@ -37,7 +37,7 @@ void make_paler(cv::Mat picture) { picture.convertTo(picture, -1, 0.5, kLevels /
 
 Photo read_photo(const std::filesystem::path& file) {
   if (auto deep = read_deep_picture(file)) return *std::move(deep);
-  ColourPhoto colours = read_picture(file);
+  ColourPhoto colours = read_shallow_picture(file);
   cv::Mat levels;
   cv::cvtColor(matrix_of(colours), levels, cv::COLOR_BGR2GRAY);
   Photo photo(levels.rows, levels.cols);

@@ -44,6 +44,10 @@ Pixbuf owned(GdkPixbuf* picture) {
 
 ColourPhoto read_picture(const std::filesystem::path& file) {
   if (const auto deep = read_deep_picture(file)) return grey_levels(*deep);
+  return read_shallow_picture(file);
+}
+
+ColourPhoto read_shallow_picture(const std::filesystem::path& file) {
   const Pixbuf stored(gdk_pixbuf_new_from_file(file.c_str(), nullptr));
   if (!stored) {
     throw InputError({file.string()}, "is no picture that can be read",

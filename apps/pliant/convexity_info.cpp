@@ -16,7 +16,6 @@
 namespace pliant {
 namespace {
 
-constexpr int kDigits = 4;
 constexpr int kSamples = 400;  // of a range
 
 /// Strains between which an energy is not convex; nothing where it is.
@@ -36,8 +35,8 @@ std::optional<std::pair<double, double>> concave_strains(const MaterialComponent
 
 /// Whether the energy is convex in the two strains of a term, with all that the material has in
 /// them.
-nlohmann::ordered_json pair_convexity(const Material& solid, const std::string& pair,
-                                      const std::array<std::string, 2>& of, FileInfo& info) {
+Json pair_convexity(const Material& solid, const std::string& pair,
+                    const std::array<std::string, 2>& of, FileInfo& info) {
   const auto domain = stated_domain(solid, pair);
   if (!domain) {
     info.lines.push_back(
@@ -52,7 +51,7 @@ nlohmann::ordered_json pair_convexity(const Material& solid, const std::string& 
       convex ? "the energy of all Green strains in these two" : "not in these two strains", 1));
   const std::string warning = fmt::format(
       "the energy is not convex in {}: its least second derivative is {} of the largest",
-      fmt::join(of, " and "), format_number(least, kDigits));
+      fmt::join(of, " and "), format_number(least, kInfoDigits));
   if (!convex) add_once(warning, info.warnings);
   return convex;
 }
@@ -60,7 +59,7 @@ nlohmann::ordered_json pair_convexity(const Material& solid, const std::string& 
 }  // namespace
 
 void add_convexity(const Material& material, const std::string& component, FileInfo& info,
-                   nlohmann::ordered_json& json) {
+                   Json& json) {
   if (material.kind == MaterialKind::solid && find_pair_metric(component)) {
     json["convex"] = pair_convexity(material, component, find_pair_metric(component)->of(), info);
     return;
@@ -77,10 +76,10 @@ void add_convexity(const Material& material, const std::string& component, FileI
   if (concave) {
     json["concave"] = {concave->first, concave->second};
     convex = concave->first == concave->second
-                 ? "not at a strain of " + format_number(concave->first, kDigits)
+                 ? "not at a strain of " + format_number(concave->first, kInfoDigits)
                  : fmt::format("not between strains of {} and {}",
-                               format_number(concave->first, kDigits),
-                               format_number(concave->second, kDigits));
+                               format_number(concave->first, kInfoDigits),
+                               format_number(concave->second, kInfoDigits));
     info.warnings.push_back(
         fmt::format("the energy of {} is not convex in its strain: {}", component, convex));
   }

@@ -15,6 +15,6 @@ namespace pliant {
 /// them.
 /// @param json  of the component: gets `convex` and `concave`
 void add_convexity(const Material& material, const std::string& component, FileInfo& info,
-                   nlohmann::ordered_json& json);
+                   Json& json);
 
 }  // namespace pliant

@@ -19,8 +19,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kDigits = 6;
 
 std::string range_text(const std::vector<double>& values, const std::string& unit) {

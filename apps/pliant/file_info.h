@@ -11,11 +11,17 @@
 
 namespace pliant {
 
+/// Keeps its fields in the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+/// Digits of the numbers that `pliant info` tells people.
+inline constexpr int kInfoDigits = 4;
+
 /// What `pliant info` says about a file: the same facts for programs and for people.
 // ordered_json's own move constructor is what the check objects to.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 struct FileInfo {
-  nlohmann::ordered_json json;        ///< SI units; starts with `file` and `type`
+  Json json;                          ///< SI units; starts with `file` and `type`
   std::vector<std::string> lines;     ///< in units that read well
   std::vector<std::string> warnings;  ///< also in `json`
 };

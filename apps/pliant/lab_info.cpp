@@ -9,13 +9,10 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string specimens_text(const VirtualLab& lab) {
-  constexpr int kDigits = 4;
   if (lab.specimen_variation == 0) return fmt::format("{}", lab.specimens);
   return fmt::format("{}, whose parameters vary by {}", lab.specimens,
-                     format_quantity(lab.specimen_variation, Dimension::fraction, kDigits));
+                     format_quantity(lab.specimen_variation, Dimension::fraction, kInfoDigits));
 }
 
 void add_experiment(const VirtualTest& test, FileInfo& info) {

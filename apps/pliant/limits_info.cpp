@@ -13,10 +13,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 /// The first strain of some sign at which a law has an energy; nothing below the largest strains.
 std::optional<double> strain_of_energy(const ComponentLaw& law, double energy, double sign) {
   constexpr double kFirst = 1e-6, kMore = 1.05, kLast = 1e4, kLeast = -1;
@@ -55,9 +51,9 @@ void add_limits(const Material& material, FileInfo& info) {
     const std::vector<double> strains = strains_of(material, limit);
     std::string text =
         fmt::format("the energy of {} stays below {} {}", fmt::join(limit.of, " and "),
-                    format_number(limit.energy, kDigits), solid ? "J/m^3" : "J/m^2");
+                    format_number(limit.energy, kInfoDigits), solid ? "J/m^3" : "J/m^2");
     std::vector<std::string> texts;
-    for (const double strain : strains) texts.push_back(format_number(strain, kDigits));
+    for (const double strain : strains) texts.push_back(format_number(strain, kInfoDigits));
     if (!texts.empty()) {
       text += fmt::format(": strains up to {}", fmt::join(texts, " and "));
     }

@@ -21,10 +21,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 /// Units of a component and its numbers as texts: bending and membrane differ in all of them, and a
 /// contraction has none.
 struct ComponentUnits {
@@ -38,14 +34,14 @@ struct ComponentUnits {
   std::string strain_unit() const { return bending ? "1/m" : "1"; }
 
   std::string stiffness(double value) const {
-    if (ratio) return format_number(value, kDigits);
+    if (ratio) return format_number(value, kInfoDigits);
     return format_quantity(
-        value, bending ? Dimension::bending_stiffness : Dimension::force_per_length, kDigits);
+        value, bending ? Dimension::bending_stiffness : Dimension::force_per_length, kInfoDigits);
   }
   std::string stress(double value) const {
-    if (ratio) return format_number(value, kDigits);
+    if (ratio) return format_number(value, kInfoDigits);
     return format_quantity(value, bending ? Dimension::force : Dimension::force_per_length,
-                           kDigits);
+                           kInfoDigits);
   }
   std::string strain(double value) const { return strain_in_words(component, value, measure); }
   std::string strains(double low, double high) const {
@@ -71,7 +67,7 @@ std::string curve_text(const ScalarCurve& curve, const ComponentUnits& units) {
       return "constant, k = " + units.stiffness(values[0]);
     case CurveKind::affine:
       return fmt::format("affine, k1 = {}, k2 = {} {}", units.stiffness(values[0]),
-                         format_number(values[1], kDigits),
+                         format_number(values[1], kInfoDigits),
                          units.bending ? "N m^2" : units.stiffness_unit());
     case CurveKind::hermite:
     case CurveKind::spline:
@@ -168,7 +164,7 @@ void add_addends(const MaterialComponent& component, const ComponentUnits& units
       const double value = addend.values()(static_cast<Eigen::Index>(i));
       own[std::string(parameter.name)] = value;
       const std::string unit = unit_of(parameter, units_of(units.component));
-      numbers.push_back(fmt::format("{} = {}{}", parameter.name, format_number(value, kDigits),
+      numbers.push_back(fmt::format("{} = {}{}", parameter.name, format_number(value, kInfoDigits),
                                     unit == "1" ? "" : " " + unit));
     }
     json["addends"].push_back(std::move(own));
@@ -269,10 +265,10 @@ FileInfo material_info(const std::filesystem::path& path) {
   info.json["bending"] = material.bending;
   info.json["bending_of"] = material.bending_of;
   if (!material.bending_mesh.empty()) info.json["bending_mesh"] = material.bending_mesh;
-  info.lines.push_back(
-      labelled("density", material.density > 0
-                              ? format_quantity(material.density, Dimension::area_density, kDigits)
-                              : "not stated"));
+  info.lines.push_back(labelled(
+      "density", material.density > 0
+                     ? format_quantity(material.density, Dimension::area_density, kInfoDigits)
+                     : "not stated"));
   info.lines.push_back(
       labelled("strain measures",
                fmt::format("membrane {}, bending {} of the {}", name_of(material.membrane),

@@ -17,11 +17,7 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
-std::string number(double value) { return format_number(value, kDigits); }
+std::string number(double value) { return format_number(value, kInfoDigits); }
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 

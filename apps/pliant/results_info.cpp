@@ -18,14 +18,11 @@ namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 std::string number_text(const std::optional<double>& value) {
-  return value ? format_number(*value, kDigits) : "unknown";
+  return value ? format_number(*value, kInfoDigits) : "unknown";
 }
 
 std::string uncertainty_text(const report::ResultParameter& parameter) {
@@ -33,8 +30,8 @@ std::string uncertainty_text(const report::ResultParameter& parameter) {
   if (parameter.at_bound) return "at its bound";
   if (!parameter.identified) return "not determined by the data";
   if (parameter.lower && parameter.upper) {
-    return fmt::format("95 %: {} to {}", format_number(*parameter.lower, kDigits),
-                       format_number(*parameter.upper, kDigits));
+    return fmt::format("95 %: {} to {}", format_number(*parameter.lower, kInfoDigits),
+                       format_number(*parameter.upper, kInfoDigits));
   }
   return "no standard error";
 }

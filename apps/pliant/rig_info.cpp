@@ -39,8 +39,7 @@ FileInfo rig_info(const std::filesystem::path& path) {
     info.lines.push_back(labelled("board " + board.name, board_text(board)));
   }
   const bool has_length = rig.second_length.has_value();
-  info.json["second_length"] = has_length ? nlohmann::ordered_json(rig.second_length->length)
-                                          : nlohmann::ordered_json(nullptr);
+  info.json["second_length"] = has_length ? Json(rig.second_length->length) : Json(nullptr);
   info.lines.push_back(labelled(
       "second length",
       has_length ? format_quantity(rig.second_length->length, Dimension::length) : "none"));

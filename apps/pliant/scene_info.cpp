@@ -19,13 +19,10 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 std::string vector_text(const Eigen::Vector3d& vector) {
-  return fmt::format("[{}, {}, {}]", format_number(vector.x(), kDigits),
-                     format_number(vector.y(), kDigits), format_number(vector.z(), kDigits));
+  return fmt::format("[{}, {}, {}]", format_number(vector.x(), kInfoDigits),
+                     format_number(vector.y(), kInfoDigits),
+                     format_number(vector.z(), kInfoDigits));
 }
 
 Json vector_json(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
@@ -134,7 +131,7 @@ void describe_solid(const SceneSolid& solid, const SolidPiece& piece, FileInfo& 
                            piece.mesh.tetrahedron_count(), piece.mesh.hexahedron_count()),
                1));
   info.lines.push_back(labelled("size",
-                                fmt::format("{} m^3, {}", format_number(volume, kDigits),
+                                fmt::format("{} m^3, {}", format_number(volume, kInfoDigits),
                                             format_quantity(mass, Dimension::mass)),
                                 1));
   info.lines.push_back(
@@ -288,17 +285,18 @@ std::string body_text(const SceneObstacle& obstacle) {
     const std::string file = quoted_value(source->files.front().string());
     if (source->rate == 0) return "mesh " + file;
     return fmt::format("{} frames from {} on, {} a second", source->files.size(), file,
-                       format_number(source->rate, kDigits));
+                       format_number(source->rate, kInfoDigits));
   }
   return std::visit([](const auto& shape) { return shape_text(shape); }, *obstacle.shape());
 }
 
 std::string friction_text(const CoulombFriction& friction) {
   if (friction.sticking == friction.sliding) {
-    return "friction " + format_number(friction.sticking, kDigits);
+    return "friction " + format_number(friction.sticking, kInfoDigits);
   }
-  return fmt::format("friction {}, {} where it slides", format_number(friction.sticking, kDigits),
-                     format_number(friction.sliding, kDigits));
+  return fmt::format("friction {}, {} where it slides",
+                     format_number(friction.sticking, kInfoDigits),
+                     format_number(friction.sliding, kInfoDigits));
 }
 
 void describe_obstacles(const Scene& scene, FileInfo& info) {
@@ -323,7 +321,7 @@ void describe_obstacles(const Scene& scene, FileInfo& info) {
   info.lines.push_back(labelled(
       "contact",
       "from a distance of " + format_quantity(scene.contact.thickness, Dimension::length) +
-          (of_cloth ? ", of cloth with cloth too, friction " + format_number(*of_cloth, kDigits)
+          (of_cloth ? ", of cloth with cloth too, friction " + format_number(*of_cloth, kInfoDigits)
                     : std::string())));
 }
 
@@ -335,9 +333,9 @@ void describe_surroundings(const Scene& scene, FileInfo& info) {
     info.json["air"] = {{"drag", scene.air->drag},
                         {"density", scene.air->density},
                         {"wind", vector_json(scene.air->wind)}};
-    info.lines.push_back(labelled(
-        "air", fmt::format("drag coefficient {}, wind {} m/s",
-                           format_number(scene.air->drag, kDigits), vector_text(scene.air->wind))));
+    info.lines.push_back(labelled("air", fmt::format("drag coefficient {}, wind {} m/s",
+                                                     format_number(scene.air->drag, kInfoDigits),
+                                                     vector_text(scene.air->wind))));
   }
 }
 

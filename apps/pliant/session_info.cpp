@@ -21,10 +21,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 /// Smallest and largest of some numbers.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -38,8 +34,8 @@ struct Range {
   Json json() const { return is_empty() ? Json(nullptr) : Json{{"min", low}, {"max", high}}; }
   std::string text(Dimension dimension, const char* none) const {
     if (is_empty()) return none;
-    return fmt::format("{} to {}", format_quantity(low, dimension, kDigits),
-                       format_quantity(high, dimension, kDigits));
+    return fmt::format("{} to {}", format_quantity(low, dimension, kInfoDigits),
+                       format_quantity(high, dimension, kInfoDigits));
   }
 };
 
@@ -172,8 +168,8 @@ void describe_imbalance(const Session& session, FileInfo& info) {
   info.lines.push_back(
       labelled("largest imbalance",
                fmt::format("{} and {} N m in frame {}; to be expected of cords: {} each",
-                           format_quantity(left.force.norm(), Dimension::force, kDigits),
-                           format_number(left.moment.norm(), kDigits), worst,
+                           format_quantity(left.force.norm(), Dimension::force, kInfoDigits),
+                           format_number(left.moment.norm(), kInfoDigits), worst,
                            format_quantity(session.balance_bound, Dimension::force))));
 }
 

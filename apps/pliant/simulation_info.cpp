@@ -9,8 +9,6 @@
 namespace pliant {
 namespace {
 
-constexpr int kDigits = 4;
-
 void describe(const report::SimulationResults& results, FileInfo& info) {
   const std::string method = report::method_text(results.method);
   info.json["name"] = results.name;
@@ -33,11 +31,13 @@ void describe(const report::SimulationResults& results, FileInfo& info) {
       labelled("finished", results.finished ? "yes" : "no: `pliant simulate --resume` goes on"));
   info.lines.push_back(labelled(
       "mesh", fmt::format("{} vertices, {} triangles", results.vertices, results.triangles)));
-  info.lines.push_back(labelled("steps", fmt::format("{} of {} s", results.steps,
-                                                     format_number(results.time_step, kDigits))));
+  info.lines.push_back(labelled(
+      "steps",
+      fmt::format("{} of {} s", results.steps, format_number(results.time_step, kInfoDigits))));
   if (!method.empty()) info.lines.push_back(labelled("method", method));
-  info.lines.push_back(labelled("frames", fmt::format("{}, up to {} s", results.frames,
-                                                      format_number(results.last_time, kDigits))));
+  info.lines.push_back(
+      labelled("frames", fmt::format("{}, up to {} s", results.frames,
+                                     format_number(results.last_time, kInfoDigits))));
   const std::string limits = report::limits_text(results);
   info.json["not_modelled"] = results.not_modelled;
   info.json["crossing_pairs"] = nullptr;

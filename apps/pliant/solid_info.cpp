@@ -23,10 +23,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 std::string numbers_text(const std::string& name, const MaterialComponent& component) {
   const ComponentLaw law = law_of(component);
   const std::vector<std::string> names = parameter_names(law, name);
@@ -35,7 +31,7 @@ std::string numbers_text(const std::string& name, const MaterialComponent& compo
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < names.size(); ++i) {
     texts.push_back(fmt::format("{} = {}{}", names[i].substr(name.size() + 1),
-                                format_number(values(static_cast<Eigen::Index>(i)), kDigits),
+                                format_number(values(static_cast<Eigen::Index>(i)), kInfoDigits),
                                 units[i] == "1" ? "" : " " + units[i]));
   }
   return fmt::format("{}", fmt::join(texts, ", "));
@@ -47,8 +43,8 @@ Json component_info(const Material& material, const std::string& name, FileInfo&
   std::string text(name_of(component.status));
   if (component.range) {
     json["range"] = {component.range->first, component.range->second};
-    text += fmt::format(", from {} to {}", format_number(component.range->first, kDigits),
-                        format_number(component.range->second, kDigits));
+    text += fmt::format(", from {} to {}", format_number(component.range->first, kInfoDigits),
+                        format_number(component.range->second, kInfoDigits));
   }
   info.lines.push_back(labelled(name, text));
   if (!component.stiffness) return json;
@@ -79,8 +75,8 @@ double least_curvature_at_rest(const Material& material) {
 }
 
 std::string size_text(const EllipticRange& range, double size) {
-  return range.way == "shear" ? "a shear of " + format_number(size, kDigits)
-                              : "a stretch of " + format_number(size, kDigits);
+  return range.way == "shear" ? "a shear of " + format_number(size, kInfoDigits)
+                              : "a stretch of " + format_number(size, kInfoDigits);
 }
 
 /// Where strong ellipticity is lost, way by way; what was looked at otherwise.
@@ -120,7 +116,7 @@ void add_ellipticity(const Material& material, FileInfo& info) {
 void add_solid(const Material& material, FileInfo& info) {
   info.lines.push_back(labelled(
       "density", material.density > 0
-                     ? format_quantity(material.density, Dimension::volume_density, kDigits)
+                     ? format_quantity(material.density, Dimension::volume_density, kInfoDigits)
                      : "not stated"));
   Json components = Json::object();
   for (const std::string& name : ordered_components(material.components, material.kind)) {
@@ -133,7 +129,7 @@ void add_solid(const Material& material, FileInfo& info) {
   info.json["least_curvature_at_rest_Pa"] = least;
   info.lines.push_back(
       labelled("at rest", fmt::format("the energy curves by {} or more in every strain",
-                                      format_quantity(least, Dimension::stress, kDigits))));
+                                      format_quantity(least, Dimension::stress, kInfoDigits))));
   if (least >= 0) {
     add_ellipticity(material, info);
     return;
@@ -141,7 +137,7 @@ void add_solid(const Material& material, FileInfo& info) {
   info.warnings.push_back(fmt::format(
       "the material is not stable at rest: its energy falls in some strain (curvature {}), so that "
       "a body flies apart instead of coming back",
-      format_quantity(least, Dimension::stress, kDigits)));
+      format_quantity(least, Dimension::stress, kInfoDigits)));
 }
 
 void add_solid_experiments(const Study& study, FileInfo& info) {
@@ -161,7 +157,7 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
     const std::string reach =
         about.measures_readings()
             ? "in units of their noise"
-            : "up to " + format_quantity(experiment->reference(), measured, kDigits);
+            : "up to " + format_quantity(experiment->reference(), measured, kInfoDigits);
     info.lines.push_back(
         labelled("data", fmt::format("{} rows, {}", experiment->rows(), reach), 1));
     for (const std::string& text : about.handled) {
@@ -188,7 +184,7 @@ void add_solid_experiments(const Study& study, FileInfo& info) {
     info.json["fit"]["samples"] = samples.at.size();
     info.lines.push_back(labelled(
         "samples", fmt::format("{} places with Gaussians of {}", samples.at.size(),
-                               format_quantity(samples.width, Dimension::length, kDigits))));
+                               format_quantity(samples.width, Dimension::length, kInfoDigits))));
   }
   info.lines.push_back(
       labelled("fit", fmt::format("all together; law {}: {}", law, fmt::join(components, ", "))));

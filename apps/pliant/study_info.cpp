@@ -26,10 +26,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 /// A file that is missing is an error of the study that names it, at its line; all of them are
 /// named at once.
 void refuse_missing_data(const Study& study) {
@@ -94,14 +90,14 @@ std::string specimens_text(const std::vector<std::string>& names) {
 void add_strip(const TestSpec& spec, std::vector<std::string>& lines) {
   if (spec.width == 0) return;
   if (spec.length == 0) {
-    lines.push_back(
-        labelled("strip", format_quantity(spec.width, Dimension::length, kDigits) + " wide", 1));
+    lines.push_back(labelled(
+        "strip", format_quantity(spec.width, Dimension::length, kInfoDigits) + " wide", 1));
     return;
   }
   lines.push_back(labelled(
       "strip",
-      fmt::format("{} long, {} wide", format_quantity(spec.length, Dimension::length, kDigits),
-                  format_quantity(spec.width, Dimension::length, kDigits)),
+      fmt::format("{} long, {} wide", format_quantity(spec.length, Dimension::length, kInfoDigits),
+                  format_quantity(spec.width, Dimension::length, kInfoDigits)),
       1));
 }
 
@@ -230,10 +226,11 @@ void add_measurements(const ExperimentSpec& spec, const ModelOptions& model,
                                        experiment.rows(), used, specimens_text(about.specimens)),
                            1));
   lines.push_back(
-      labelled(peak_label(about), format_quantity(experiment.peak_force(), peak, kDigits), 1));
+      labelled(peak_label(about), format_quantity(experiment.peak_force(), peak, kInfoDigits), 1));
   lines.push_back(labelled(
       "strain",
-      fmt::format("{} to {}", format_number(*low, kDigits), format_number(*high, kDigits)), 1));
+      fmt::format("{} to {}", format_number(*low, kInfoDigits), format_number(*high, kInfoDigits)),
+      1));
   lines.push_back(labelled(
       "unloads", fmt::format("{}; {} reversals", loop ? "yes" : "no", count_reversals(path)), 1));
   if (!along.empty()) {
@@ -377,7 +374,7 @@ void add_head(const Study& study, FileInfo& info) {
                                                      study.model.kind == MaterialKind::solid
                                                          ? Dimension::volume_density
                                                          : Dimension::area_density,
-                                                     kDigits)
+                                                     kInfoDigits)
                                    : "not stated"));
   for (const auto* texts : {&study.info, &study.conditions}) {
     for (const auto& [key, text] : *texts) info.lines.push_back(labelled(key, text));

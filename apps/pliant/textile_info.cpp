@@ -15,14 +15,10 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 4;
-
 // "0.19 gf cm^2/cm (18.6 uN m)"
 std::string in_both(double si, const char* unit, Dimension dimension) {
-  return fmt::format("{} {} ({})", format_number(si / *unit_scale(unit, dimension), kDigits), unit,
-                     format_quantity(si, dimension, kDigits));
+  return fmt::format("{} {} ({})", format_number(si / *unit_scale(unit, dimension), kInfoDigits),
+                     unit, format_quantity(si, dimension, kInfoDigits));
 }
 
 bool reaches_beyond(const MaterialComponent& component) {
@@ -48,7 +44,7 @@ void add_kes(const MaterialComponent& component, std::vector<std::string>& lines
   if (kes.residual_curvature) {
     lines.push_back(labelled("residual curvature",
                              fmt::format("{} 1/m, unloaded from 250 1/m",
-                                         format_number(*kes.residual_curvature, kDigits)),
+                                         format_number(*kes.residual_curvature, kInfoDigits)),
                              1));
   }
   if (reaches_beyond(component)) {
@@ -76,12 +72,12 @@ void add_bending_length(const Material& material, const std::string& name,
   lines.push_back(
       labelled("bending length",
                fmt::format("{}, overhang {} at 41.5 degrees (ASTM D1388, ISO 9073-7)",
-                           format_quantity(length->length, Dimension::length, kDigits),
-                           format_quantity(length->overhang, Dimension::length, kDigits)),
+                           format_quantity(length->length, Dimension::length, kInfoDigits),
+                           format_quantity(length->overhang, Dimension::length, kInfoDigits)),
                1));
   lines.push_back(labelled(
       "flexural rigidity",
-      format_quantity(length->flexural_rigidity, Dimension::bending_stiffness, kDigits), 1));
+      format_quantity(length->flexural_rigidity, Dimension::bending_stiffness, kInfoDigits), 1));
 }
 
 std::string place_in_words(const std::string& component, double at) {
@@ -124,15 +120,16 @@ Json chart_info(const Material& material, const std::string& name, FileInfo& inf
       json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", nullptr}});
       info.lines.push_back(
           labelled("coupling",
-                   format_quantity(figure.value, Dimension::force_per_length, kDigits) +
+                   format_quantity(figure.value, Dimension::force_per_length, kInfoDigits) +
                        ", of an elastic sheet that narrows so",
                    1));
     }
     if (!figure.at) continue;  // the stiffness at rest stands above
     json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"at", *figure.at}});
     const std::string value =
-        figure.unit == "1" ? format_number(figure.value, kDigits)
-                           : format_quantity(figure.value, Dimension::force_per_length, kDigits);
+        figure.unit == "1"
+            ? format_number(figure.value, kInfoDigits)
+            : format_quantity(figure.value, Dimension::force_per_length, kInfoDigits);
     info.lines.push_back(labelled(
         charted(figure.name), fmt::format("{} at {}", value, place_in_words(name, *figure.at)), 1));
   }

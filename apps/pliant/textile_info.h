@@ -13,7 +13,6 @@ namespace pliant {
 /// KES-FB2, and the bending length where the density is known.
 /// @param name  of a component whose stiffness is given, that of bending being of a sheet
 /// @return the same for the summary, SI and the instruments' units
-nlohmann::ordered_json textile_info(const Material& material, const std::string& name,
-                                    FileInfo& info);
+Json textile_info(const Material& material, const std::string& name, FileInfo& info);
 
 }  // namespace pliant

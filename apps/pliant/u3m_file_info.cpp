@@ -13,10 +13,7 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Range = std::pair<double, double>;
-
-constexpr int kDigits = 4;
 
 Range range_of(const U3mTest& test, std::vector<double> U3mSegment::*samples) {
   Range range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
@@ -35,8 +32,8 @@ std::size_t row_count(const U3mTest& test) {
 }
 
 std::string range_text(const Range& range, Dimension dimension) {
-  return fmt::format("{} to {}", format_quantity(range.first, dimension, kDigits),
-                     format_quantity(range.second, dimension, kDigits));
+  return fmt::format("{} to {}", format_quantity(range.first, dimension, kInfoDigits),
+                     format_quantity(range.second, dimension, kInfoDigits));
 }
 
 void add_test(const std::string& direction, const U3mTest& test, FileInfo& info) {
@@ -56,9 +53,9 @@ void add_test(const std::string& direction, const U3mTest& test, FileInfo& info)
       name,
       fmt::format("{} rows in {} half cycles; clamps {} apart (straight at {}), force {}, width {}",
                   row_count(test), test.segments.size(), range_text(distance, Dimension::length),
-                  format_quantity(test.length, Dimension::length, kDigits),
+                  format_quantity(test.length, Dimension::length, kInfoDigits),
                   range_text(force, Dimension::force),
-                  test.width ? format_quantity(*test.width, Dimension::length, kDigits)
+                  test.width ? format_quantity(*test.width, Dimension::length, kInfoDigits)
                              : "not told (give it to `import --width`)")));
 }
 
@@ -74,10 +71,10 @@ FileInfo u3m_file_info(const std::filesystem::path& path) {
   info.json["info"] = Json::object();
   info.json["tests"] = Json::array();
   if (!about.name.empty()) info.lines.push_back(labelled("name", about.name));
-  info.lines.push_back(
-      labelled("density", physics.density > 0
-                              ? format_quantity(physics.density, Dimension::area_density, kDigits)
-                              : "not stated"));
+  info.lines.push_back(labelled(
+      "density", physics.density > 0
+                     ? format_quantity(physics.density, Dimension::area_density, kInfoDigits)
+                     : "not stated"));
   for (const auto& [key, text] : about.entries) {
     info.json["info"][key] = text;
     info.lines.push_back(labelled(key, text));

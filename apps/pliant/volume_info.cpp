@@ -12,8 +12,6 @@
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string short_number(double value) { return format_number(value, 4); }
 
 std::string volume_source_text(const VolumeFileSource& source) { return source.file.string(); }

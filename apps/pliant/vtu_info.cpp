@@ -11,7 +11,7 @@ FileInfo vtu_info(const std::filesystem::path& path) {
   FileInfo info = begin_info(path, "VTK unstructured grid");
   info.json["vertices"] = head.points;
   info.json["cells"] = head.cells;
-  info.json["fields"] = nlohmann::ordered_json::array();
+  info.json["fields"] = Json::array();
   info.lines.push_back(
       labelled("mesh", fmt::format("{} vertices, {} cells", head.points, head.cells)));
   if (head.fields.empty()) info.lines.push_back(labelled("fields", "none"));

@@ -142,6 +142,20 @@ void expect_pictures_of_different_moments_named(const std::filesystem::path& see
   EXPECT_THAT(report, HasSubstr("pictures were of different moments"));
 }
 
+/// The same, but for the second cell of the file, which points where the first does.
+void expect_cells_of_one_cord_refused(const std::filesystem::path& seen) {
+  std::string text = content_of(seen / "capture.yaml");
+  const std::size_t first = text.find("picture: ", text.find("cells:"));
+  const std::size_t second = text.find("picture: ", first + 1);
+  const std::string pointed = text.substr(first, text.find('}', first) - first);
+  text.replace(second, text.find('}', second) - second, pointed);
+  std::ofstream(seen / "one-cord.yaml") << text;
+  const ProgramRun imported = run_on(seen, {"import", "--dic", "one-cord.yaml"}, "one-cord");
+  EXPECT_EQ(imported.status, 2);
+  EXPECT_THAT(imported.err,
+              HasSubstr("points to the cord of another cell, the cord 1 of the clip bottom"));
+}
+
 TEST(SlowVirtualRig, SeesASheetAsItIsTellsItsLawAndNamesAFrameOfDifferentMoments) {
   const TemporaryFolder folder;
   const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
@@ -179,6 +193,7 @@ TEST(SlowVirtualRig, SeesASheetAsItIsTellsItsLawAndNamesAFrameOfDifferentMoments
   const double found = stiffness(seen / "made" / "study.yaml", "fit-seen");
   const double known = stiffness(folder.path() / "lab" / "study.yaml", "fit-truth");
   EXPECT_NEAR(found, known, 0.03 * known);
+  expect_cells_of_one_cord_refused(seen);
   expect_pictures_of_different_moments_named(seen);
 }
 

@@ -22,6 +22,12 @@ bool is_fastened(const CordLine& line, const Eigen::Vector3d& fastened) {
   return (line.from - fastened).norm() < kLoose;
 }
 
+/// Beyond what pointing at one cord twice differs by, within what two cords of a clip do.
+bool are_one_cord(const CordLine& a, const CordLine& b) {
+  constexpr double kApart = 1e-3, kTurned = 0.02;  // m, rad
+  return (a.from - b.from).norm() < kApart && a.direction.cross(b.direction).norm() < kTurned;
+}
+
 /// A cord that has hardly turned is where it was; otherwise it is looked for all around.
 std::optional<CordLine> followed(const CordViews& views, const CordLook& look,
                                  const CordLine& last) {
@@ -101,7 +107,23 @@ FrameCords SpaceCords::follow(int frame, const std::vector<GreyPicture>& picture
       }
     }
   });
+  require_own_cords(frame, found.lines);
   return found;
+}
+
+void SpaceCords::require_own_cords(int frame,
+                                   const std::vector<std::optional<CordLine>>& lines) const {
+  const std::vector<DicCell>& cells = dic_.forces->cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::max(cells[i].frame, cells[j].frame) != frame) continue;
+      if (!lines[i] || !lines[j] || !are_one_cord(*lines[i], *lines[j])) continue;
+      throw InputError(cells[i].where,
+                       fmt::format("points to the cord of another cell, the cord {} of the clip {}",
+                                   cells[j].cord, cells[j].clip),
+                       "a cord of its own for each cell");
+    }
+  }
 }
 
 void SpaceCords::point_at(const DicCell& cell, Cord& cord, const CordViews& views,

@@ -29,14 +29,15 @@ class SpaceCords {
   SpaceCords(const DicFile& dic, const Eigen::Isometry3d& to_rig, const Eigen::Matrix3Xd& rest,
              int threads);
 
-  /// @param pictures  of each camera
-  /// @param clips     how they have moved since the first pictures, rig axes
-  /// @throws InputError where no cord is seen to which the user has pointed
   /// A frame in which a user points at a cord may not be left out.
   /// @param why  it would be
   /// @throws InputError where one does
   void require_free(int frame, const std::string& why) const;
 
+  /// @param pictures  of each camera
+  /// @param clips     how they have moved since the first pictures, rig axes
+  /// @throws InputError where no cord is seen to which the user has pointed, or that of another
+  /// cell
   FrameCords follow(int frame, const std::vector<GreyPicture>& pictures,
                     const std::vector<std::optional<Pose>>& clips);
 
@@ -50,6 +51,8 @@ class SpaceCords {
   };
 
   void point_at(const DicCell& cell, Cord& cord, const CordViews& views, const Pose& pose) const;
+  /// Of cells that point at their cords in this frame.
+  void require_own_cords(int frame, const std::vector<std::optional<CordLine>>& lines) const;
 
   const DicFile& dic_;
   Eigen::Isometry3d to_rig_;

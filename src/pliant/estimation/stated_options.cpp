@@ -13,7 +13,8 @@ namespace {
 template <class T>
 void add_unmatched(const std::map<std::string, T>& options, const char* field,
                    const std::vector<std::string>& names, std::vector<std::string>& sentences) {
-  for (const auto& [key, value] : options) {
+  for (const auto& option : options) {
+    const std::string& key = option.first;
     const bool matched = std::ranges::any_of(names, [&](const std::string& name) {
       // COMPONENT.k stands for all control values.
       return matches(key, name) || matches(key, name.substr(0, name.find('[')));

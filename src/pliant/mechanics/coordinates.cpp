@@ -232,16 +232,16 @@ void Coordinates::add_outer_product(const Configuration& at, double factor,
   for (int k = 0; k < 4; ++k) {
     const Dependences own = dependences(at, points[static_cast<size_t>(k)]);
     for (int d = 0; d < own.count; ++d) {
-      const auto& [row, matrix] = own.entry[d];
-      const Eigen::Vector3d value = matrix.transpose() * u.col(k);
+      const Dependence& on = own.entry[d];
+      const Eigen::Vector3d value = on.matrix.transpose() * u.col(k);
       const auto end = rows.begin() + static_cast<std::ptrdiff_t>(count);
       // Points of one clip share their rows.
       const auto same =
-          std::find_if(rows.begin(), end, [&](const RowVector& r) { return r.row == row; });
+          std::find_if(rows.begin(), end, [&](const RowVector& r) { return r.row == on.row; });
       if (same != end) {
         same->value += value;
       } else {
-        rows[count++] = {row, value};
+        rows[count++] = {on.row, value};
       }
     }
   }

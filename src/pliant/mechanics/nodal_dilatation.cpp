@@ -62,8 +62,7 @@ NodalDilatation::NodalDilatation(Tetrahedra tetrahedra, const std::vector<double
       rest_volumes_(number) += rest_volumes[static_cast<size_t>(t)] / 4;
     }
     std::ranges::sort(patch.points);
-    const auto repeated = std::ranges::unique(patch.points);
-    patch.points.erase(repeated.begin(), repeated.end());
+    patch.points.erase(std::unique(patch.points.begin(), patch.points.end()), patch.points.end());
     patches_.push_back(std::move(patch));
   }
   Eigen::MatrixXd of_patches;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace pliant {
 
@@ -31,9 +30,10 @@ std::vector<ModelVariant> model_variants(const std::vector<std::string>& models,
   std::vector<ModelVariant> combinations;
   for (const SheetModel& model : sheet_models()) {
     if (std::ranges::find(models, model.name) == models.end()) continue;
-    for (const SheetVariant& variant : sheet_variants() | std::views::reverse) {
-      if (std::ranges::find(variants, variant.name) == variants.end()) continue;
-      combinations.push_back({model, variant});
+    const std::vector<SheetVariant>& all = sheet_variants();
+    for (auto variant = all.rbegin(); variant != all.rend(); ++variant) {
+      if (std::ranges::find(variants, variant->name) == variants.end()) continue;
+      combinations.push_back({model, *variant});
     }
   }
   return combinations;

@@ -237,7 +237,9 @@ double stated_density(const std::vector<SheetExperiment>& experiments) {
 }
 
 void set_status(const FitSettings& settings, SheetFit& fit) {
-  for (auto& [name, component] : fit.material.components) {
+  for (auto& entry : fit.material.components) {
+    const std::string& name = entry.first;
+    MaterialComponent& component = entry.second;
     if (fixed_stiffness(settings.fit, {name})) {
       component.status = ComponentStatus::measured;
       continue;

@@ -32,7 +32,8 @@ std::vector<std::string> known_parameters(const FitSettings& settings,
 template <class T>
 void require_known(const std::map<std::string, T>& options, const char* field,
                    const std::vector<std::string>& names, const FitSettings& settings) {
-  for (const auto& [key, value] : options) {
+  for (const auto& option : options) {
+    const std::string& key = option.first;
     const bool known =
         std::ranges::any_of(names, [&](const std::string& name) { return matches(key, name); });
     if (known) continue;

@@ -58,7 +58,7 @@ std::vector<Extreme> folds_of(const std::vector<double>& radii, double height) {
   smooth_out(height, extremes);
   // A pair that goes with the first maximum leaves a minimum in front.
   if (!extremes.empty() && extremes[0].radius < extremes[1].radius) {
-    std::ranges::rotate(extremes, extremes.begin() + 1);
+    std::rotate(extremes.begin(), extremes.begin() + 1, extremes.end());
   }
   return extremes;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include <Eigen/SVD>
@@ -125,8 +124,8 @@ SheetTest::SheetTest(std::string name, Session session, SheetObjective objective
 
 SheetTest SheetTest::without(const std::vector<int>& frames) const {
   Session session = session_;
-  for (const int frame : frames | std::views::reverse) {
-    session.frames.erase(session.frames.begin() + frame);
+  for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame) {
+    session.frames.erase(session.frames.begin() + *frame);
   }
   SheetTest kept(info_.name, std::move(session), objective_, friction_);
   kept.set_weight(info_.weight);

@@ -8,6 +8,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include <malloc.h>
+
 #include "pliant/base/errors.h"
 #include "pliant/study/test_template.h"
 
@@ -32,6 +34,17 @@ void stop_on_signals() {
   sigaction(SIGTERM, &action, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
   ::signal(SIGXFSZ, SIG_IGN);
+}
+
+// Pictures and matrices come and go by the thousand: given back to the system, which clears them
+// each time anew, they would take a tenth to a third of the time.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kLargestBlock = 1 << 30, kUnused = 2'000'000'000, kAtOnce = 64 << 20;  // bytes
+  mallopt(M_MMAP_THRESHOLD, kLargestBlock);
+  mallopt(M_TRIM_THRESHOLD, kUnused);
+  mallopt(M_TOP_PAD, kAtOnce);
+#endif
 }
 
 pliant::Level level_of(const std::string& name) {
@@ -99,6 +112,7 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   stop_on_signals();
   try {
     return parse_and_run(argc, argv);

@@ -184,30 +184,6 @@ TEST_F(BrowserReport, OfSeveralModelsHasABarForEachFit) {
   EXPECT_THAT(document, Not(HasSubstr("data-violation")));
 }
 
-TEST_F(BrowserReport, ALegendEntryHidesItsSeries) {
-  const std::string html = when_drawn(report(), R"(
-      const entry = document.querySelector('button.legend-entry[data-group=measured-load]');
-      entry.click();
-      const figure = document.getElementById('figure-1');
-      const hidden = figure.data.filter((trace) => trace.visible === false);
-      document.body.dataset.hidden = hidden.map((trace) => trace.legendgroup).join();)");
-  EXPECT_THAT(without_script(document_of(html)), HasSubstr("data-hidden=\"measured-load\""));
-}
-
-TEST_F(BrowserReport, TakesThePrintedSizeOnPaperAndGivesItUpAfterwards) {
-  const std::string html = when_drawn(report(), R"(
-      const figure = document.getElementById('figure-1');
-      const width = () => figure.querySelector('.main-svg').getBoundingClientRect().width;
-      const before = width();
-      window.dispatchEvent(new Event('beforeprint'));
-      document.body.dataset.fits = width() === Number(figure.dataset.printWidth);
-      window.dispatchEvent(new Event('afterprint'));
-      document.body.dataset.restored = width() === before;)");
-  const std::string document = without_script(document_of(html));
-  EXPECT_THAT(document, HasSubstr("data-fits=\"true\""));
-  EXPECT_THAT(document, HasSubstr("data-restored=\"true\""));
-}
-
 TEST_F(BrowserReport, ShowsTheFrameOfASheetThatTheSliderChooses) {
   const TemporaryFolder folder;
   testing::write_sample_sheets(folder.path());
@@ -277,44 +253,6 @@ TEST_F(BrowserReport, SaysOnPageOneWhatIsWorstTheVerdictAndAValueWithItsError) {
   EXPECT_THAT(document, ContainsRegex("data-value=\"[0-9.]+ \u00b1 [0-9.]+"));
 }
 
-// The style sheet keeps `.together` on one page of paper.
-TEST_F(BrowserReport, KeepsHeadingsWithTheirFiguresOnPaper) {
-  const std::string html = when_drawn(report(), R"(
-      const figures = [...document.querySelectorAll('#experiments .figure, #curves .figure')];
-      const kept = figures.filter((f) => f.closest('.together')?.querySelector('h3'));
-      const rules = [...document.styleSheets[0].cssRules].filter((r) => r instanceof CSSMediaRule);
-      const print = rules.find((r) => r.media.mediaText === 'print');
-      const avoids = [...print.cssRules].find((r) => r.selectorText?.includes('.together'));
-      document.body.dataset.loose = figures.length - kept.length;
-      document.body.dataset.avoids = avoids?.style.breakInside;)");
-  const std::string document = without_script(document_of(html));
-  EXPECT_THAT(document, HasSubstr("data-loose=\"0\""));
-  EXPECT_THAT(document, HasSubstr("data-avoids=\"avoid\""));
-}
-
-TEST_F(BrowserReport, FillsTheWidthOfPageOneWithItsLoops) {
-  const std::string html = when_drawn(report(), R"(
-      const figures = [...document.querySelectorAll('.page-one .figure')];
-      const box = (element) => element.getBoundingClientRect();
-      const page = box(document.querySelector('.page-one'));
-      document.body.dataset.left = Math.min(...figures.map((f) => box(f).left)) - page.left;
-      document.body.dataset.right = page.right - Math.max(...figures.map((f) => box(f).right));
-      document.body.dataset.beside = box(figures[0]).top === box(figures[1]).top;)");
-  const std::string document = without_script(document_of(html));
-  EXPECT_THAT(document, HasSubstr("data-left=\"0\""));
-  EXPECT_THAT(document, HasSubstr("data-right=\"0\""));
-  EXPECT_THAT(document, HasSubstr("data-beside=\"true\"")) << "validation beside the fit";
-}
-
-TEST_F(BrowserReport, DrawsTheMarkersOfPageOneAboveItsLines) {
-  const std::string html = when_drawn(report(), R"(
-      const traces = document.querySelectorAll('#figure-1 .scatterlayer .trace');
-      const kinds = [...traces].map((t) => t.querySelector('.js-line') ? 'line' : 'marker');
-      document.body.dataset.order = kinds.join();)");
-  EXPECT_THAT(without_script(document_of(html)),
-              HasSubstr("data-order=\"line,line,marker,marker\""));
-}
-
 // U+0378 has no letter yet, so no font has it.
 TEST_F(BrowserReport, NamesCharactersThatNoFontHas) {
   const std::string document = without_script(document_of(report({.name = "Jersey \u0378"})));
@@ -326,13 +264,88 @@ TEST_F(BrowserReport, SaysNothingOfCharactersThatItsFontsHave) {
   EXPECT_THAT(document, Not(HasSubstr("missing-characters\"")));
 }
 
-TEST_F(BrowserReport, HasGreenStrainAboveACurveAndExtensionBelowIt) {
-  const std::string html = when_drawn(report(), R"(
-      const titles = [...document.querySelectorAll('#curves .figure .infolayer text')];
-      document.body.dataset.titles = titles.slice(0, 4).map((t) => t.textContent).join('|');)");
-  const std::string document = without_script(document_of(html));
-  EXPECT_THAT(document, HasSubstr("Extension (%)|"));
-  EXPECT_THAT(document, HasSubstr("Green strain (%)"));
+/// The sample report of strips, looked at once for all of its tests.
+class BrowserReportOfStrips : public BrowserReport {
+ protected:
+  const std::string& document() const {
+    static const std::string document = without_script(document_of(when_drawn(report(), kLook)));
+    return document;
+  }
+
+ private:
+  static constexpr const char* kLook = R"(
+      {
+        const figure = document.getElementById('figure-1');
+        const width = () => figure.querySelector('.main-svg').getBoundingClientRect().width;
+        const before = width();
+        window.dispatchEvent(new Event('beforeprint'));
+        document.body.dataset.fits = width() === Number(figure.dataset.printWidth);
+        window.dispatchEvent(new Event('afterprint'));
+        document.body.dataset.restored = width() === before;
+      }
+      {
+        const figures = [...document.querySelectorAll('#experiments .figure, #curves .figure')];
+        const kept = figures.filter((f) => f.closest('.together')?.querySelector('h3'));
+        const rules = [...document.styleSheets[0].cssRules].filter((r) => r instanceof CSSMediaRule);
+        const print = rules.find((r) => r.media.mediaText === 'print');
+        const avoids = [...print.cssRules].find((r) => r.selectorText?.includes('.together'));
+        document.body.dataset.loose = figures.length - kept.length;
+        document.body.dataset.avoids = avoids?.style.breakInside;
+      }
+      {
+        const figures = [...document.querySelectorAll('.page-one .figure')];
+        const box = (element) => element.getBoundingClientRect();
+        const page = box(document.querySelector('.page-one'));
+        document.body.dataset.left = Math.min(...figures.map((f) => box(f).left)) - page.left;
+        document.body.dataset.right = page.right - Math.max(...figures.map((f) => box(f).right));
+        document.body.dataset.beside = box(figures[0]).top === box(figures[1]).top;
+      }
+      {
+        const traces = document.querySelectorAll('#figure-1 .scatterlayer .trace');
+        const kinds = [...traces].map((t) => t.querySelector('.js-line') ? 'line' : 'marker');
+        document.body.dataset.order = kinds.join();
+      }
+      {
+        const titles = [...document.querySelectorAll('#curves .figure .infolayer text')];
+        document.body.dataset.titles = titles.slice(0, 4).map((t) => t.textContent).join('|');
+      }
+      {
+        const entry = document.querySelector('button.legend-entry[data-group=measured-load]');
+        entry.click();
+        const figure = document.getElementById('figure-1');
+        const hidden = figure.data.filter((trace) => trace.visible === false);
+        document.body.dataset.hidden = hidden.map((trace) => trace.legendgroup).join();
+      })";
+};
+
+TEST_F(BrowserReportOfStrips, TakesThePrintedSizeOnPaperAndGivesItUpAfterwards) {
+  EXPECT_THAT(document(), HasSubstr("data-fits=\"true\""));
+  EXPECT_THAT(document(), HasSubstr("data-restored=\"true\""));
+}
+
+// The style sheet keeps `.together` on one page of paper.
+TEST_F(BrowserReportOfStrips, KeepsHeadingsWithTheirFiguresOnPaper) {
+  EXPECT_THAT(document(), HasSubstr("data-loose=\"0\""));
+  EXPECT_THAT(document(), HasSubstr("data-avoids=\"avoid\""));
+}
+
+TEST_F(BrowserReportOfStrips, FillsTheWidthOfPageOneWithItsLoops) {
+  EXPECT_THAT(document(), HasSubstr("data-left=\"0\""));
+  EXPECT_THAT(document(), HasSubstr("data-right=\"0\""));
+  EXPECT_THAT(document(), HasSubstr("data-beside=\"true\"")) << "validation beside the fit";
+}
+
+TEST_F(BrowserReportOfStrips, DrawsTheMarkersOfPageOneAboveItsLines) {
+  EXPECT_THAT(document(), HasSubstr("data-order=\"line,line,marker,marker\""));
+}
+
+TEST_F(BrowserReportOfStrips, HasGreenStrainAboveACurveAndExtensionBelowIt) {
+  EXPECT_THAT(document(), HasSubstr("Extension (%)|"));
+  EXPECT_THAT(document(), HasSubstr("Green strain (%)"));
+}
+
+TEST_F(BrowserReportOfStrips, ALegendEntryHidesItsSeries) {
+  EXPECT_THAT(document(), HasSubstr("data-hidden=\"measured-load\""));
 }
 
 /// Shows that the check above would see a request: the policy stops it and marks the document.

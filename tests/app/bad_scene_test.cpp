@@ -307,7 +307,7 @@ TEST(SlowUnsolvableScene, NeverWritesNaN) {
   }
 }
 
-TEST(FallingStiffness, IsSimulatedBeyondItsRangeWithoutGainingEnergy) {
+TEST(SlowFallingStiffness, IsSimulatedBeyondItsRangeWithoutGainingEnergy) {
   const SceneFolder folder;
   folder.write(
       "net.json",

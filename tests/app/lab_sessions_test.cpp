@@ -54,7 +54,7 @@ double off_by(const TemporaryFolder& folder, const json& material) {
   return json::parse(run.out)["experiments"][0]["rms_position_mm"].get<double>();
 }
 
-TEST(LabSessions, OverAnEdgeAreMetWithTheFrictionOfBendingAlone) {
+TEST(SlowLabSessions, OverAnEdgeAreMetWithTheFrictionOfBendingAlone) {
   const TemporaryFolder folder;
   const std::string lab =
       folder

@@ -86,7 +86,7 @@ TEST(CordLine, OfTwoParallelCordsIsTheOneThatIsFastenedThere) {
   }
 }
 
-TEST(CordLine, IsFoundAgainAfterAFarTurn) {
+TEST(SlowCordLine, IsFoundAgainAfterAFarTurn) {
   const CordForce turned{"1", kCord.point, {0.3, 1, 0.4}};
   const DrawnCords before({kCord}), after({turned});
   CordLine last = *before.pointed(kCord, 0);
@@ -99,7 +99,7 @@ TEST(CordLine, IsFoundAgainAfterAFarTurn) {
   EXPECT_LT(angle_between(line->direction, after.along(turned)), 0.1 * kDegree);
 }
 
-TEST(CordLine, IsSeenByTwoCamerasOrNotAtAll) {
+TEST(SlowCordLine, IsSeenByTwoCamerasOrNotAtAll) {
   const DrawnCords drawn({kCord}), empty({});
   const CordLine line = *drawn.pointed(kCord, 0);
   const CordLook look{1, 3, 0.4};

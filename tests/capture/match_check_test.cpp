@@ -46,7 +46,7 @@ PatchTracker tracker_of(GreyPicture first) {
   return tracker;
 }
 
-TEST(MatchCheck, TellsHowFarFollowingFromPictureToPictureWouldDrift) {
+TEST(SlowMatchCheck, TellsHowFarFollowingFromPictureToPictureWouldDrift) {
   const test::Texture texture(5);
   const int frames = test::makes_figures() ? 200 : 40;
   PatchTracker tracker = tracker_of(on_the_way(texture, 0, 0));

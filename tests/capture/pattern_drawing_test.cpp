@@ -96,7 +96,7 @@ TEST(PatternDrawing, HasTagsOfTheRightSizeInPng) {
   }
 }
 
-TEST(PatternDrawing, HasTagsOfTheRightSizeInPdf) {
+TEST(SlowPatternDrawing, HasTagsOfTheRightSizeInPdf) {
   if (!can_turn_pdf_to_pixels()) GTEST_SKIP() << "needs pdftoppm (poppler-utils)";
   const std::string pdf = draw_pattern(small_board(), SheetFormat::pdf, 600);
   for (const int dpi : {300, 600}) expect_board(pixels_of_pdf(pdf, dpi), small_board(), dpi);
@@ -147,7 +147,7 @@ TEST(PatternDrawing, HasSquaresOfTheRightSize) {
   EXPECT_NEAR(millimetres(first[2].end - first[0].begin, kDpi), 55, 0.02);
 }
 
-TEST(PatternDrawing, HasARulerOfMillimetres) {
+TEST(SlowPatternDrawing, HasARulerOfMillimetres) {
   constexpr int kDpi = 600;
   for (const double width : {0.21, 0.148}) {
     const Pattern printed = pattern(Chessboard{4, 3, 0.011}, width, 0.1);

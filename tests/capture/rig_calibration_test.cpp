@@ -62,7 +62,7 @@ std::string refusal_of(const RigFile& rig, std::vector<RigPicture> pictures) {
 }
 
 // The first and the third camera share no shot.
-TEST(RigCalibration, ConnectsCamerasThroughOthers) {
+TEST(SlowRigCalibration, ConnectsCamerasThroughOthers) {
   const VirtualRig rig(3);
   const auto pictures = rig.pictures(12, RandomStream(2), [](int camera, int shot) {
     return shot % 2 == 0 ? camera < 2 : camera > 0;
@@ -115,7 +115,7 @@ TEST(RigCalibration, LeavesOutAPictureOfAnotherMoment) {
   for (const double apart : errors_apart(found, rig)) EXPECT_LT(std::abs(apart), 3.5);
 }
 
-TEST(RigCalibration, LeavesOutCornersThatMiss) {
+TEST(SlowRigCalibration, LeavesOutCornersThatMiss) {
   const VirtualRig rig(2);
   std::vector<RigPicture> pictures = rig.pictures(10, RandomStream(5));
   for (RigPicture& picture : pictures) {
@@ -127,7 +127,7 @@ TEST(RigCalibration, LeavesOutCornersThatMiss) {
 }
 
 // Two tags 0.2 m apart beside the board; the board came out 1 % larger than its file says.
-TEST(RigCalibration, SecondLengthShowsAWrongScale) {
+TEST(SlowRigCalibration, SecondLengthShowsAWrongScale) {
   for (const double scale : {1.0, 1.01}) {
     VirtualRig rig(2);
     rig.print_scale = scale;
@@ -176,7 +176,7 @@ TEST(RigCalibration, GravityIsAlongAPlumbLine) {
   EXPECT_LT(found.gravity->error, 0.02);
 }
 
-TEST(RigCalibration, TellsABentBoard) {
+TEST(SlowRigCalibration, TellsABentBoard) {
   VirtualRig rig(2);
   rig.bend = 0.4e-3;
   rig.rig.warp = true;

@@ -103,7 +103,7 @@ TEST(TrackedPoints, FollowAStretchFromFrameToFrame) {
   }
 }
 
-TEST(TrackedPoints, ComeBackToWhereTheyWere) {
+TEST(SlowTrackedPoints, ComeBackToWhereTheyWere) {
   Camera camera(2);
   camera.add(same);
   for (int f = 1; f <= 6; ++f) camera.add(stretched(f <= 3 ? 0.02 * f : 0.02 * (6 - f)));

@@ -116,7 +116,7 @@ TEST(ContactSurface, LeavesOutWhatDoesNotMove) {
 }
 
 // Where a step goes astray nearly everything may meet nearly everything: 12 million pairs here.
-TEST(NearPairs, AreTooManyWhereWaysLeadFarToAllSides) {
+TEST(SlowNearPairs, AreTooManyWhereWaysLeadFarToAllSides) {
   const Sheets sheets = stacked_sheets(2, 36, 0.003);
   const Eigen::Index count = sheets.positions.cols();
   const auto surface =

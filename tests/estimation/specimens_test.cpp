@@ -45,7 +45,7 @@ TEST(SpreadBetweenSpecimens, OfHungWeightsIsThatOfTheSpecimens) {
   }
 }
 
-TEST(SpreadBetweenSpecimens, OfStripCyclesIsThatOfTheSpecimens) {
+TEST(SlowSpreadBetweenSpecimens, OfStripCyclesIsThatOfTheSpecimens) {
   const VirtualLab lab = varied(strip_cycles({0.05, 0.1, 0.2}), kSpecimens);
   VirtualStudy study(lab);
   study.set_model("stiffness: affine");

@@ -132,7 +132,7 @@ TEST(StandardErrors, GrowWhereNeighbouringResidualsGoTogether) {
   }
 }
 
-TEST(StandardErrors, OfCorrelatedNoiseStillCoverTheTruthMostly) {
+TEST(SlowStandardErrors, OfCorrelatedNoiseStillCoverTheTruthMostly) {
   const Material fabric = published_fabric("polyester");
   constexpr int kSeeds = 60;
   int covered = 0, identified = 0;

@@ -69,7 +69,7 @@ double fitted_stiffness(const ComponentExperiment& experiment, double start) {
   return law.stiffness.value(0);
 }
 
-TEST(PhotoImport, GivesTheStiffnessOfADrawnStripBack) {
+TEST(SlowPhotoImport, GivesTheStiffnessOfADrawnStripBack) {
   for (const double rigidity : {5e-6, 2e-5, 1e-4}) {
     for (const bool noisy : {false, true}) {
       ImportFolder folder;

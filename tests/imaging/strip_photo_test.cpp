@@ -190,7 +190,7 @@ TEST(StripPhoto, IsNotJoinedToWhatLiesAcrossBelowItsEnd) {
   EXPECT_NEAR(trace.length, kLength, 2 * kScale);
 }
 
-TEST(StripPhoto, OfAStripThatGoesOnBeyondItsEndIsRefused) {
+TEST(SlowStripPhoto, OfAStripThatGoesOnBeyondItsEndIsRefused) {
   const PhotoFolder folder;
   const auto truth = strip();
   // Far ahead there is more of it.

@@ -363,7 +363,7 @@ TEST(StripPull, AStripThatIsReleasedIsFreeOfForce) {
   EXPECT_NEAR(LawPath(law, *state).stress_at(state->strain), 0, 1e-6);
 }
 
-TEST(StripPull, DerivativesAreThoseOfDifferencesAfterAnEarlierPull) {
+TEST(SlowStripPull, DerivativesAreThoseOfDifferencesAfterAnEarlierPull) {
   RandomStream random(49);
   for (const double first : {0.0783, 0.0885}) {  // slack, taut
     for (int draw = 0; draw < 8; ++draw) {

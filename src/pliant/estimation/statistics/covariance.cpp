@@ -16,7 +16,7 @@ constexpr double kRankShare = 1e-12;   // of the largest singular value of G: be
 constexpr double kUnseenShare = 1e-6;  // of a unit vector
 constexpr double kFewDegrees = 3;      // a variance of fewer is hardly known
 
-using Svd = Eigen::BDCSVD<Eigen::MatrixXd>;
+using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
 /// Equations and unknowns in units of what they tell: G_uu = 1. Unlike units of the unknowns alone,
 /// that leaves small singular values to true degeneracy.

@@ -57,25 +57,6 @@ TEST(RealCapture, StereoChessboardIsMetWithAllNinePairs) {
   EXPECT_LT(found.held_out->rms, 0.026);
 }
 
-TEST(RealCapture, CamerasOfTheCylinderAreCalibrated) {
-  const auto folder = measurement("stereo_dic_cylinder");
-  SKIP_WITHOUT(folder);
-  if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
-  for (const char* name : {"201", "202"}) {
-    const RigCalibration found =
-        calibrated("{columns: 19, rows: 14, square: 10 mm}", fmt::format("{{c{}: }}", name),
-                   fmt::format("{{c{0}: {1}/board_{0}_*.jpg}}", name, folder.string()));
-    const CameraResiduals& camera = found.cameras[0];
-    fmt::print(
-        "camera {}: {} pictures, RMS {:.3f} px of {} corners, {:.3f} px of all {}; focal "
-        "length {:.1f} +- {:.1f} px\n",
-        name, camera.pictures, camera.rms, camera.corners, camera.rms_all,
-        camera.corners + camera.left_out, found.bundle.cameras[0].intrinsics(0), found.error(0, 0));
-    EXPECT_EQ(left_out_pictures(found), 0);
-    EXPECT_LT(camera.rms, 0.6);
-  }
-}
-
 struct ListedTag {
   int code = 0;
   Eigen::Matrix<double, 2, 4> corners;

@@ -187,6 +187,18 @@ struct SeenCylinder {
   std::vector<Marks> marks;
 };
 
+void expect_calibrated(const std::string& name, const RigCalibration& found) {
+  const CameraResiduals& camera = found.cameras[0];
+  fmt::print(
+      "camera {}: {} pictures, RMS {:.3f} px of {} corners, {:.3f} px of all {}; focal length "
+      "{:.1f} +- {:.1f} px\n",
+      name, camera.pictures, camera.rms, camera.corners, camera.rms_all,
+      camera.corners + camera.left_out, found.bundle.cameras[0].intrinsics(0), found.error(0, 0));
+  EXPECT_TRUE(std::ranges::all_of(
+      found.pictures, [](const RigPicture& picture) { return picture.left_out.empty(); }));
+  EXPECT_LT(camera.rms, 0.6);
+}
+
 SeenCylinder seen_cylinder(const std::filesystem::path& folder, const Eigen::Matrix3Xd& points) {
   SeenCylinder seen;
   // By the numbers above the columns, the first of which is 1.
@@ -195,6 +207,7 @@ SeenCylinder seen_cylinder(const std::filesystem::path& folder, const Eigen::Mat
     const RigCalibration found =
         calibrated("{columns: 19, rows: 14, square: 10 mm}", fmt::format("{{c{}: }}", name),
                    fmt::format("{{c{0}: {1}/board_{0}_*.jpg}}", name, folder.string()));
+    expect_calibrated(name, found);
     CameraModel camera = found.bundle.cameras[0];
     const auto spots = dark_spots(read_photo(folder / ("object_" + name + ".jpg")));
     double miss = 0;

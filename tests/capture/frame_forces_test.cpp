@@ -61,6 +61,15 @@ TEST(FrameForces, PullAlongACordAsItsCellReads) {
   EXPECT_EQ(frame.time, 4);
 }
 
+// A twentieth of the largest pull; of heavy cloth what the friction of cords may take.
+TEST(FrameForces, AreOutOfBalanceByAShareOfWhatPulls) {
+  PulledClip pulled("time_s,F1_N\n0,0.1\n2,0.2\n4,0.3\n"),
+      heavy("time_s,F1_N\n0,0.1\n2,3.1\n4,6.1\n");
+  for (PulledClip* clip : {&pulled, &heavy}) clip->forces().see_cords(2, {kLine});
+  EXPECT_NEAR(pulled.forces().balance_bound(), 0.05 * 0.3, 1e-12);
+  EXPECT_EQ(heavy.forces().balance_bound(), kCordFriction);
+}
+
 // The first frame, in which nothing pulls, is free; one in which the cell reads a force is not.
 TEST(FrameForces, AreNotKnownOfACordThatIsPointedAtLater) {
   PulledClip pulled;

@@ -46,6 +46,15 @@ std::optional<double> CellForces::noise() const {
   return std::sqrt(squares / count * cords / static_cast<double>(dic().clips.size()));
 }
 
+// Light cloth is pulled by less than the usual bound, which would pass cells that are exchanged.
+double CellForces::balance_bound() const {
+  constexpr double kShare = 0.05, kNoises = 5;  // of the largest pull; of the noise
+  double largest = 0;
+  for (std::size_t i = 0; i < cells_.pull.size(); ++i) largest = std::max(largest, largest_pull(i));
+  const double bound = std::max(kShare * largest, kNoises * noise().value_or(0));
+  return bound > 0 ? std::min(bound, kCordFriction) : kCordFriction;
+}
+
 bool CellForces::is_free(int frame) const {
   return std::ranges::none_of(lines_[static_cast<std::size_t>(frame)],
                               [](const auto& line) { return line.has_value(); });

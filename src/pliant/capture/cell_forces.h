@@ -11,6 +11,7 @@ class CellForces : public LoggedForces {
 
   void see_cords(int frame, std::vector<std::optional<CordLine>> lines) override;
   std::optional<double> noise() const override;
+  double balance_bound() const override;
   bool is_free(int frame) const override;
   std::vector<std::string> warnings(const std::vector<double>& ways) const override;
 

@@ -70,6 +70,7 @@ class SheetFollower {
     result_.time = forces_->log().time;
     result_.stands = forces_->log().stands;
     result_.session.noise.force = forces_->noise();
+    result_.session.balance_bound = forces_->balance_bound();
     for (auto& [f, frame] : followed_) take(f, std::move(frame));
     std::ranges::sort(result_.left_out, {}, &LeftOutFrame::frame);
     require_frames();

@@ -27,6 +27,8 @@ class FrameForces {
   virtual void see_cords(int /*frame*/, std::vector<std::optional<CordLine>> /*lines*/) {}
   /// Standard deviation of a component of a clip's force (N), where it is known.
   virtual std::optional<double> noise() const { return std::nullopt; }
+  /// What may be out of balance for each cord and be no fault (N).
+  virtual double balance_bound() const { return kCordFriction; }
   /// Whether cords are told or seen, and none of them in a frame.
   virtual bool is_free(int /*frame*/) const { return false; }
   virtual bool needs_clock() const { return false; }

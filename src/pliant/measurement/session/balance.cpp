@@ -50,7 +50,8 @@ std::string sentence(const char* what, const Worst& worst, const char* unit,
       "the {} on sheet and clips are out of balance in {} of {} frames, most in frame {}: {} {} "
       "are left of cords and weights (expected: at most {} {}, `balance_bound` of {} N a cord)",
       what, worst.count, session.frame_count(), worst.frame, format_number(worst.size, kDigits),
-      unit, format_number(worst.bound, kDigits), unit, session.balance_bound);
+      unit, format_number(worst.bound, kDigits), unit,
+      format_number(session.balance_bound, kDigits));
 }
 
 /// What the cords of all frames with cords pull with together, on average (N); none without any.

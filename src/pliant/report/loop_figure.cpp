@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
 
 #include "pliant/report/drawn_rows.h"
 #include "pliant/report/readable_unit.h"
@@ -146,8 +145,8 @@ class LoopPlot {
   void add_elastic(const SeriesStyle& style) {
     if (prediction_.elastic.empty()) return;
     std::vector<std::size_t> order = rows_;
-    const auto& [key, value] = at_.measured_along_x ? std::tie(at_.y_elastic, at_.x_elastic)
-                                                    : std::tie(at_.x_elastic, at_.y_elastic);
+    const auto& key = at_.measured_along_x ? at_.y_elastic : at_.x_elastic;
+    const auto& value = at_.measured_along_x ? at_.x_elastic : at_.y_elastic;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
     if (variation(value, rows_) < variation(value, order)) order = rows_;

@@ -44,7 +44,7 @@ Material sampled_material(const SceneSolid& solid, const VolumeMesh& mesh) {
       throw InputError(sample.where, "is a second sample at one place", "each place once");
     }
     places.push_back(sample.at);
-    SampledComponents& own = together.samples.at.emplace_back(sample.at);
+    SampledComponents& own = together.samples.at.emplace_back(SampledComponents{sample.at, {}});
     for (const auto& [name, component] : sample.material.material.components) {
       if (!component.stiffness) continue;
       own.components[name] = component;

@@ -27,7 +27,7 @@ MaterialSamples samples_of(const FitSettings& settings, const SheetStage& stage,
       places.size() > 1 ? spacing_of_neighbours(places)
                         : std::hypot(session.sample.width, session.sample.height));
   for (const Eigen::Vector3d& place : places) {
-    SampledComponents& sample = samples.at.emplace_back(place);
+    SampledComponents& sample = samples.at.emplace_back(SampledComponents{place, {}});
     for (const ComponentGroup& group : stage.groups) {
       if (!may_differ(settings, group)) continue;
       for (const std::string& name : group) {

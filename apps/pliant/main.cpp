@@ -39,12 +39,10 @@ void stop_on_signals() {
 // Pictures and matrices come and go by the thousand: given back to the system, which clears them
 // each time anew, they would take a tenth to a third of the time.
 void keep_freed_memory() {
-#ifdef __GLIBC__
   constexpr int kLargestBlock = 1 << 30, kUnused = 2'000'000'000, kAtOnce = 64 << 20;  // bytes
   mallopt(M_MMAP_THRESHOLD, kLargestBlock);
   mallopt(M_TRIM_THRESHOLD, kUnused);
   mallopt(M_TOP_PAD, kAtOnce);
-#endif
 }
 
 pliant::Level level_of(const std::string& name) {

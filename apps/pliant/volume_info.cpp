@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-std::string short_number(double value) { return format_number(value, 4); }
+std::string short_number(double value) { return format_number(value, kInfoDigits); }
 
 std::string volume_source_text(const VolumeFileSource& source) { return source.file.string(); }
 

@@ -1,5 +1,7 @@
 #include "real/real_capture.h"
 
+#include <algorithm>
+
 #include "pliant/imaging/photo.h"
 
 #include "io/temporary_folder.h"
@@ -23,6 +25,11 @@ RigCalibration calibrated(const std::string& board, const std::string& cameras,
   RunContext context;
   context.threads = 2;
   return calibrate_rig(rig, find_boards_in_pictures(rig, read_grey, context), context);
+}
+
+int left_out_pictures(const RigCalibration& found) {
+  return static_cast<int>(std::ranges::count_if(
+      found.pictures, [](const RigPicture& picture) { return !picture.left_out.empty(); }));
 }
 
 }  // namespace pliant::test

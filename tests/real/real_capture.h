@@ -11,4 +11,6 @@ namespace pliant::test {
 RigCalibration calibrated(const std::string& board, const std::string& cameras,
                           const std::string& pictures);
 
+int left_out_pictures(const RigCalibration& found);
+
 }  // namespace pliant::test

@@ -20,11 +20,6 @@
 namespace pliant::test {
 namespace {
 
-int left_out_pictures(const RigCalibration& found) {
-  return static_cast<int>(std::ranges::count_if(
-      found.pictures, [](const RigPicture& picture) { return !picture.left_out.empty(); }));
-}
-
 // Asked for are a stereo RMS of 0.28 pixels, 0.15 from epipolar lines, and held-out boards that are
 // rigid to 0.026 squares, with all nine pairs.
 TEST(RealCapture, StereoChessboardIsMetWithAllNinePairs) {

@@ -58,6 +58,7 @@ FileInfo results_file_info(const std::filesystem::path& path);
 FileInfo simulation_info(const std::filesystem::path& path);
 FileInfo checkpoint_info(const std::filesystem::path& path);
 FileInfo progress_info(const std::filesystem::path& path);
+FileInfo answers_info(const std::filesystem::path& path);
 FileInfo vtu_info(const std::filesystem::path& path);
 FileInfo directory_info(const std::filesystem::path& path);
 

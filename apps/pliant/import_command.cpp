@@ -15,6 +15,7 @@
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/import_photos.h"
+#include "apps/pliant/import_progress.h"
 
 namespace pliant {
 namespace {
@@ -23,7 +24,8 @@ struct ImportArguments {
   std::vector<std::string> files;
   std::string output;
   bool without_pauses = false;
-  bool dic = false;      ///< a dic/1 file
+  bool dic = false;  ///< a dic/1 file
+  bool resume = false;
   PhotoArguments photo;  ///< its width is a U3M file's too
 };
 
@@ -100,18 +102,24 @@ const std::string& only_file(const ImportArguments& arguments, const char* expec
 }
 
 // Leaves a picture of what was seen where the study would stand.
-[[noreturn]] void refuse(const RefusedPhoto& photo, const std::string& output, Progress& progress) {
+[[noreturn]] void refuse(const RefusedPhoto& photo, ResultDirectory& results, Progress& progress) {
   const std::string name = std::filesystem::path(photo.where().file).stem().string() + "-seen.png";
-  ResultDirectory(output, "import").set_aside(name, photo.as_seen());
+  results.set_aside(name, photo.as_seen());
   progress.message(Level::info,
                    fmt::format("{} shows what was seen: blue what stands out, orange what could be "
                                "what is looked for",
-                               (std::filesystem::path(output) / name).string()));
+                               (results.path() / name).string()));
   throw photo;
 }
 
-ImportedStudy import_points(const std::string& file, const RunContext& context) {
+/// @param results  take the files of the session
+ImportedStudy import_points(const std::string& file, ResultDirectory& results,
+                            const RunContext& context) {
   DicImport imported = import_dic(file, picture_reader(), context);
+  make_session_files(imported.made.session,
+                     [&](const std::string& name, const std::string& content) {
+                       results.write(fmt::format("{}/{}", kDicSessionFolder, name), content);
+                     });
   ImportedStudy& study = imported.study;
   const CaptureRecord record{std::filesystem::path(file).stem().string(),
                              imported.made,
@@ -123,9 +131,16 @@ ImportedStudy import_points(const std::string& file, const RunContext& context) 
   return std::move(study);
 }
 
-ImportedStudy import_files(const ImportArguments& arguments, const RunContext& context) {
+ImportedStudy import_files(const ImportArguments& arguments, ResultDirectory& results,
+                           const CommandContext& context) {
   if (arguments.dic) {
-    return import_points(only_file(arguments, "one dic/1 file"), context);
+    const std::string& file = only_file(arguments, "one dic/1 file");
+    return remembering(results, arguments.resume, context,
+                       [&](const RunContext& run) { return import_points(file, results, run); });
+  }
+  if (arguments.resume) {
+    throw InputError({"--resume", 0, ""}, "is of pictures that are followed, with --dic",
+                     "the same command without it");
   }
   const auto photos = std::count_if(arguments.files.begin(), arguments.files.end(), is_photo);
   if (photos == std::ssize(arguments.files))
@@ -134,11 +149,12 @@ ImportedStudy import_files(const ImportArguments& arguments, const RunContext& c
                     import_options(arguments));
 }
 
-ImportedStudy imported(const ImportArguments& arguments, const RunContext& context) {
+ImportedStudy imported(const ImportArguments& arguments, ResultDirectory& results,
+                       const CommandContext& context) {
   try {
-    return import_files(arguments, context);
+    return import_files(arguments, results, context);
   } catch (const RefusedPhoto& photo) {
-    refuse(photo, arguments.output, context.progress);
+    refuse(photo, results, context.run.progress);
   }
 }
 
@@ -176,6 +192,9 @@ void add_import(CommandRegistry& registry) {
                      "Strip width, if not the file's, e.g. 5 cm");
   command.add_flag("--dic", arguments->dic,
                    "FILE is a dic/1 file: tables of points from image correlation, and forces");
+  command.add_flag("--resume", arguments->resume,
+                   "--dic: go on from the progress.bin that a stopped run left in DIR; what was "
+                   "found in its pictures holds as long as these are the same");
   command.add_flag(
       "--no-pauses", arguments->without_pauses,
       "U3M: half cycles follow each other at once; rows get times by its sampling rate");
@@ -183,8 +202,8 @@ void add_import(CommandRegistry& registry) {
   add_strip_options(command, arguments->photo);
   add_drape_options(command, arguments->photo);
   registry.on(command, [arguments](CommandContext& context) {
-    const ImportedStudy study = imported(*arguments, context.run);
     ResultDirectory results(arguments->output, "import");
+    const ImportedStudy study = imported(*arguments, results, context);
     results.write("study.yaml", study.study_yaml);
     for (const auto& [name, content] : study.files) results.write(name, content);
     const std::vector<std::string> doubts =

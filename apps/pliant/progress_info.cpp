@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pliant/io/answer_file.h"
 #include "pliant/io/journal_file.h"
 
 #include "apps/pliant/file_info.h"
@@ -25,6 +26,16 @@ FileInfo progress_info(const std::filesystem::path& path) {
     if (entries.empty()) continue;
     info.lines.push_back(labelled("last of " + part, entries.back().question));
   }
+  return info;
+}
+
+FileInfo answers_info(const std::filesystem::path& path) {
+  FileInfo info = begin_info(path, "answers/1");
+  const int answers = AnswerFile::count(path);
+  info.json["answers"] = answers;
+  info.json["warnings"] = info.warnings;
+  info.lines.push_back(labelled("what it is", "the progress of an import, for --resume"));
+  info.lines.push_back(labelled("finished", fmt::format("{} searches of pictures", answers)));
   return info;
 }
 

@@ -30,6 +30,7 @@ class Journal {
 
   /// @param changed  is called whenever there is more to remember; without it nothing is remembered
   explicit Journal(std::function<void(const Content&)> changed = {});
+  virtual ~Journal() = default;
 
   const Content& content() const { return content_; }
 
@@ -40,7 +41,7 @@ class Journal {
   /// The answer that is known already, else the one that `work` finds.
   /// @throws InputError where the journal knows the answer to another question: it was written by
   ///         another computation
-  Numbers answer(const std::string& question, const std::function<Numbers()>& work);
+  virtual Numbers answer(const std::string& question, const std::function<Numbers()>& work);
 
   /// Where the work on the present question has come to; empty at its beginning.
   const Numbers& reached() const { return content_.reached; }

@@ -219,9 +219,6 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(made, name);
-  for (auto& [path, content] : session_files(made.session)) {
-    study.files.emplace_back(fmt::format("{}/{}", kDicSessionFolder, path), std::move(content));
-  }
   if (made.middle && !made.force.empty()) {
     study.files.emplace_back("middle.csv", middle_table(made));
     study.files.emplace_back("strip.yaml", strip_study(made, name));

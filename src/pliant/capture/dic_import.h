@@ -13,7 +13,7 @@ inline constexpr const char* kDicSessionFolder = "sheet";
 
 /// A study, and what it was made from.
 struct DicImport {
-  ImportedStudy study;
+  ImportedStudy study;  ///< without the files of the session, which `made` has
   DicSession made;
   std::vector<FrameDoubt> doubts;
 };

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "pliant/base/parallel.h"
 #include "pliant/capture/median.h"
 #include "pliant/capture/near_places.h"
 #include "pliant/capture/scattered.h"
+#include "pliant/io/digest.h"
 
 namespace pliant {
 namespace {
@@ -29,6 +33,27 @@ void take(TrackedPatch& point, const PatchMatch& match, bool by_core) {
   point.covariance = match.covariance;
   point.is_seen = true;
   point.by_core = by_core;
+}
+
+constexpr std::size_t kNumbers = 13;  // of a patch that was looked for
+
+void append(const TrackedPatch& point, std::vector<double>& numbers) {
+  const auto add = [&](const auto& values) {
+    numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+  };
+  add(point.motion.shift);
+  add(point.motion.slope);
+  add(point.covariance);
+  numbers.insert(numbers.end(),
+                 {point.correlation, point.is_seen ? 1.0 : 0.0, point.by_core ? 1.0 : 0.0});
+}
+
+void take(TrackedPatch& point, std::span<const double, kNumbers> numbers) {
+  point.motion = {Eigen::Vector2d(numbers.data()), Eigen::Matrix2d(numbers.data() + 2)};
+  point.covariance = Eigen::Matrix2d(numbers.data() + 6);
+  point.correlation = numbers[10];
+  point.is_seen = numbers[11] > 0;
+  point.by_core = numbers[12] > 0;
 }
 
 /// By how much a patch is elsewhere than those around it tell (pixels).
@@ -128,33 +153,60 @@ FoundPatches PatchTracker::found() const {
   return found;
 }
 
+std::string PatchTracker::digest() const {
+  std::string places;
+  for (const TrackedPatch& point : tracked_) places += as_bytes(point.place);
+  return sha256_of(sha256_of(as_bytes(first_)) + sha256_of(places) +
+                   fmt::format("{} {}", radius_, step_));
+}
+
+void PatchTracker::recall_or(const GreyPicture& picture, const std::function<void()>& find) {
+  if (digest_.empty()) digest_ = digest();
+  const std::string question =
+      fmt::format("where patches {} are in the picture {}", digest_, sha256_of(as_bytes(picture)));
+  const std::vector<double> found = context_.journal.answer(question, [&] {
+    find();
+    std::vector<double> numbers;
+    for (const TrackedPatch& point : tracked_) append(point, numbers);
+    return numbers;
+  });
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    take(tracked_[i], std::span(found).subspan(kNumbers * i).first<kNumbers>());
+  }
+}
+
 void PatchTracker::follow(const GreyPicture& grey) {
   now_.emplace(grey, kMatchSmoothing);
-  if (has_jumped(*now_)) {
-    search_around(grey, *now_);
-  } else {
-    match_where_they_were(*now_);
-  }
-  spread(*now_);
+  recall_or(grey, [&] {
+    if (has_jumped(*now_)) {
+      search_around(grey, *now_);
+    } else {
+      match_where_they_were(*now_);
+    }
+    spread(*now_);
+  });
 }
 
 void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
   constexpr double kLeast = 0.5;
-  const SplinePicture now(grey, kMatchSmoothing);
-  search(grey, now,
-         [&](const Reduced& pictures, const ReferencePatch& patch, const TrackedPatch& whole) {
-           std::optional<PatchMotion> best;
-           double most = kLeast;
-           for (PatchMotion motion : candidates(whole.place)) {
-             motion.shift /= kFactor;
-             const auto correlation = patch.correlation(pictures.now_spline, motion);
-             if (!correlation || *correlation <= most) continue;
-             most = *correlation;
-             best = motion;
-           }
-           return best;
-         });
-  spread(now);
+  const auto best_of = [&](const Reduced& pictures, const ReferencePatch& patch,
+                           const TrackedPatch& whole) {
+    std::optional<PatchMotion> best;
+    double most = kLeast;
+    for (PatchMotion motion : candidates(whole.place)) {
+      motion.shift /= kFactor;
+      const auto correlation = patch.correlation(pictures.now_spline, motion);
+      if (!correlation || *correlation <= most) continue;
+      most = *correlation;
+      best = motion;
+    }
+    return best;
+  };
+  recall_or(grey, [&] {
+    const SplinePicture now(grey, kMatchSmoothing);
+    search(grey, now, best_of);
+    spread(now);
+  });
 }
 
 void PatchTracker::look_for(TrackedPatch& point, const SplinePicture& now,

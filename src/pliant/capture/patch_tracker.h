@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,7 +55,8 @@ class PatchTracker {
   /// @return false, and none is added, where the picture has no texture to be found again
   bool add(const Eigen::Vector2d& place);
 
-  /// In the next picture of the same camera.
+  /// In the next picture of the same camera. The journal of the run answers what was found there
+  /// before it was stopped.
   void follow(const GreyPicture& now);
   /// In a picture of another camera: a few patches are looked for along the candidates.
   /// @param apart  pixels from candidate to candidate, at most
@@ -75,6 +77,10 @@ class PatchTracker {
  private:
   struct Reduced;
 
+  /// Of the patches as they were added, and of how they are followed.
+  std::string digest() const;
+  /// Takes what the journal knows of a picture, else what `find` finds there.
+  void recall_or(const GreyPicture& picture, const std::function<void()>& find);
   void look_for(TrackedPatch& point, const SplinePicture& now, PatchMotion start) const;
   /// The middle alone; whether it is there, and alike by `least` or more.
   bool look_for_core(TrackedPatch& point, const SplinePicture& now, PatchMotion start,
@@ -103,6 +109,7 @@ class PatchTracker {
   int radius_;
   double step_;
   RunContext context_;
+  std::string digest_;  // once it was needed
   std::vector<TrackedPatch> tracked_;
   std::vector<std::optional<PatchMotion>> tried_;  // of each patch, in this picture
 };

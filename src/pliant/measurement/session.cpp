@@ -180,25 +180,34 @@ Session read_session(const fs::path& directory) {
   return session;
 }
 
-std::vector<std::pair<std::string, std::string>> session_files(const Session& session) {
+void make_session_files(const Session& session,
+                        const std::function<void(const std::string&, std::string)>& take) {
   check_shape(session);
-  std::vector<std::pair<std::string, std::string>> files;
-  files.emplace_back("rest.ply", sheet_ply(session.rest, session.rest.positions));
+  take("rest.ply", sheet_ply(session.rest, session.rest.positions));
   for (int f = 0; f < session.frame_count(); ++f) {
     const SessionFrame& frame = session.frames[static_cast<std::size_t>(f)];
-    files.emplace_back(fmt::format("frames/{:04}.ply", f),
-                       sheet_ply(session.rest, frame.positions, frame.unseen, frame.deviations));
+    take(fmt::format("frames/{:04}.ply", f),
+         sheet_ply(session.rest, frame.positions, frame.unseen, frame.deviations));
   }
-  files.emplace_back("clips.csv", clip_pose_table(session));
-  files.emplace_back("cords.csv", cord_force_table(session));
-  if (session.table) files.emplace_back("table.csv", table_edge_table(session));
-  files.emplace_back("session.yaml", session_document_text(session));
+  take("clips.csv", clip_pose_table(session));
+  take("cords.csv", cord_force_table(session));
+  if (session.table) take("table.csv", table_edge_table(session));
+  take("session.yaml", session_document_text(session));
+}
+
+std::vector<std::pair<std::string, std::string>> session_files(const Session& session) {
+  std::vector<std::pair<std::string, std::string>> files;
+  make_session_files(session, [&](const std::string& name, std::string content) {
+    files.emplace_back(name, std::move(content));
+  });
   return files;
 }
 
 void write_session(const fs::path& directory, const Session& session, const std::string& command) {
   ResultDirectory results(directory, command);
-  for (const auto& [name, content] : session_files(session)) results.write(name, content);
+  make_session_files(session, [&](const std::string& name, const std::string& content) {
+    results.write(name, content);
+  });
   results.commit();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -104,6 +105,10 @@ Session read_session(const std::filesystem::path& directory);
 /// same numbers, to the bit; a table's edge, which is written in mm, to the last bit or its
 /// neighbour. Times are in the tables, where rows of a frame can hold them.
 std::vector<std::pair<std::string, std::string>> session_files(const Session& session);
+/// The same, one after the other: all of them together may be too large for the memory.
+/// @param take  is given the name and the content of each
+void make_session_files(const Session& session,
+                        const std::function<void(const std::string&, std::string)>& take);
 
 /// Writes a session/1 directory, which is complete afterwards or as it was before.
 /// @param command  of the program that makes it, whose earlier results are replaced

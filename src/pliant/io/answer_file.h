@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "pliant/base/journal.h"
+#include "pliant/base/stopwatch.h"
+
+namespace pliant {
+
+/// A journal that remembers answers alone, in a file to which they are appended: for computations
+/// whose answers are too large to be kept in memory, or to be written anew with each.
+///
+/// The file is a line that says what it is, and for each answer a line of its lengths and digest,
+/// the question, and the numbers to the bit. What was cut off while it was written is left out.
+class AnswerFile : public Journal {
+ public:
+  /// @param begin  makes the file anew, with `heading` in it; is called before the first answer is
+  ///               written where the file is not gone on from
+  AnswerFile(std::filesystem::path file, std::function<void()> begin);
+
+  /// The first line of such a file.
+  static std::string heading();
+
+  /// Begins with the answers in the file.
+  /// @throws InputError where there is none
+  void resume();
+
+  /// @throws InputError as Journal's; OutputError where it cannot be written
+  Numbers answer(const std::string& question, const std::function<Numbers()>& work) override;
+
+  /// Writes what is not written yet.
+  /// @return false where there is nothing to go on from
+  /// @throws OutputError
+  bool save();
+
+  /// Whether answers were written: short computations end before any are.
+  bool is_begun() const { return whole_ > 0; }
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Whether a file begins as these do.
+  static bool is(const std::filesystem::path& file);
+  /// How many a file has.
+  /// @throws InputError as `resume`
+  static int count(const std::filesystem::path& file);
+
+ private:
+  struct Record;
+
+  Record read_record();
+
+  std::filesystem::path file_;
+  std::function<void()> begin_;
+  std::ifstream known_;    // open while it may hold the next answer
+  std::size_t whole_ = 0;  // bytes of the file up to the last whole answer
+  std::string unwritten_;
+  Stopwatch since_saved_;
+};
+
+}  // namespace pliant

@@ -189,6 +189,8 @@ std::string TrackedPoints::track(int frame) {
   noise_.add(*tracker_);
   const std::string doubt = picture_doubt(*tracker_, grey);
   doubt_ = doubt.empty() ? "" : "its picture " + doubt;
+  constexpr int kFewest = 10;
+  if (tracker_->seen() < kFewest) return "shows hardly a square of the sample that is found again";
   return "";
 }
 

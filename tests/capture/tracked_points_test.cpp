@@ -160,6 +160,28 @@ TEST(TrackedPoints, AreLostBehindSomethingAndFoundAgain) {
   EXPECT_LT(largest_error(again, 0.03), 0.02);
 }
 
+// It shines through, little to much, and shows another way than the cloth goes.
+TEST(TrackedPoints, AreNotMisledWhereSomethingShinesOnTheSample) {
+  const GreyPicture shine = Texture(33).picture(90, 80, same);
+  for (const float share : {0.3F, 0.5F, 0.8F}) {
+    Camera camera(2);
+    camera.add(same);
+    GreyPicture picture = Texture(9).picture(kColumns, kRows, stretched(0.02));
+    picture.block(100, 60, 80, 90) *= 1 - share;
+    picture.block(100, 60, 80, 90) += share * shine;
+    RandomStream random(1);
+    test::add_noise(picture, 2, random);
+    camera.add_picture(picture);
+    const TemporaryFolder folder;
+    const DicFile dic = camera.describe(folder);
+    TrackedPoints points(dic, camera.reader(), {});
+    const PointFrame frame = points.read(1);
+    EXPECT_GT(frame.lost, 30) << share;  // some 40 lie wholly within
+    EXPECT_GT(frame.count(), 300) << share;
+    EXPECT_LT(largest_error(frame, 0.02), 0.3) << share;
+  }
+}
+
 GreyPicture blank() { return GreyPicture::Constant(kRows, kColumns, 90); }
 
 TEST(TrackedPoints, AreFoundAgainAfterThePictureShowedNone) {

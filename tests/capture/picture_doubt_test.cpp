@@ -1,5 +1,7 @@
 #include "pliant/capture/picture_doubt.h"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,14 +36,19 @@ GreyPicture moved_while_exposed(const GreyPicture& sharp, int pixels) {
   return whole;
 }
 
+PatchTracker tracker_of(GreyPicture first) {
+  PatchTracker tracker(std::move(first), 10, 10, {});
+  for (int y = 20; y < kPixels - 20; y += 10) {
+    for (int x = 20; x < kPixels - 20; x += 10) tracker.add({x, y});
+  }
+  return tracker;
+}
+
+/// White is 0.6 of the brightest.
+GreyPicture over_exposed(const GreyPicture& sharp) { return sharp.min(0.6F * sharp.maxCoeff()); }
+
 class PictureDoubt : public testing::Test {
  protected:
-  PictureDoubt() {
-    for (int y = 20; y < kPixels - 20; y += 10) {
-      for (int x = 20; x < kPixels - 20; x += 10) tracker_.add({x, y});
-    }
-  }
-
   std::string doubt_of(const GreyPicture& now) {
     tracker_.follow(now);
     EXPECT_GT(tracker_.seen(), tracker_.count() / 2);
@@ -49,7 +56,7 @@ class PictureDoubt : public testing::Test {
   }
 
  private:
-  PatchTracker tracker_{picture(1, 1), 10, 10, {}};
+  PatchTracker tracker_ = tracker_of(picture(1, 1));
 };
 
 TEST_F(PictureDoubt, IsNotToldOfClothThatIsStretchedOrDarker) {
@@ -62,8 +69,20 @@ TEST_F(PictureDoubt, IsToldOfABlurredPicture) {
 }
 
 TEST_F(PictureDoubt, IsToldOfAnOverExposedPicture) {
-  const GreyPicture sharp = picture(1, 2);
-  EXPECT_THAT(doubt_of(sharp.min(0.6F * sharp.maxCoeff())), HasSubstr("is over-exposed"));
+  EXPECT_THAT(doubt_of(over_exposed(picture(1, 2))), HasSubstr("is over-exposed"));
+}
+
+TEST(FirstPictureDoubt, IsToldOfAnOverExposedPicture) {
+  EXPECT_THAT(first_picture_doubt(tracker_of(picture(1, 1))), IsEmpty());
+  EXPECT_THAT(first_picture_doubt(tracker_of(over_exposed(picture(1, 1)))),
+              HasSubstr("is over-exposed"));
+}
+
+TEST(FirstPictureDoubt, IsNotToldOfMuchWhitePaper) {
+  GreyPicture print = over_exposed(picture(1, 1));
+  RandomStream random(4);
+  test::add_noise(print, 0.01, random);
+  EXPECT_THAT(first_picture_doubt(tracker_of(std::move(print))), IsEmpty());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "pliant/capture/repeating_texture.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -28,14 +27,12 @@ GreyPicture with_noise(GreyPicture picture) {
   return picture / 255;
 }
 
-/// Threads over and under each other.
 GreyPicture weave(double threads_apart) {
   GreyPicture picture(kPixels, kPixels);
-  const double wave = std::numbers::pi / threads_apart;
   for (int row = 0; row < kPixels; ++row) {
     for (int column = 0; column < kPixels; ++column) {
       picture(row, column) =
-          static_cast<float>(128 + 60 * std::sin(wave * column) * std::sin(wave * row));
+          static_cast<float>(test::weave_at(Eigen::Vector2d(column, row), threads_apart));
     }
   }
   return with_noise(picture);

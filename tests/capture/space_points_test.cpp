@@ -222,6 +222,18 @@ TEST(SlowSpacePoints, RefuseACameraThatWasTurned) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("moved")));
 }
 
+TEST(SpacePoints, RefuseAPictureOfAnotherSizeThanItsCameras) {
+  test::DrawnRig rig(2, 120, 110, 0.02);
+  rig.frames = {at_rest};
+  const DicFile dic = rig.dic();
+  const ReadPicture cut = [](const std::filesystem::path& file) -> GreyPicture {
+    return GreyPicture::Constant(110, file == "1/0" ? 118 : 120, 0.5F);
+  };
+  EXPECT_THAT([&] { SpacePoints(dic, cut, with(1)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "1/0: is 118 x 110 pixels, and those of its camera's calibration 120 x 110")));
+}
+
 TEST(SlowSpacePoints, RefuseASampleWithoutTexture) {
   test::DrawnRig rig(2, 300, 280, 0.035);
   rig.frames = {at_rest};

@@ -51,6 +51,14 @@ class Texture {
   std::vector<Wave> waves_;
 };
 
+/// Threads over and under each other, as bright; it is the same again a thread to the right and one
+/// down.
+/// @param apart  pixels from thread to thread
+inline double weave_at(const Eigen::Vector2d& place, double apart) {
+  const double wave = std::numbers::pi / apart;
+  return 128 + 60 * std::sin(wave * place.x()) * std::sin(wave * place.y());
+}
+
 inline void add_noise(GreyPicture& picture, double sd, RandomStream& random) {
   for (float& pixel : picture.reshaped()) pixel += static_cast<float>(sd * random.normal());
 }

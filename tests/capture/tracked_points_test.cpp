@@ -3,10 +3,12 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/base/random.h"
+#include "pliant/capture/dic_import.h"
 
 #include "capture/texture.h"
 #include "io/input_error_of.h"
@@ -17,6 +19,8 @@ namespace {
 
 using test::TemporaryFolder;
 using test::Texture;
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 constexpr int kColumns = 240, kRows = 320;
@@ -156,6 +160,89 @@ TEST(TrackedPoints, AreLostBehindSomethingAndFoundAgain) {
   EXPECT_LT(largest_error(again, 0.03), 0.02);
 }
 
+// It shines through, little to much, and shows another way than the cloth goes.
+TEST(TrackedPoints, AreNotMisledWhereSomethingShinesOnTheSample) {
+  const GreyPicture shine = Texture(33).picture(90, 80, same);
+  for (const float share : {0.3F, 0.5F, 0.8F}) {
+    Camera camera(2);
+    camera.add(same);
+    GreyPicture picture = Texture(9).picture(kColumns, kRows, stretched(0.02));
+    picture.block(100, 60, 80, 90) *= 1 - share;
+    picture.block(100, 60, 80, 90) += share * shine;
+    RandomStream random(1);
+    test::add_noise(picture, 2, random);
+    camera.add_picture(picture);
+    const TemporaryFolder folder;
+    const DicFile dic = camera.describe(folder);
+    TrackedPoints points(dic, camera.reader(), {});
+    const PointFrame frame = points.read(1);
+    EXPECT_GT(frame.lost, 30) << share;  // some 40 lie wholly within
+    EXPECT_GT(frame.count(), 300) << share;
+    EXPECT_LT(largest_error(frame, 0.02), 0.3) << share;
+  }
+}
+
+GreyPicture blank() { return GreyPicture::Constant(kRows, kColumns, 90); }
+
+TEST(TrackedPoints, AreFoundAgainAfterThePictureShowedNone) {
+  Camera camera;
+  camera.add(same);
+  camera.add_picture(blank());
+  camera.add(stretched(0.02));
+  const TemporaryFolder folder;
+  const DicFile dic = camera.describe(folder);
+  TrackedPoints points(dic, camera.reader(), {});
+  EXPECT_THAT(points.read(1).left_out, HasSubstr("hardly a square"));
+  const PointFrame again = points.read(2);
+  EXPECT_LT(again.lost, 25);
+  EXPECT_LT(largest_error(again, 0.02), 0.02);
+}
+
+/// Threads seven pixels apart, which have moved.
+GreyPicture weave(const Eigen::Vector2d& by, std::uint64_t seed) {
+  GreyPicture picture(kRows, kColumns);
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      picture(row, column) =
+          static_cast<float>(test::weave_at(Eigen::Vector2d(column, row) - by, 7));
+    }
+  }
+  RandomStream random(seed);
+  test::add_noise(picture, 2, random);
+  return picture;
+}
+
+TEST(TrackedPoints, OfAWeaveAreFollowedInSmallSteps) {
+  Camera camera;
+  for (int f = 0; f < 5; ++f) camera.add_picture(weave(f * Eigen::Vector2d(2, -1), f + 1));
+  const TemporaryFolder folder;
+  const DicFile dic = camera.describe(folder);
+  TrackedPoints points(dic, camera.reader(), {});
+  for (int f = 1; f < 5; ++f) {
+    const PointFrame frame = points.read(f);
+    EXPECT_GT(frame.count(), 18 * 26) << f;
+    const Eigen::Matrix3Xd by = (frame.moved - frame.rest) / kPixel;
+    const Eigen::Vector3d expected = f * Eigen::Vector3d(2, -1, 0);
+    EXPECT_LT((by.colwise() - expected).colwise().norm().maxCoeff(), 0.1) << f;
+  }
+}
+
+// A second place is as much like each square: none is guessed.
+TEST(TrackedPoints, OfAWeaveAreNotFoundAgain) {
+  Camera camera;
+  camera.add_picture(weave({0, 0}, 1));
+  camera.add_picture(weave({2, -1}, 2));
+  camera.add_picture(blank());
+  camera.add_picture(weave({3, -2}, 3));
+  const TemporaryFolder folder;
+  camera.describe(folder);
+  const DicImport made = import_dic(folder.path() / "d.yaml", camera.reader(), {});
+  EXPECT_THAT(made.study.warnings, Contains(HasSubstr("the cloth's own pattern repeats")));
+  EXPECT_THAT(made.study.notes,
+              Contains(AllOf(HasSubstr("2 frames are left out: frame 2 shows hardly a square"),
+                             HasSubstr("frame 3 shows hardly a square"))));
+}
+
 TEST(TrackedPoints, AreTheSameOnAnyNumberOfThreads) {
   Camera camera(1);
   camera.add(same);
@@ -180,7 +267,7 @@ std::string refused(const Camera& camera, const std::string& more = "") {
 
 TEST(TrackedPoints, RefuseASampleWithoutTexture) {
   Camera camera;
-  camera.add_picture(GreyPicture::Constant(kRows, kColumns, 90));
+  camera.add_picture(blank());
   EXPECT_THAT(refused(camera), HasSubstr("have no texture to be found again"));
 }
 

@@ -48,13 +48,13 @@ TEST(DataSource, PathsAreRelativeToTheDocument) {
   EXPECT_THAT(DataRows(source).quantity("force", Dimension::force), ElementsAre(1));
 }
 
-TEST(DataSource, APatternIsEveryMatchingFileByName) {
+TEST(DataSource, APatternIsEveryMatchingFileByTheNumbersInItsName) {
   const TemporaryFolder folder;
   for (const char* name : {"warp-2.csv", "warp-10.csv", "warp-1.csv", "weft-1.csv", "warp-3.txt"}) {
     folder.write(name, "force_N\n1\n");
   }
   EXPECT_THAT(file_names(source_of(folder, "\"warp-*.csv\"")),
-              ElementsAre("warp-1.csv", "warp-10.csv", "warp-2.csv"));
+              ElementsAre("warp-1.csv", "warp-2.csv", "warp-10.csv"));
   folder.write("sub/a.csv", "force_N\n1\n");
   folder.write("sub/.a.csv", "hidden");
   EXPECT_THAT(file_names(source_of(folder, "\"sub/*\"")), ElementsAre("a.csv"));

@@ -31,6 +31,10 @@ struct MatchMisses {
 /// Tells what matches with the first picture are worth: by matching some patches back, and by
 /// following them from picture to picture too, as optical flow does. There errors add up, and what
 /// is lost once is lost.
+///
+/// Both ways minimise the same differences, so that they part where the search goes astray, hardly
+/// where cloth has changed or is partly hidden: single squares are left out by how alike they are,
+/// and by those around them.
 class MatchCheck {
  public:
   /// @param tracker  to which all patches were added

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -21,8 +22,9 @@ constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, 
 constexpr int kSeeds = 40;                // that are looked for first
 constexpr int kFactor = 4;                // of reduced pictures
 constexpr int kReducedRadius = 8;
-constexpr int kSmallestCore = 4;    // radius (pixels)
-constexpr double kCoreAlike = 0.9;  // fewer pixels are alike by chance more often
+constexpr double kLeastLikely = 0.5;  // correlation of a motion that is worth a closer look
+constexpr int kSmallestCore = 4;      // radius (pixels)
+constexpr double kCoreAlike = 0.9;    // fewer pixels are alike by chance more often
 
 /// Of the middle that is looked for alone.
 int core_radius(int radius) { return radius / 2; }
@@ -54,6 +56,35 @@ void take(TrackedPatch& point, std::span<const double, kNumbers> numbers) {
   point.correlation = numbers[10];
   point.is_seen = numbers[11] > 0;
   point.by_core = numbers[12] > 0;
+}
+
+/// The best of the motions that a patch may have made, and those elsewhere that are nearly as good.
+std::vector<LikelyMotion> most_likely(std::vector<LikelyMotion> all) {
+  constexpr std::size_t kMost = 4;
+  constexpr double kNearly = 0.2, kElsewhere = 3;  // of correlation; pixels
+  std::ranges::stable_sort(all, std::greater(), &LikelyMotion::correlation);
+  std::vector<LikelyMotion> chosen;
+  for (const LikelyMotion& one : all) {
+    if (chosen.size() == kMost || one.correlation < all.front().correlation - kNearly) break;
+    const bool is_elsewhere = std::ranges::all_of(chosen, [&](const LikelyMotion& other) {
+      return (other.motion.shift - one.motion.shift).norm() >= kElsewhere;
+    });
+    if (is_elsewhere) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+/// The best of some matches of a patch; nothing where one elsewhere is as good, as in a texture
+/// that repeats: which is the right one is not told.
+std::optional<PatchMatch> sole_match(const std::vector<PatchMatch>& matches) {
+  constexpr double kAsGood = 0.05, kElsewhere = 1;  // of correlation; pixels
+  const auto best = std::ranges::max_element(matches, {}, &PatchMatch::correlation);
+  if (best == matches.end()) return std::nullopt;
+  const bool is_sole = std::ranges::none_of(matches, [&](const PatchMatch& other) {
+    return other.correlation > best->correlation - kAsGood &&
+           (other.motion.shift - best->motion.shift).norm() > kElsewhere;
+  });
+  return is_sole ? std::optional(*best) : std::nullopt;
 }
 
 /// By how much a patch is elsewhere than those around it tell (pixels).
@@ -91,10 +122,9 @@ GreyPicture reduced(const GreyPicture& picture, int factor) {
   return result;
 }
 
-std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
-                                            const Eigen::Vector2i& place,
-                                            const Eigen::Vector2i& about, int radius, int reach) {
-  constexpr float kLeast = 0.5;
+std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
+                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
+                                        int radius, int reach) {
   const int side = 2 * radius + 1;
   const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
     return middle.x() >= radius && middle.y() >= radius && middle.x() + radius < picture.cols() &&
@@ -105,23 +135,21 @@ std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyP
     patch -= patch.mean();
     return patch;
   };
-  if (!within(rest, place)) return std::nullopt;
+  std::vector<LikelyMotion> likely;
+  if (!within(rest, place)) return likely;
   const GreyPicture patch = patch_at(rest, place);
   const float norm = patch.matrix().norm();
-  std::optional<Eigen::Vector2i> best;
-  float most = kLeast;
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
       const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
       if (!within(now, place + shift)) continue;
       const GreyPicture other = patch_at(now, place + shift);
       const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
-      if (!(correlation > most)) continue;
-      most = correlation;
-      best = shift;
+      if (correlation > kLeastLikely)
+        likely.push_back({{.shift = shift.cast<double>()}, correlation});
     }
   }
-  return best;
+  return likely;
 }
 
 PatchTracker::PatchTracker(GreyPicture first, int radius, double step, const RunContext& context)
@@ -188,23 +216,19 @@ void PatchTracker::follow(const GreyPicture& grey) {
 }
 
 void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
-  constexpr double kLeast = 0.5;
-  const auto best_of = [&](const Reduced& pictures, const ReferencePatch& patch,
-                           const TrackedPatch& whole) {
-    std::optional<PatchMotion> best;
-    double most = kLeast;
+  const auto likely_of = [&](const Reduced& pictures, const ReferencePatch& patch,
+                             const TrackedPatch& whole) {
+    std::vector<LikelyMotion> likely;
     for (PatchMotion motion : candidates(whole.place)) {
       motion.shift /= kFactor;
       const auto correlation = patch.correlation(pictures.now_spline, motion);
-      if (!correlation || *correlation <= most) continue;
-      most = *correlation;
-      best = motion;
+      if (correlation && *correlation > kLeastLikely) likely.push_back({motion, *correlation});
     }
-    return best;
+    return likely;
   };
   recall_or(grey, [&] {
     const SplinePicture now(grey, kMatchSmoothing);
-    search(grey, now, best_of);
+    search(grey, now, likely_of);
     spread(now);
   });
 }
@@ -273,10 +297,13 @@ void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
       const auto patch =
           ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
       if (!patch) return;
-      const auto start = coarse(pictures, *patch, point);
-      if (!start) return;
-      const auto found = patch->match(pictures.now_spline, *start);
-      if (!found || found->correlation < kAlike) return;
+      std::vector<PatchMatch> matches;
+      for (const LikelyMotion& start : most_likely(coarse(pictures, *patch, point))) {
+        const auto match = patch->match(pictures.now_spline, start.motion);
+        if (match && match->correlation >= kAlike) matches.push_back(*match);
+      }
+      const auto found = sole_match(matches);
+      if (!found) return;
       look_for(point, now, {.shift = kFactor * found->motion.shift, .slope = found->motion.slope});
     });
   });
@@ -284,16 +311,11 @@ void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
 
 void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& now) {
   constexpr int kReach = 40;
-  search(grey, now,
-         [](const Reduced& pictures, const ReferencePatch&,
-            const TrackedPatch& whole) -> std::optional<PatchMotion> {
-           const Eigen::Vector2i place = Reduced::place(whole.place).array().round().cast<int>();
-           const Eigen::Vector2i last = (whole.motion.shift / kFactor).array().round().cast<int>();
-           const auto shift =
-               coarse_shift(pictures.first, pictures.now, place, last, kReducedRadius, kReach);
-           if (!shift) return std::nullopt;
-           return PatchMotion{.shift = shift->cast<double>()};
-         });
+  search(grey, now, [](const Reduced& pictures, const ReferencePatch&, const TrackedPatch& whole) {
+    const Eigen::Vector2i place = Reduced::place(whole.place).array().round().cast<int>();
+    const Eigen::Vector2i last = (whole.motion.shift / kFactor).array().round().cast<int>();
+    return likely_shifts(pictures.first, pictures.now, place, last, kReducedRadius, kReach);
+  });
 }
 
 // From what was found to what is around it.

@@ -35,6 +35,12 @@ struct FoundPatches {
   Eigen::Matrix2Xd places, now;  ///< in the first picture and in this one (pixels)
 };
 
+/// A motion that a patch may have made, and how alike it is then.
+struct LikelyMotion {
+  PatchMotion motion;
+  double correlation = 0;
+};
+
 /// Motions that the surroundings of a place may have made (pixels).
 using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vector2d& place)>;
 
@@ -43,7 +49,8 @@ using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vec
 ///
 /// A patch is looked for where it was in the picture before, and if it is not there where the
 /// patches around it have gone; where half are lost at once, a few are searched for far around, and
-/// lead the others. One that has gone elsewhere than those around it counts as lost.
+/// lead the others, if there is no second place that is as much like them. One that has gone
+/// elsewhere than those around it counts as lost.
 ///
 /// Where cloth is bent within a patch, or part of it is hidden, its middle is looked for alone.
 class PatchTracker {
@@ -87,9 +94,9 @@ class PatchTracker {
                      double least) const;
   bool has_jumped(const SplinePicture& now);
   void match_where_they_were(const SplinePicture& now);
-  /// How a patch of reduced pictures, and with it that of the whole ones, has moved, about, in
+  /// How a patch of reduced pictures, and with it that of the whole ones, may have moved, about, in
   /// pixels of the reduced ones.
-  using CoarseSearch = std::function<std::optional<PatchMotion>(
+  using CoarseSearch = std::function<std::vector<LikelyMotion>(
       const Reduced&, const ReferencePatch&, const TrackedPatch&)>;
   void search(const GreyPicture& grey, const SplinePicture& now, const CoarseSearch& coarse);
   void search_around(const GreyPicture& grey, const SplinePicture& now);
@@ -117,12 +124,11 @@ class PatchTracker {
 /// A picture whose pixels are the means of squares of `factor` x `factor`.
 GreyPicture reduced(const GreyPicture& picture, int factor);
 
-/// Where a patch has gone by whole pixels: the largest correlation within `reach` of a shift.
+/// Where a patch may have gone by whole pixels, within `reach` of a shift: all shifts by which it
+/// correlates by more than a half.
 /// @param about  that shift
-/// @return its whole shift; nothing where it leaves the picture everywhere, or nowhere correlates
-/// by a half
-std::optional<Eigen::Vector2i> coarse_shift(const GreyPicture& rest, const GreyPicture& now,
-                                            const Eigen::Vector2i& place,
-                                            const Eigen::Vector2i& about, int radius, int reach);
+std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
+                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
+                                        int radius, int reach);
 
 }  // namespace pliant

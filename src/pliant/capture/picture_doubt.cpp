@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,9 @@
 
 namespace pliant {
 namespace {
+
+constexpr int kLooks = 200;
+constexpr double kMostWhite = 0.1;  // of the pixels; a print's own white is less
 
 /// What a square of a picture looks like.
 struct Look {
@@ -36,10 +41,24 @@ std::optional<Look> look_at(const GreyPicture& picture, float brightest,
 
 }  // namespace
 
+std::string first_picture_doubt(const PatchTracker& tracker) {
+  const float brightest = tracker.first().maxCoeff();
+  std::vector<double> white;
+  for (const int number : scattered(tracker.count(), kLooks)) {
+    const TrackedPatch& patch = tracker.patches()[static_cast<std::size_t>(number)];
+    const auto look = look_at(tracker.first(), brightest, patch.place, tracker.radius());
+    if (look) white.push_back(look->white);
+  }
+  const double share = median(std::move(white));
+  if (share <= kMostWhite) return {};
+  return fmt::format(
+      "is over-exposed: {:.0f} % of its pixels on the sample are as bright as its brightest, and "
+      "what is beyond that is not seen to move",
+      100 * share);
+}
+
 std::string picture_doubt(const PatchTracker& tracker, const GreyPicture& now) {
-  constexpr int kLooks = 200;
-  constexpr double kMostWhite = 0.1,
-                   kLeastSteep = 0.65;  // more of the pixels; of the first picture
+  constexpr double kLeastSteep = 0.65;  // of the first picture
   const float brightest_first = tracker.first().maxCoeff(), brightest = now.maxCoeff();
   std::vector<double> across, down, white;
   for (const int number : scattered(tracker.count(), kLooks)) {

@@ -14,4 +14,7 @@ namespace pliant {
 /// @param now  the picture itself
 std::string picture_doubt(const PatchTracker& tracker, const GreyPicture& now);
 
+/// The same of the first picture, which is compared with no other: whether it is over-exposed.
+std::string first_picture_doubt(const PatchTracker& tracker);
+
 }  // namespace pliant

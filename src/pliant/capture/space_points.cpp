@@ -212,6 +212,7 @@ std::string SpacePoints::follow(int frame) {
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     View& view = follow_[c];
     matches_.add(view.check->of(*view.tracker, context_.threads));
+    view.noise.add(*view.tracker);
     const std::string doubt = picture_doubt(*view.tracker, now[c]);
     if (doubt_.empty() && !doubt.empty()) {
       doubt_ = fmt::format("the picture of {} {}", views().names[c], doubt);
@@ -384,6 +385,13 @@ std::vector<std::string> SpacePoints::notes() const {
 
 std::vector<std::string> SpacePoints::warnings() const {
   std::vector<std::string> warnings = warnings_;
+  for (std::size_t c = 0; c < follow_.size(); ++c) {
+    for (const std::string& doubt :
+         {first_picture_doubt(*follow_[c].tracker), follow_[c].noise.doubt()}) {
+      if (doubt.empty()) continue;
+      warnings.push_back(fmt::format("{} {}", views().files[c].front().string(), doubt));
+    }
+  }
   for (const Eigen::Index axis : {0, 1}) {
     const std::string doubt =
         size_doubt(placement_.sides(axis), size()(axis), axis == 0 ? "wide" : "high");

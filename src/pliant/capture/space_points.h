@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "pliant/capture/calibration_error.h"
+#include "pliant/capture/match_noise.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/sample_placement.h"
@@ -46,6 +47,7 @@ class SpacePoints : public PointSource {
   struct View {
     std::unique_ptr<PatchTracker> tracker;
     std::optional<MatchCheck> check;
+    MatchNoise noise;
     std::vector<int> points;  // of each of its patches
   };
 

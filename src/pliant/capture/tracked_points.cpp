@@ -53,6 +53,16 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
     const std::string doubt = size_doubt(seen, stated, which);
     if (!doubt.empty()) warnings_.push_back(doubt);
   }
+  if (const std::string doubt = first_picture_doubt(*tracker_); !doubt.empty()) {
+    warnings_.push_back(fmt::format("{} {}", file(0), doubt));
+  }
+}
+
+std::vector<std::string> TrackedPoints::warnings() const {
+  std::vector<std::string> warnings = warnings_;
+  const std::string doubt = noise_.doubt();
+  if (!doubt.empty()) warnings.push_back(fmt::format("{} {}", file(0), doubt));
+  return warnings;
 }
 
 std::vector<TrackedPoints::LabelledSize> TrackedPoints::sizes_by_labels() const {
@@ -176,8 +186,11 @@ std::string TrackedPoints::track(int frame) {
   }
   tracker_->follow(grey);
   matches_ = check_->of(*tracker_, context_.threads);
+  noise_.add(*tracker_);
   const std::string doubt = picture_doubt(*tracker_, grey);
   doubt_ = doubt.empty() ? "" : "its picture " + doubt;
+  constexpr int kFewest = 10;
+  if (tracker_->seen() < kFewest) return "shows hardly a square of the sample that is found again";
   return "";
 }
 

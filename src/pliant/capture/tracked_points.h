@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/capture/label_views.h"
+#include "pliant/capture/match_noise.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/plane_view.h"
 #include "pliant/capture/point_source.h"
@@ -25,7 +26,7 @@ class TrackedPoints : public PointSource {
   std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
-  std::vector<std::string> warnings() const override { return warnings_; }
+  std::vector<std::string> warnings() const override;
   std::vector<std::string> cameras() const override { return {"camera"}; }
   std::vector<PointsInPicture> in_pictures(const Eigen::Matrix3Xd& points) const override;
 
@@ -52,7 +53,8 @@ class TrackedPoints : public PointSource {
   std::unique_ptr<PatchTracker> tracker_;
   std::optional<MatchCheck> check_;
   MatchMisses matches_;  // of this frame
-  std::string doubt_;    // of this frame's picture
+  MatchNoise noise_;
+  std::string doubt_;  // of this frame's picture
   int without_texture_ = 0;
   std::vector<std::string> warnings_;
   int frame_ = 0;

@@ -8,6 +8,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/imaging/deep_picture.h"
+#include "pliant/imaging/picture_bytes.h"
+#include "pliant/io/text_file.h"
 
 namespace pliant {
 namespace {
@@ -21,6 +23,7 @@ using Pixbuf = std::unique_ptr<GdkPixbuf, Unreference>;
 
 struct Free {
   void operator()(gchar* bytes) const { g_free(bytes); }
+  void operator()(GError* error) const { g_error_free(error); }
 };
 
 ColourPhoto grey_levels(const Photo& photo) {
@@ -32,6 +35,40 @@ ColourPhoto grey_levels(const Photo& photo) {
     picture.levels.insert(picture.levels.end(), kColours, level);
   }
   return picture;
+}
+
+[[noreturn]] void refuse_cut(const std::filesystem::path& file) {
+  throw InputError({file.string()}, "ends too early or is damaged", "a whole picture");
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  return read_text_file(file, kMost);
+}
+
+[[noreturn]] void refuse_unread(const std::filesystem::path& file, const GError& error) {
+  if (error.domain == GDK_PIXBUF_ERROR && is_heic(bytes_of(file))) {
+    throw InputError({file.string()}, "is a HEIC picture, which has to be converted first",
+                     "JPEG or PNG: set the phone's camera to `most compatible`, or convert it, "
+                     "e.g. `heif-convert 1.heic 1.png`");
+  }
+  if (error.domain == GDK_PIXBUF_ERROR && error.code != GDK_PIXBUF_ERROR_UNKNOWN_TYPE) {
+    refuse_cut(file);
+  }
+  throw InputError({file.string()}, "is no picture that can be read",
+                   "a photograph: JPEG, PNG, TIFF or BMP");
+}
+
+/// As it is stored.
+Pixbuf stored_picture(const std::filesystem::path& file) {
+  GError* error = nullptr;
+  Pixbuf stored(gdk_pixbuf_new_from_file(file.c_str(), &error));
+  if (!stored) {
+    const std::unique_ptr<GError, Free> kept(error);
+    refuse_unread(file, *error);
+  }
+  if (is_cut(bytes_of(file))) refuse_cut(file);
+  return stored;
 }
 
 /// The library gives none where memory ends.
@@ -48,11 +85,7 @@ ColourPhoto read_picture(const std::filesystem::path& file) {
 }
 
 ColourPhoto read_shallow_picture(const std::filesystem::path& file) {
-  const Pixbuf stored(gdk_pixbuf_new_from_file(file.c_str(), nullptr));
-  if (!stored) {
-    throw InputError({file.string()}, "is no picture that can be read",
-                     "a photograph: JPEG, PNG, TIFF or BMP");
-  }
+  const Pixbuf stored = stored_picture(file);
   const Pixbuf turned = owned(gdk_pixbuf_apply_embedded_orientation(stored.get()));
   ColourPhoto picture{gdk_pixbuf_get_height(turned.get()), gdk_pixbuf_get_width(turned.get()), {}};
   picture.levels.resize(static_cast<std::size_t>(kColours) * picture.rows * picture.columns);

@@ -18,7 +18,7 @@ struct ColourPhoto {
 };
 
 /// Reads a photograph, turned as its camera held it; one of more bits a level as 8.
-/// @throws InputError for a file that is no picture
+/// @throws InputError for a file that is no picture, or not a whole one
 ColourPhoto read_picture(const std::filesystem::path& file);
 /// The same of one that is not deep, as of `read_deep_picture`.
 ColourPhoto read_shallow_picture(const std::filesystem::path& file);

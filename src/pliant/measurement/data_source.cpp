@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "pliant/base/name_order.h"
 #include "pliant/base/name_pattern.h"
 #include "pliant/measurement/column_synonyms.h"
 
@@ -21,7 +22,9 @@ std::vector<fs::path> matching_files(const fs::path& folder, const std::string& 
     const std::string name = entry.path().filename().string();
     if (name[0] != '.' && matches(name_pattern, name)) files.push_back(directory / name);
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files, [](const fs::path& one, const fs::path& other) {
+    return comes_before(one.filename().string(), other.filename().string());
+  });
   return files;
 }
 

@@ -14,7 +14,7 @@ namespace pliant {
 
 /// Where an experiment's rows come from: one file, or a pattern with one specimen a file.
 struct DataSource {
-  std::vector<std::filesystem::path> files;  ///< sorted by name
+  std::vector<std::filesystem::path> files;  ///< sorted by name, as of `comes_before`
   std::string written;                       ///< as the study says it
   CsvOptions csv;
   Location where;

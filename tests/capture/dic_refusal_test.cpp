@@ -41,6 +41,15 @@ TEST(DicRefusal, OfALogThatDoesNotCoverTheFrames) {
   EXPECT_THAT(refused(folder, more), HasSubstr("a log that covers the frames"));
 }
 
+TEST(DicRefusal, OfALogWhoseTimesAreShuffled) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  folder.write("log.csv", "time_s,force_N\n0,0\n2,2\n1,1\n");
+  const std::string more = std::string(kTwoClips) + "forces: {data: log.csv, on: b, rate: 1 Hz}\n";
+  EXPECT_THAT(refused(folder, more), HasSubstr("log.csv:4: time: does not come after the row "
+                                               "before; expected times that increase"));
+}
+
 TEST(DicRefusal, OfALogWithoutTheExtensionThatAClipMovesBy) {
   const TemporaryFolder folder;
   PointTables::write(folder, 2, still);

@@ -13,7 +13,10 @@ namespace pliant {
 namespace {
 
 using test::TemporaryFolder;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// A clip that one cord pulls, a row of the log a frame.
 class PulledClip {
@@ -80,6 +83,20 @@ TEST(FrameForces, AreNotKnownOfACordThatIsPointedAtLater) {
   EXPECT_EQ(pulled.forces().add_to(free, 0, kHeld), "");
   EXPECT_TRUE(free.cords[0].empty());
   EXPECT_THAT(pulled.forces().add_to(early, 1, kHeld), HasSubstr("which is pointed at later"));
+}
+
+// Nothing pulls in the first frame, and there the cell reads a tenth of its largest force.
+TEST(FrameForces, WarnOfACellThatPullsBeforeItsCordIsPointedAt) {
+  PulledClip right, wrong("time_s,F1_N\n0,0.3\n2,1.1\n4,2.1\n");
+  for (PulledClip* clip : {&right, &wrong}) {
+    clip->forces().see_cords(0, {std::nullopt});
+    for (const int frame : {1, 2}) clip->forces().see_cords(frame, {kLine});
+  }
+  EXPECT_THAT(right.forces().warnings({}), IsEmpty());
+  EXPECT_THAT(wrong.forces().warnings({}),
+              ElementsAre(AllOf(HasSubstr("the cell of the cord front of the clip upper reads"),
+                                HasSubstr("in frame 0, before its cord was pointed at: is its "
+                                          "tare right?"))));
 }
 
 // The log was running for 3 s when the first frame was taken. The cord pulls by 0.2 N a millimetre,

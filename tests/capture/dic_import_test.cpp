@@ -40,5 +40,16 @@ TEST(DicImport, WarnsOfALogThatDoesNotBeginAtZero) {
               Not(Contains(HasSubstr("the cell's zero is off"))));
 }
 
+// What pulls there is more than is read.
+TEST(DicImport, LeavesOutFramesInWhichACellIsAtItsLimit) {
+  const DicImport made = pulled_by({0, 1, 2, 3, 4, 5, 5, 5, 5});
+  EXPECT_EQ(made.made.used, (std::vector{0, 1, 2, 3, 4}));
+  EXPECT_THAT(made.study.warnings,
+              Contains(HasSubstr("the log of the forces reads 5 N again and again")));
+  EXPECT_THAT(made.study.notes,
+              Contains(HasSubstr("4 frames are left out: frame 5 has the tester's cell at its "
+                                 "limit, or not connected; frame 6")));
+}
+
 }  // namespace
 }  // namespace pliant

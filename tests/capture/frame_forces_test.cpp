@@ -1,11 +1,14 @@
 // What load cells and the cords that they pull make of a frame.
 #include "pliant/capture/frame_forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "pliant/base/random.h"
 
 #include "io/temporary_folder.h"
 
@@ -97,6 +100,27 @@ TEST(FrameForces, WarnOfACellThatPullsBeforeItsCordIsPointedAt) {
               ElementsAre(AllOf(HasSubstr("the cell of the cord front of the clip upper reads"),
                                 HasSubstr("in frame 0, before its cord was pointed at: is its "
                                           "tare right?"))));
+}
+
+// Steps of 2 s, photographed in their middle; the cell reads 1.5 N at most.
+TEST(FrameForces, AreNotKnownWhereTheirCellIsAtItsLimit) {
+  RandomStream random(1);
+  std::string log = "time_s,F1_N\n";
+  for (int row = 0; row <= 60; ++row) {
+    const double step = std::floor(row / 20.0);
+    log += fmt::format("{},{}\n", 0.1 * row, std::min(step + 2e-3 * random.normal(), 1.5));
+  }
+  PulledClip pulled(log, "  rate: 0.5 Hz\n  start: 1 s\n  still: 0.8 s\n");
+  FrameForces& forces = pulled.forces();
+  for (const int frame : {0, 1, 2}) forces.see_cords(frame, {kLine});
+  SessionFrame below, beyond;
+  EXPECT_EQ(forces.add_to(below, 1, kHeld), "");
+  EXPECT_NEAR(below.cords[0][0].force.norm(), 1.5 * 0.9, 4e-3);  // four errors of 9 rows
+  EXPECT_THAT(forces.add_to(beyond, 2, kHeld),
+              HasSubstr("the cell of the cord front of the clip upper at its limit"));
+  EXPECT_THAT(forces.warnings({}), ElementsAre(HasSubstr("again and again")));
+  ASSERT_TRUE(forces.noise());
+  EXPECT_LT(*forces.noise(), 0.1);
 }
 
 // The log was running for 3 s when the first frame was taken. The cord pulls by 0.2 N a millimetre,

@@ -58,7 +58,7 @@ std::vector<double> frame_times(const DicForces& forces, int frames, double star
 }
 
 /// What one column of a log says at each frame: between its rows, or where the file tells how long
-/// frames stand still the mean of the rows in that time.
+/// frames stand still the mean of the rows in that time. NaN where a row of those is.
 struct ColumnAtFrames {
   std::vector<double> values;
   std::vector<std::optional<StillReading>> readings;  // empty where that is not told
@@ -72,10 +72,13 @@ ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<doubl
   for (const double value : column) largest = std::max(largest, std::abs(value));
   ColumnAtFrames result;
   for (const double time : times) {
-    result.readings.push_back(still_reading(log, column, time, *forces.still, largest));
-    result.values.push_back(result.readings.back() ? result.readings.back()->mean : kNone);
+    auto reading = still_reading(log, column, time, *forces.still, largest);
+    const bool has_rows = reading.has_value();
+    result.values.push_back(has_rows ? reading->mean : kNone);
+    if (std::isnan(result.values.back())) reading.reset();
+    result.readings.push_back(reading);
     const bool is_covered = time >= log.front() && time <= log.back();
-    if (!is_covered || result.readings.back()) continue;
+    if (!is_covered || has_rows) continue;
     throw InputError(forces.data.where,
                      fmt::format("has less than three rows within {} of {:.6g} s, while frame {} "
                                  "stands still",

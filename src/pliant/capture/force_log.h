@@ -10,7 +10,8 @@ namespace pliant {
 
 /// What a tester's log says at each frame (SI).
 struct FrameLog {
-  std::vector<double> force;      ///< NaN of frames that the log does not cover (`start`)
+  std::vector<double> force;      ///< NaN of frames that the log does not cover (`start`), or whose
+                                  ///< rows are NaN
   std::vector<double> extension;  ///< likewise; empty where the log has none
   std::vector<double> time;       ///< by the log's clock; empty where it tells none
   std::vector<std::optional<FrameStand>> stands;  ///< where the file tells how long frames stand

@@ -11,6 +11,11 @@ void LoggedForces::place_by_stated_start() {
   place(forces().start ? forces().start->time.value_or(0) : 0);
 }
 
+bool LoggedForces::is_beyond(std::size_t frame, const std::vector<double>& times) const {
+  if (!forces().rate) return false;
+  return log_.time[frame] < times.front() || log_.time[frame] > times.back();
+}
+
 std::string LoggedForces::find_clock(const std::vector<double>& ways) {
   const Together both = together(ways);
   const ClockSearch search = pliant::find_clock(both.log, both.ways, *forces().rate);

@@ -30,6 +30,9 @@ class LoggedForces : public FrameForces {
   /// To be called when the rows are read: places them where the clock is known.
   void place_by_stated_start();
 
+  /// Whether a frame was taken beside the times of the log.
+  bool is_beyond(std::size_t frame, const std::vector<double>& times) const;
+
   const DicForces& forces() const { return *dic_.forces; }
   int frames() const { return frames_; }
   const DicFile& dic() const { return dic_; }

@@ -15,19 +15,23 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A sample that is stretched by 1 % a frame along warp, and the force that a row a frame tells.
+constexpr const char* kTwoClips =
+    "clips: [{name: lower, side: bottom}, {name: upper, side: top}]\n";
+
+/// By 1 % a frame along warp.
+Eigen::Vector3d stretched(int frame, const Eigen::Vector2d& place) {
+  return {place.x(), (1 + 0.01 * frame) * place.y(), 0};
+}
+
+/// A sample that is stretched, and the force that a row a frame tells.
 DicImport pulled_by(const std::vector<double>& forces) {
   const TemporaryFolder folder;
-  PointTables::write(folder, static_cast<int>(forces.size()),
-                     [](int frame, const Eigen::Vector2d& place) {
-                       return Eigen::Vector3d(place.x(), (1 + 0.01 * frame) * place.y(), 0);
-                     });
+  PointTables::write(folder, static_cast<int>(forces.size()), stretched);
   std::string log = "force_N\n";
   for (const double force : forces) log += fmt::format("{}\n", force);
   folder.write("log.csv", log);
-  return import_dic(PointTables::describe(folder,
-                                          "clips: [{name: lower, side: bottom}, {name: upper, "
-                                          "side: top}]\nforces: {data: log.csv, on: upper}\n"),
+  return import_dic(PointTables::describe(
+                        folder, std::string(kTwoClips) + "forces: {data: log.csv, on: upper}\n"),
                     {}, {});
 }
 
@@ -49,6 +53,20 @@ TEST(DicImport, LeavesOutFramesInWhichACellIsAtItsLimit) {
   EXPECT_THAT(made.study.notes,
               Contains(HasSubstr("4 frames are left out: frame 5 has the tester's cell at its "
                                  "limit, or not connected; frame 6")));
+}
+
+// All after it were taken a second later than they would have been without the gap.
+TEST(DicImport, TakesTheForcesOfFramesAfterAGapAtTheirTimes) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 5, stretched);
+  std::filesystem::remove(folder.path() / "points/002.csv");
+  folder.write("log.csv", "time_s,force_N\n0,0\n4,8\n");
+  const DicImport made = import_dic(
+      PointTables::describe(
+          folder, std::string(kTwoClips) + "forces: {data: log.csv, on: upper, rate: 1 Hz}\n"),
+      {}, {});
+  EXPECT_EQ(made.made.force, (std::vector<double>{0, 2, 6, 8}));
+  EXPECT_THAT(made.study.warnings, Contains(HasSubstr("003.csv comes after 001.csv")));
 }
 
 }  // namespace

@@ -178,6 +178,20 @@ TEST(DicRefusal, OfUnequalNumbersOfPictures) {
               HasSubstr("has 1 pictures, and left has 2"));
 }
 
+// Each camera has lost another one.
+TEST(DicRefusal, OfPicturesOfDifferentMoments) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"left/2.png", "left/4.png", "right/1.png", "right/3.png", "right/4.png"}) {
+    folder.write(name, "");
+  }
+  EXPECT_THAT(refused_views(folder,
+                            "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", "
+                            "right: \"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+              HasSubstr("views.yaml:7: views.pictures.right: has 3.png beside 2.png, of another "
+                        "moment by the numbers in their names"));
+}
+
 TEST(DicRefusal, OfACameraAlone) {
   EXPECT_THAT(refused_views(TemporaryFolder(),
                             "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\"}\n"

@@ -19,17 +19,15 @@ std::string name_of(const DicCell& cell) {
 
 }  // namespace
 
-CellForces::CellForces(const DicFile& dic, int frames)
-    : LoggedForces(dic, frames),
-      rows_(read_cell_rows(forces())),
-      lines_(static_cast<std::size_t>(frames)) {
+CellForces::CellForces(const DicFile& dic)
+    : LoggedForces(dic), rows_(read_cell_rows(forces())), lines_(moments().size()) {
   place_by_stated_start();
 }
 
 void CellForces::place(double start) {
   CellRows rows = rows_;
   for (std::vector<double>& pull : rows.pull) pull = without_limit(std::move(pull));
-  cells_ = cells_at_frames(rows, forces(), frames(), start);
+  cells_ = cells_at_frames(rows, forces(), moments(), start);
   log_.time = cells_.time;
   log_.stands = cells_.stands;
 }

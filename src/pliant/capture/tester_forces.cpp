@@ -8,8 +8,7 @@
 
 namespace pliant {
 
-TesterForces::TesterForces(const DicFile& dic, int frames)
-    : LoggedForces(dic, frames), rows_(read_log_rows(forces())) {
+TesterForces::TesterForces(const DicFile& dic) : LoggedForces(dic), rows_(read_log_rows(forces())) {
   place_by_stated_start();
 }
 
@@ -35,7 +34,7 @@ std::vector<std::string> TesterForces::warnings(const std::vector<double>& ways)
 void TesterForces::place(double start) {
   FrameLog rows = rows_;
   rows.force = without_limit(std::move(rows.force));
-  log_ = log_of_frames(std::move(rows), forces(), frames(), start);
+  log_ = log_of_frames(std::move(rows), forces(), moments(), start);
 }
 
 std::string TesterForces::add_forces(SessionFrame& frame, std::size_t number,

@@ -239,10 +239,10 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   constexpr double kWrinkled = 0.01;
   if (made.unrolled.value_or(0) > kWrinkled) {
     study.warnings.push_back(fmt::format(
-        "the sample is wrinkled in the first frame, or bent both ways: laid flat it is stretched "
-        "by {:.2g} %, which counts as strain in all others; a frame in which it lies smooth comes "
-        "first",
-        100 * *made.unrolled));
+        "{}: the sample is wrinkled in this first frame, or bent both ways: laid flat it is "
+        "stretched by {:.2g} %, which counts as strain in all others; a frame in which it lies "
+        "smooth comes first",
+        dic.files().front().string(), 100 * *made.unrolled));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(

@@ -12,9 +12,12 @@
 namespace pliant::test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
 
 TEST(SessionInfo, TellsWhatWasMeasured) {
   const SessionFolder folder(stretch_session());
@@ -36,6 +39,26 @@ TEST(SessionInfo, TellsWhatWasMeasured) {
               Contains(HasSubstr("81 vertices, 128 triangles, 100 mm x 100 mm at rest")));
   EXPECT_THAT(info.lines, Contains(HasSubstr("12, 100 mm x 100 mm, 3.1 g, 310 g/m^2")));
   EXPECT_THAT(info.warnings, IsEmpty());
+}
+
+TEST(SessionInfo, TellsHowWellPositionsAreKnownWhereEveryFrameDoes) {
+  Session session = stretch_session();
+  const Eigen::Vector3d known(2e-6, 3e-6, 9e-6);
+  const Eigen::Index vertices = session.rest.vertex_count();
+  for (SessionFrame& frame : session.frames) frame.deviations = known.replicate(1, vertices);
+  session.frames[0].deviations.col(7) *= 50;  // the middle is told
+  const FileInfo info = describe_file(SessionFolder(session).path());
+  ASSERT_EQ(info.json["position_deviation"].size(), 3U);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double told = info.json["position_deviation"][axis].get<double>();
+    EXPECT_NEAR(told, known(static_cast<Eigen::Index>(axis)), 1e-15);
+  }
+  EXPECT_THAT(info.lines, Contains(AllOf(StartsWith("positions"),
+                                         HasSubstr("to 2 um, 3 um, 9 um along x, y, z"))));
+
+  session.frames[1].deviations.resize(3, 0);
+  EXPECT_THAT(describe_file(SessionFolder(session).path()).lines,
+              Not(Contains(HasSubstr("along x, y, z"))));
 }
 
 TEST(SessionInfo, NamesTheLargestImbalance) {

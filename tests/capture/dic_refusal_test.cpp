@@ -41,6 +41,15 @@ TEST(DicRefusal, OfALogThatDoesNotCoverTheFrames) {
   EXPECT_THAT(refused(folder, more), HasSubstr("a log that covers the frames"));
 }
 
+TEST(DicRefusal, OfALogWhoseTimesAreShuffled) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  folder.write("log.csv", "time_s,force_N\n0,0\n2,2\n1,1\n");
+  const std::string more = std::string(kTwoClips) + "forces: {data: log.csv, on: b, rate: 1 Hz}\n";
+  EXPECT_THAT(refused(folder, more), HasSubstr("log.csv:4: time: does not come after the row "
+                                               "before; expected times that increase"));
+}
+
 TEST(DicRefusal, OfALogWithoutTheExtensionThatAClipMovesBy) {
   const TemporaryFolder folder;
   PointTables::write(folder, 2, still);
@@ -167,6 +176,20 @@ TEST(DicRefusal, OfUnequalNumbersOfPictures) {
                             "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", "
                             "right: \"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
               HasSubstr("has 1 pictures, and left has 2"));
+}
+
+// Each camera has lost another one.
+TEST(DicRefusal, OfPicturesOfDifferentMoments) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"left/2.png", "left/4.png", "right/1.png", "right/3.png", "right/4.png"}) {
+    folder.write(name, "");
+  }
+  EXPECT_THAT(refused_views(folder,
+                            "views:\n  calibration: c.json\n  pictures: {left: \"left/*.png\", "
+                            "right: \"right/*.png\"}\n  corners: [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+              HasSubstr("views.yaml:7: views.pictures.right: has 3.png beside 2.png, of another "
+                        "moment by the numbers in their names"));
 }
 
 TEST(DicRefusal, OfACameraAlone) {

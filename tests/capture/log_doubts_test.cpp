@@ -33,6 +33,20 @@ TEST(LimitDoubt, IsToldOfACellAtItsLimit) {
   EXPECT_THAT(limit_doubt(forces), HasSubstr("again and again"));
 }
 
+TEST(LimitDoubt, IsOfReadingsThatAreNotKnown) {
+  const std::vector<double> all = pull(1e-3);
+  EXPECT_EQ(without_limit(all), all);
+  std::vector<double> cut = all;
+  for (double& force : cut) force = std::min(force, 4.0);
+  const std::vector<double> known = without_limit(cut);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    EXPECT_EQ(std::isnan(known[row]), all[row] >= 4) << row;
+    if (all[row] < 4) {
+      EXPECT_EQ(known[row], all[row]);
+    }
+  }
+}
+
 TEST(LimitDoubt, IsToldOfACellThatIsNotConnected) {
   EXPECT_THAT(limit_doubt(std::vector<double>(20, 0.31)), HasSubstr("not connected"));
 }

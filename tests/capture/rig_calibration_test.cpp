@@ -126,12 +126,18 @@ TEST(SlowRigCalibration, LeavesOutCornersThatMiss) {
   for (const double apart : errors_apart(found, rig)) EXPECT_LT(std::abs(apart), 3.5);
 }
 
-// Two tags 0.2 m apart beside the board; the board came out 1 % larger than its file says.
-TEST(SlowRigCalibration, SecondLengthShowsAWrongScale) {
-  for (const double scale : {1.0, 1.01}) {
-    VirtualRig rig(2);
-    rig.print_scale = scale;
-    rig.rig.second_length = {100, 101, 0.1, false, {"rig.yaml", 8, "second_length"}};
+/// Two tags 0.1 m apart beside the board, which came out larger than its file says.
+VirtualRig printed_rig(double scale) {
+  VirtualRig rig(2);
+  rig.print_scale = scale;
+  rig.rig.second_length = {100, 101, 0.1, false, {"rig.yaml", 8, "second_length"}};
+  return rig;
+}
+
+// By 0.3 %: several errors, and less than is refused.
+TEST(SlowRigCalibration, SecondLengthShowsAScaleThatIsALittleOff) {
+  for (const double scale : {1.0, 1.003}) {
+    const VirtualRig rig = printed_rig(scale);
     const RigCalibration found =
         calibrate_rig(rig.rig, rig.pictures_with_ruler(8, 0.1, RandomStream(6)), {});
     ASSERT_TRUE(found.length);
@@ -143,6 +149,15 @@ TEST(SlowRigCalibration, SecondLengthShowsAWrongScale) {
     });
     EXPECT_EQ(loud, scale != 1);
   }
+}
+
+TEST(SlowRigCalibration, RefusesAScaleThatTheSecondLengthContradicts) {
+  const VirtualRig rig = printed_rig(1.01);
+  const std::string refusal = refusal_of(rig.rig, rig.pictures_with_ruler(8, 0.1, RandomStream(6)));
+  EXPECT_THAT(refusal, HasSubstr("rig.yaml:8: second_length: is stated as 100 mm and comes out as "
+                                 "9"));
+  EXPECT_THAT(refusal, HasSubstr("by the boards, 0.9"));
+  EXPECT_THAT(refusal, HasSubstr("printed at 100 %"));
 }
 
 TEST(RigCalibration, MeasuresALengthOnTheBoardWithOneCamera) {

@@ -189,8 +189,10 @@ TEST(UnrolledSheet, WarnsOfASampleThatIsWrinkled) {
         1.5e-3 * std::sin(2 * M_PI * place.x() / 0.02) * std::sin(2 * M_PI * place.y() / 0.02);
     return Eigen::Vector3d(place.x(), place.y(), height);
   });
-  EXPECT_THAT(import_dic(described(folder, dents, 0), {}, {}).study.warnings,
-              ::testing::Contains(::testing::HasSubstr("wrinkled")));
+  EXPECT_THAT(
+      import_dic(described(folder, dents, 0), {}, {}).study.warnings,
+      ::testing::Contains(::testing::HasSubstr("s/0.csv: the sample is wrinkled in this first "
+                                               "frame")));
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST_F(BrowserReport, OfASimulationIsDrawnWithItsPictures) {
 
 TEST_F(BrowserReport, OfACaptureIsDrawnToo) {
   const std::string document = without_script(document_of(testing::sample_capture_report()));
-  EXPECT_EQ(count(document, "data-drawn=\"true\""), 2u) << "what was seen, and matches";
+  EXPECT_EQ(count(document, "data-drawn=\"true\""), 3u) << "what was seen, matches and balance";
   EXPECT_THAT(document, HasSubstr("data-ready=\"true\""));
   EXPECT_THAT(document, Not(HasSubstr("data-script-error")));
   EXPECT_THAT(document, Not(HasSubstr("data-violation")));

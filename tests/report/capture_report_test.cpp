@@ -35,6 +35,22 @@ TEST(CaptureReport, TellsByHowMuchEachCameraMisses) {
   EXPECT_THAT(page, HasSubstr("up to 0.079 px"));
 }
 
+// Of the two frames that the session has, with two cords each.
+TEST(CaptureReport, DrawsWhatIsLeftOfAllForces) {
+  const std::string page = sample_capture_report();
+  EXPECT_THAT(page, HasSubstr("<h2>Balance</h2>"));
+  EXPECT_THAT(page, HasSubstr(R"("x":[1.0,3.0],"y":[0.0,0.5])"));
+  EXPECT_THAT(page, HasSubstr(R"("x":[1.0,3.0],"y":[0.25,0.25])"));
+}
+
+TEST(CaptureReport, TellsWhenTheFirstFrameWasTaken) {
+  EXPECT_THAT(sample_capture_report(),
+              HasSubstr("<dt>First frame</dt><dd>2.4 s by the clock of the forces</dd>"));
+  DicSession made = sample_capture();
+  made.time.clear();
+  EXPECT_THAT(make_capture_report({"pull", made, {}, {}, {}, {}}), Not(HasSubstr("First frame")));
+}
+
 TEST(CaptureReport, OfTablesOfPointsJudgesNoFrame) {
   DicSession made = sample_capture();
   made.cameras.clear();

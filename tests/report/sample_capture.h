@@ -5,7 +5,8 @@
 
 namespace pliant::testing {
 
-/// A strip that two cameras saw in four frames, of which one was left out and one lies on a table.
+/// A strip that two cameras saw, pulled by two cords, in four frames, of which one was left out and
+/// one lies on a table.
 inline DicSession sample_capture() {
   DicSession made;
   Session& session = made.session;
@@ -26,10 +27,20 @@ inline DicSession sample_capture() {
     quality.matches = {0.002, 0.01 * f, 100, f};
   }
   made.used = {1, 3};
+  made.time = {2.4, 4.4, 6.4, 8.4};
   made.slack = {0};
   made.left_out = {{2, "shows the label 3 not at all"}};
-  session.frames.resize(2);
-  for (SessionFrame& frame : session.frames) frame.positions = session.rest.positions;
+  // What pulls up is not all answered in the second of them.
+  session.gravity.setZero();
+  session.balance_bound = 0.125;
+  session.clips = {{"lower", 0, {0, 1, 2}}, {"upper", 0, {12, 13, 14}}};
+  for (const double left : {0.0, 0.5}) {
+    SessionFrame& frame = session.frames.emplace_back();
+    frame.positions = session.rest.positions;
+    frame.poses.resize(2);
+    frame.cords = {{{"front", {0.02, 0, 0}, {0, -1, 0}}},
+                   {{"front", {0.02, 0.08, 0}, {0, 1 + left, 0}}}};
+  }
   for (int c = 0; c < 2; ++c) {
     RegionMisses misses(640, 480);
     misses.add({100, 100}, {0.1, -0.05});

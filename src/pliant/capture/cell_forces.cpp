@@ -11,16 +11,23 @@
 #include "pliant/capture/log_doubts.h"
 
 namespace pliant {
+namespace {
 
-CellForces::CellForces(const DicFile& dic, int frames)
-    : LoggedForces(dic, frames),
-      rows_(read_cell_rows(forces())),
-      lines_(static_cast<std::size_t>(frames)) {
+std::string name_of(const DicCell& cell) {
+  return fmt::format("the cell of the cord {} of the clip {}", cell.cord, cell.clip);
+}
+
+}  // namespace
+
+CellForces::CellForces(const DicFile& dic)
+    : LoggedForces(dic), rows_(read_cell_rows(forces())), lines_(moments().size()) {
   place_by_stated_start();
 }
 
 void CellForces::place(double start) {
-  cells_ = cells_at_frames(rows_, forces(), frames(), start);
+  CellRows rows = rows_;
+  for (std::vector<double>& pull : rows.pull) pull = without_limit(std::move(pull));
+  cells_ = cells_at_frames(rows, forces(), moments(), start);
   log_.time = cells_.time;
   log_.stands = cells_.stands;
 }
@@ -100,8 +107,7 @@ std::vector<std::string> CellForces::warnings(const std::vector<double>& /*ways*
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < forces().cells.size(); ++i) {
     const DicCell& cell = forces().cells[i];
-    const std::string name =
-        fmt::format("the cell of the cord {} of the clip {}", cell.cord, cell.clip);
+    const std::string name = name_of(cell);
     const std::string limit = limit_doubt(rows_.pull[i]);
     if (!limit.empty()) warnings.push_back(name + " " + limit);
     for (std::size_t f = 0; f < lines_.size() && !lines_[f].empty() && !lines_[f][i]; ++f) {
@@ -121,6 +127,9 @@ std::string CellForces::add_forces(SessionFrame& frame, std::size_t number,
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const DicCell& cell = forces().cells[i];
     const double pull = cells_.pull[i][number];
+    if (std::isnan(pull) && !is_beyond(number, rows_.time)) {
+      return fmt::format("has {} at its limit, or not connected", name_of(cell));
+    }
     if (!lines[i]) {
       if (!pulls(i, number)) continue;
       return fmt::format("is pulled by the cord {} of the clip {}, which is pointed at later",

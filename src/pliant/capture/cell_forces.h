@@ -7,7 +7,7 @@ namespace pliant {
 /// Load cells that pull at cords, which cameras see.
 class CellForces : public LoggedForces {
  public:
-  CellForces(const DicFile& dic, int frames);
+  explicit CellForces(const DicFile& dic);
 
   void see_cords(int frame, std::vector<std::optional<CordLine>> lines) override;
   std::optional<double> noise() const override;

@@ -352,6 +352,11 @@ Lens lens_of(const DicReference& camera) {
 
 }  // namespace
 
+const std::vector<std::filesystem::path>& DicFile::files() const {
+  if (views) return views->files.front();
+  return pictures ? pictures->files : points.files;
+}
+
 bool DicFile::moves_by_log() const {
   return std::ranges::any_of(
       clips, [](const DicClip& clip) { return clip.motion == ClipMotion::extension; });

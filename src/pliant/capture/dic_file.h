@@ -111,6 +111,8 @@ struct DicFile {
   std::optional<DicTable> table;           ///< holds the sample in place of clips
   std::optional<DicForces> forces;
 
+  /// The files of the frames; of several cameras those of the first.
+  const std::vector<std::filesystem::path>& files() const;
   /// Whether a clip moves by the extension of the log.
   bool moves_by_log() const;
   /// The clip of a name, or the end.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/capture/frame_moments.h"
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
@@ -228,13 +229,17 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   }
   study.warnings = made.warnings;
   if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
+  if (dic.forces && dic.forces->rate) {
+    const std::string gap = gap_doubt(dic.files());
+    if (!gap.empty()) study.warnings.push_back(gap);
+  }
   constexpr double kWrinkled = 0.01;
   if (made.unrolled.value_or(0) > kWrinkled) {
     study.warnings.push_back(fmt::format(
-        "the sample is wrinkled in the first frame, or bent both ways: laid flat it is stretched "
-        "by {:.2g} %, which counts as strain in all others; a frame in which it lies smooth comes "
-        "first",
-        100 * *made.unrolled));
+        "{}: the sample is wrinkled in this first frame, or bent both ways: laid flat it is "
+        "stretched by {:.2g} %, which counts as strain in all others; a frame in which it lies "
+        "smooth comes first",
+        dic.files().front().string(), 100 * *made.unrolled));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(

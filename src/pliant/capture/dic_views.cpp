@@ -8,6 +8,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/capture/bundle_adjustment.h"
 #include "pliant/capture/calibration_file.h"
+#include "pliant/capture/frame_moments.h"
 #include "pliant/capture/pixel_fields.h"
 #include "pliant/measurement/data_source.h"
 
@@ -28,15 +29,32 @@ Quadrilateral read_corners(const Value& value) {
   return corners;
 }
 
+constexpr const char* kTogether =
+    "pictures that all cameras have taken together: one of each for every frame";
+
+/// Of the camera that was read last: where each camera lost a picture, there are as many of them.
+void require_same_moments(const Value& value, const DicViews& views) {
+  const auto &own = views.files.back(), &first = views.files.front();
+  const std::vector<int> moments = moments_by_names(own), others = moments_by_names(first);
+  const auto differ = std::ranges::mismatch(moments, others).in1 - moments.begin();
+  if (differ == std::ssize(moments)) return;
+  const auto frame = static_cast<std::size_t>(differ);
+  value.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
+                         own[frame].filename().string(), first[frame].filename().string()),
+             kTogether);
+}
+
 void read_files(const Value& value, DicViews& views) {
   Fields fields = value.fields();
   for (const auto& [name, files] : fields.all()) {
     views.names.push_back(name);
     views.files.push_back(read_data_source(files).files);
     const std::size_t own = views.files.back().size(), first = views.files.front().size();
-    if (own == first) continue;
-    files.fail(fmt::format("has {} pictures, and {} has {}", own, views.names.front(), first),
-               "pictures that all cameras have taken together: one of each for every frame");
+    if (own != first) {
+      files.fail(fmt::format("has {} pictures, and {} has {}", own, views.names.front(), first),
+                 kTogether);
+    }
+    require_same_moments(files, views);
   }
   if (views.names.size() < 2) {
     value.fail("names less than two cameras", "two or more; of one, see `labels` and `scale`");

@@ -39,13 +39,14 @@ void require_increasing_times(const std::vector<double>& times, const DataRows& 
 
 /// Times of frames taken at a rate, all of which the log covers, or half where it is told when
 /// they begin.
-std::vector<double> frame_times(const DicForces& forces, int frames, double start,
-                                const std::vector<double>& log) {
+std::vector<double> frame_times(const DicForces& forces, const std::vector<int>& moments,
+                                double start, const std::vector<double>& log) {
   std::vector<double> times;
-  for (int frame = 0; frame < frames; ++frame) times.push_back(start + frame / *forces.rate);
+  for (const int moment : moments) times.push_back(start + moment / *forces.rate);
   const auto covered = std::ranges::count_if(
       times, [&](double time) { return time >= log.front() && time <= log.back(); });
-  const int fewest = forces.start ? (frames + 1) / 2 : frames;
+  const std::ptrdiff_t frames = std::ssize(times);
+  const std::ptrdiff_t fewest = forces.start ? (frames + 1) / 2 : frames;
   if (covered < fewest || log.size() < 2) {
     throw InputError(
         forces.data.where,
@@ -58,7 +59,7 @@ std::vector<double> frame_times(const DicForces& forces, int frames, double star
 }
 
 /// What one column of a log says at each frame: between its rows, or where the file tells how long
-/// frames stand still the mean of the rows in that time.
+/// frames stand still the mean of the rows in that time. NaN where a row of those is.
 struct ColumnAtFrames {
   std::vector<double> values;
   std::vector<std::optional<StillReading>> readings;  // empty where that is not told
@@ -72,10 +73,13 @@ ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<doubl
   for (const double value : column) largest = std::max(largest, std::abs(value));
   ColumnAtFrames result;
   for (const double time : times) {
-    result.readings.push_back(still_reading(log, column, time, *forces.still, largest));
-    result.values.push_back(result.readings.back() ? result.readings.back()->mean : kNone);
+    auto reading = still_reading(log, column, time, *forces.still, largest);
+    const bool has_rows = reading.has_value();
+    result.values.push_back(has_rows ? reading->mean : kNone);
+    if (std::isnan(result.values.back())) reading.reset();
+    result.readings.push_back(reading);
     const bool is_covered = time >= log.front() && time <= log.back();
-    if (!is_covered || result.readings.back()) continue;
+    if (!is_covered || has_rows) continue;
     throw InputError(forces.data.where,
                      fmt::format("has less than three rows within {} of {:.6g} s, while frame {} "
                                  "stands still",
@@ -86,8 +90,8 @@ ColumnAtFrames column_at_frames(const DicForces& forces, const std::vector<doubl
   return result;
 }
 
-void require_row_a_frame(const DicForces& forces, std::size_t rows, int frames) {
-  if (static_cast<int>(rows) == frames) return;
+void require_row_a_frame(const DicForces& forces, std::size_t rows, std::size_t frames) {
+  if (rows == frames) return;
   throw InputError(forces.data.where,
                    fmt::format("has {} rows, and there are {} frames", rows, frames),
                    "a row a frame; or a column of times, and the `rate` of the frames");
@@ -114,12 +118,13 @@ FrameLog read_log_rows(const DicForces& forces) {
   return log;
 }
 
-FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, double start) {
+FrameLog log_of_frames(FrameLog rows, const DicForces& forces, const std::vector<int>& moments,
+                       double start) {
   if (!forces.rate) {
-    require_row_a_frame(forces, rows.force.size(), frames);
+    require_row_a_frame(forces, rows.force.size(), moments.size());
     return rows;
   }
-  const std::vector<double> times = frame_times(forces, frames, start, rows.time);
+  const std::vector<double> times = frame_times(forces, moments, start, rows.time);
   ColumnAtFrames force = column_at_frames(forces, rows.time, rows.force, times);
   for (const auto& reading : force.readings) {
     rows.stands.emplace_back();
@@ -150,15 +155,16 @@ CellRows read_cell_rows(const DicForces& forces) {
   return cells;
 }
 
-CellLog cells_at_frames(const CellRows& rows, const DicForces& forces, int frames, double start) {
+CellLog cells_at_frames(const CellRows& rows, const DicForces& forces,
+                        const std::vector<int>& moments, double start) {
   CellLog log;
   if (!forces.rate) {
-    require_row_a_frame(forces, rows.pull.front().size(), frames);
+    require_row_a_frame(forces, rows.pull.front().size(), moments.size());
     log.time = rows.time;
     log.pull = rows.pull;
     return log;
   }
-  log.time = frame_times(forces, frames, start, rows.time);
+  log.time = frame_times(forces, moments, start, rows.time);
   double squares = 0;
   int readings = 0;
   for (std::size_t i = 0; i < rows.pull.size(); ++i) {

@@ -10,7 +10,8 @@ namespace pliant {
 
 /// What a tester's log says at each frame (SI).
 struct FrameLog {
-  std::vector<double> force;      ///< NaN of frames that the log does not cover (`start`)
+  std::vector<double> force;      ///< NaN of frames that the log does not cover (`start`), or whose
+                                  ///< rows are NaN
   std::vector<double> extension;  ///< likewise; empty where the log has none
   std::vector<double> time;       ///< by the log's clock; empty where it tells none
   std::vector<std::optional<FrameStand>> stands;  ///< where the file tells how long frames stand
@@ -29,9 +30,11 @@ struct CellLog {
 FrameLog read_log_rows(const DicForces& forces);
 
 /// The log's rows, one a frame, or interpolated where the frames' rate is stated.
-/// @param start  of the first frame by the log's clock (s), with a rate
+/// @param moments  of the frames, see moments_by_names
+/// @param start    of the first frame by the log's clock (s), with a rate
 /// @throws InputError where rows and frames do not go together
-FrameLog log_of_frames(FrameLog rows, const DicForces& forces, int frames, double start);
+FrameLog log_of_frames(FrameLog rows, const DicForces& forces, const std::vector<int>& moments,
+                       double start);
 
 /// The columns of the cells, tare and slope taken off.
 struct CellRows {
@@ -47,6 +50,7 @@ CellRows read_cell_rows(const DicForces& forces);
 
 /// As log_of_frames.
 /// @throws InputError
-CellLog cells_at_frames(const CellRows& rows, const DicForces& forces, int frames, double start);
+CellLog cells_at_frames(const CellRows& rows, const DicForces& forces,
+                        const std::vector<int>& moments, double start);
 
 }  // namespace pliant

@@ -52,10 +52,10 @@ std::string FrameForces::add_to(SessionFrame& frame, int number,
 std::unique_ptr<FrameForces> frame_forces(const DicFile& dic, const std::vector<SessionClip>& clips,
                                           int frames) {
   if (!dic.forces) return std::make_unique<FrameForces>();
-  if (!dic.forces->cells.empty()) return std::make_unique<CellForces>(dic, frames);
+  if (!dic.forces->cells.empty()) return std::make_unique<CellForces>(dic);
   if (dic.forces->cords)
     return std::make_unique<CordTableForces>(*dic.forces->cords, clips, frames);
-  return std::make_unique<TesterForces>(dic, frames);
+  return std::make_unique<TesterForces>(dic);
 }
 
 }  // namespace pliant

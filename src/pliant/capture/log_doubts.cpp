@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -10,20 +11,40 @@
 #include "pliant/base/quantity.h"
 
 namespace pliant {
+namespace {
 
-std::string limit_doubt(const std::vector<double>& readings) {
+double size_of(double force) { return std::isnan(force) ? 0 : std::abs(force); }
+
+}  // namespace
+
+std::optional<double> limit_of(const std::vector<double>& readings) {
   constexpr int kFewest = 3, kTimes = 4;  // pairs of rows; as many as elsewhere
-  const auto size = [](double force) { return std::isnan(force) ? 0 : std::abs(force); };
-  const double largest = size(*std::ranges::max_element(readings, {}, size));
+  const double largest = size_of(*std::ranges::max_element(readings, {}, size_of));
   int at_largest = 0, elsewhere = 0;
   for (std::size_t row = 1; row < readings.size(); ++row) {
     if (readings[row] != readings[row - 1]) continue;
-    ++(size(readings[row]) == largest ? at_largest : elsewhere);
+    ++(size_of(readings[row]) == largest ? at_largest : elsewhere);
   }
   if (largest == 0 || at_largest < kFewest || at_largest <= kTimes * elsewhere) return {};
+  return largest;
+}
+
+std::string limit_doubt(const std::vector<double>& readings) {
+  const auto limit = limit_of(readings);
+  if (!limit) return {};
   return fmt::format(
-      "reads {} again and again: a cell at the limit of its range, or one that is not connected?",
-      format_quantity(largest, Dimension::force, 4));
+      "reads {} again and again: a cell at the limit of its range, or one that is not connected? "
+      "Frames at it are left out",
+      format_quantity(*limit, Dimension::force, 4));
+}
+
+std::vector<double> without_limit(std::vector<double> readings) {
+  if (const auto limit = limit_of(readings)) {
+    std::ranges::replace_if(
+        readings, [&](double force) { return size_of(force) == *limit; },
+        std::numeric_limits<double>::quiet_NaN());
+  }
+  return readings;
 }
 
 std::string extension_doubt(const std::vector<double>& extension, const std::vector<double>& way) {

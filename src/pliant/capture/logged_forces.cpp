@@ -1,5 +1,8 @@
 #include "pliant/capture/logged_forces.h"
 
+#include <cstddef>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
@@ -11,9 +14,23 @@ void LoggedForces::place_by_stated_start() {
   place(forces().start ? forces().start->time.value_or(0) : 0);
 }
 
+bool LoggedForces::is_beyond(std::size_t frame, const std::vector<double>& times) const {
+  if (!forces().rate) return false;
+  return log_.time[frame] < times.front() || log_.time[frame] > times.back();
+}
+
+std::vector<double> LoggedForces::by_moment(const std::vector<double>& of_frames) const {
+  std::vector<double> all(static_cast<std::size_t>(moments_.back()) + 1,
+                          std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t f = 0; f < of_frames.size(); ++f) {
+    all[static_cast<std::size_t>(moments_[f])] = of_frames[f];
+  }
+  return all;
+}
+
 std::string LoggedForces::find_clock(const std::vector<double>& ways) {
   const Together both = together(ways);
-  const ClockSearch search = pliant::find_clock(both.log, both.ways, *forces().rate);
+  const ClockSearch search = pliant::find_clock(both.log, by_moment(both.ways), *forces().rate);
   if (!search.clock) {
     throw InputError(forces().start->where, "is not found: " + search.why, kStatedStart);
   }

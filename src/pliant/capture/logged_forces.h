@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pliant/capture/frame_forces.h"
+#include "pliant/capture/frame_moments.h"
 #include "pliant/capture/log_clock.h"
 
 namespace pliant {
@@ -24,25 +25,33 @@ class LoggedForces : public FrameForces {
   };
 
   /// @param dic  outlives the forces, and has some
-  LoggedForces(const DicFile& dic, int frames)
-      : dic_(dic), frames_(frames), needs_clock_(dic.forces->needs_clock()) {}
+  explicit LoggedForces(const DicFile& dic)
+      : dic_(dic),
+        moments_(moments_by_names(dic.files())),
+        needs_clock_(dic.forces->needs_clock()) {}
 
   /// To be called when the rows are read: places them where the clock is known.
   void place_by_stated_start();
 
+  /// Whether a frame was taken beside the times of the log.
+  bool is_beyond(std::size_t frame, const std::vector<double>& times) const;
+
   const DicForces& forces() const { return *dic_.forces; }
-  int frames() const { return frames_; }
+  /// Of the frames.
+  const std::vector<int>& moments() const { return moments_; }
   const DicFile& dic() const { return dic_; }
 
  private:
   /// @throws InputError where the log tells of no way
   virtual Together together(const std::vector<double>& ways) const = 0;
+  /// NaN at moments of which there is no frame.
+  std::vector<double> by_moment(const std::vector<double>& of_frames) const;
   /// Finds the rows of each frame.
   /// @param start  of the first frame by the log's clock (s)
   virtual void place(double start) = 0;
 
   const DicFile& dic_;
-  int frames_;
+  std::vector<int> moments_;
   bool needs_clock_;
 };
 

@@ -16,7 +16,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLeastTilt = 10 * kDegree;
 // A rig of which a focal length is known worse measures lengths and depths no better.
 constexpr double kWorstFocalLength = 0.02, kDoubtfulFocalLength = 0.003;
-constexpr double kDoubtfulLength = 3;  // errors apart
+constexpr double kDoubtfulLength = 3, kWrongLength = 4;  // errors apart
+constexpr double kWrongScale = 0.005;                    // and by as much
 
 // Pictures most of whose corners were left out tell of another board, or of a moved one.
 bool leave_out_bad_views(RigCalibration& result) {
@@ -105,6 +106,22 @@ void require_places(const RigFile& rig, const RigCalibration& result) {
   }
 }
 
+/// @throws InputError where the boards tell another length than the user
+void require_length(const SecondLength& stated, const LengthCheck& length) {
+  const double ratio = length.measured / length.stated;
+  if (std::abs(length.errors_apart()) <= kWrongLength || std::abs(ratio - 1) <= kWrongScale) return;
+  throw InputError(
+      stated.where,
+      fmt::format("is stated as {} and comes out as {} by the boards, {:.4f} times that and {:.0f} "
+                  "errors apart",
+                  format_quantity(length.stated, Dimension::length, 5),
+                  format_quantity(length.measured, Dimension::length, 5), ratio,
+                  std::abs(length.errors_apart())),
+      fmt::format("boards as large as their files say (printed at 100 %, by a ruler), and the "
+                  "length as it is: {:.2g} % and {:.0f} errors apart at most",
+                  100 * kWrongScale, kWrongLength));
+}
+
 void warn_of_length(const RigFile& rig, RigCalibration& result) {
   if (!rig.second_length) {
     result.warnings.emplace_back(
@@ -164,6 +181,7 @@ RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> picture
   if (rig.second_length) {
     result.length =
         check_length(*rig.second_length, result.bundle, result.pictures, result.covariance);
+    require_length(*rig.second_length, *result.length);
   }
   result.gravity = gravity_of(rig.gravity, result.bundle, result.pictures, result.covariance);
   warn_of_pictures(result);

@@ -1,14 +1,14 @@
 #include "pliant/capture/tester_forces.h"
 
 #include <cmath>
+#include <utility>
 
 #include "pliant/base/errors.h"
 #include "pliant/capture/log_doubts.h"
 
 namespace pliant {
 
-TesterForces::TesterForces(const DicFile& dic, int frames)
-    : LoggedForces(dic, frames), rows_(read_log_rows(forces())) {
+TesterForces::TesterForces(const DicFile& dic) : LoggedForces(dic), rows_(read_log_rows(forces())) {
   place_by_stated_start();
 }
 
@@ -31,12 +31,19 @@ std::vector<std::string> TesterForces::warnings(const std::vector<double>& ways)
   return warnings;
 }
 
-void TesterForces::place(double start) { log_ = log_of_frames(rows_, forces(), frames(), start); }
+void TesterForces::place(double start) {
+  FrameLog rows = rows_;
+  rows.force = without_limit(std::move(rows.force));
+  log_ = log_of_frames(std::move(rows), forces(), moments(), start);
+}
 
 std::string TesterForces::add_forces(SessionFrame& frame, std::size_t number,
                                      const std::vector<HeldPlace>& held) const {
   const double force = log_.force[number];
-  if (std::isnan(force)) return kBeyondLog;
+  if (std::isnan(force)) {
+    return is_beyond(number, rows_.time) ? kBeyondLog
+                                         : "has the tester's cell at its limit, or not connected";
+  }
   const auto add = [&](std::size_t c, const Eigen::Vector3d& by) {
     const Eigen::Vector3d middle = frame.positions(Eigen::all, held[c].edge).rowwise().mean();
     frame.cords[c].push_back({"", middle, by});

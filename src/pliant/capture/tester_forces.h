@@ -7,7 +7,7 @@ namespace pliant {
 /// A tester's log: what it says pulls at one clip, and is answered by the other.
 class TesterForces : public LoggedForces {
  public:
-  TesterForces(const DicFile& dic, int frames);
+  explicit TesterForces(const DicFile& dic);
 
   bool needs_way() const override { return !rows_.extension.empty() && !dic().moves_by_log(); }
   std::vector<std::string> warnings(const std::vector<double>& ways) const override;

@@ -41,6 +41,10 @@ std::string facts(const DicSession& made) {
   if (!made.cameras.empty()) {
     all.emplace_back("Cameras", std::to_string(made.cameras.size()));
   }
+  if (!made.time.empty()) {
+    all.emplace_back("First frame",
+                     fmt::format("{:.4g} s by the clock of the forces", made.time.front()));
+  }
   if (made.session.noise.position) {
     all.emplace_back("Noise of a vertex", length(*made.session.noise.position));
   }

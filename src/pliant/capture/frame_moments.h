@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pliant {
+
+/// When pictures that are taken at a rate were taken, counted from the first of them by the numbers
+/// in their names: 0, 1, 3 of 001, 002, 004. One after the other where names do not count them:
+/// numbers that lack more than a quarter may be times of day, which jump from minute to minute.
+std::vector<int> moments_by_names(const std::vector<std::filesystem::path>& files);
+
+/// What to say of pictures that lack a number, or nothing.
+std::string gap_doubt(const std::vector<std::filesystem::path>& files);
+
+}  // namespace pliant

@@ -122,10 +122,12 @@ std::vector<TestName> test_names(const std::vector<SourceFile>& sources) {
   static const std::regex name(R"re(\.name = "([^"]+)")re");
   std::vector<TestName> tests;
   for (const SourceFile& source : sources) {
-    std::smatch match;
     if (!source.path.ends_with("_type.cpp")) continue;
-    if (!std::regex_search(source.text, match, name)) continue;
-    tests.push_back({match[1].str(), source.path.substr(0, source.path.rfind('/') + 1)});
+    const std::string folder = source.path.substr(0, source.path.rfind('/') + 1);
+    for (std::sregex_iterator it(source.text.begin(), source.text.end(), name), end; it != end;
+         ++it) {
+      tests.push_back({(*it)[1].str(), folder});
+    }
   }
   return tests;
 }
@@ -150,6 +152,14 @@ std::vector<Offence> test_name_offences(const SourceFile& source,
     }
     return {};
   });
+}
+
+bool is_in_folder_of_its_name(const TestName& test) {
+  const size_t end = test.folder.size() - 1;
+  std::string folder = test.folder.substr(test.folder.rfind('/', end - 1) + 1);
+  folder.pop_back();
+  std::ranges::replace(folder, '_', '-');
+  return ("-" + test.name + "-").find("-" + folder + "-") != std::string::npos;
 }
 
 std::string describe(const std::vector<Offence>& offences) {

@@ -52,6 +52,9 @@ std::vector<TestName> test_names(const std::vector<SourceFile>& sources);
 std::vector<Offence> test_name_offences(const SourceFile& source,
                                         const std::vector<TestName>& tests);
 
+/// Whether a test's folder has the test's name, or a word or more of it.
+bool is_in_folder_of_its_name(const TestName& test);
+
 /// One line an offence, as compilers write it: `file:line: what`.
 std::string describe(const std::vector<Offence>& offences);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,7 +66,7 @@ TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
                                              "apps/pliant/file_info.cpp"};
   const std::vector<TestName> tests =
       test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"));
-  EXPECT_GE(tests.size(), 9U);
+  EXPECT_GE(tests.size(), 15U);
   std::vector<Offence> offences;
   for (const char* folder : {"src/pliant", "apps"}) {
     for (const SourceFile& source : source_files(PLIANT_SOURCE_DIR, folder)) {
@@ -75,6 +76,15 @@ TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
     }
   }
   expect_none(offences);
+}
+
+TEST(SourceTree, KeepsEachTypeOfTestInAFolderOfItsName) {
+  std::set<std::string> folders;
+  for (const TestName& test :
+       test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"))) {
+    EXPECT_TRUE(is_in_folder_of_its_name(test)) << test.name << " stands in " << test.folder;
+    EXPECT_TRUE(folders.insert(test.folder).second) << test.folder << " holds two tests";
+  }
 }
 
 TEST(LayerRule, FindsALaterLayerWithItsFileAndLine) {
@@ -140,6 +150,22 @@ TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {
   EXPECT_THAT(test_name_offences(own, tests), IsEmpty());
   const std::string text = "if (type == \"pull-test\") {}\n// \"pull-test\"\nf(\"a pull-test\");\n";
   EXPECT_EQ(test_name_offences({"apps/a.cpp", text}, tests).size(), 2U);
+}
+
+TEST(TestNameRule, TakesAllNamesOfAFile) {
+  const SourceFile own{"src/pliant/experiment/pull/pull_type.cpp",
+                       "TestType a{.name = \"pull\"};\nTestType b{.name = \"push\"};\n"};
+  const std::vector<TestName> tests = test_names({own});
+  ASSERT_EQ(tests.size(), 2U);
+  EXPECT_EQ(tests[1].name, "push");
+  EXPECT_TRUE(is_in_folder_of_its_name(tests[0]));
+  EXPECT_FALSE(is_in_folder_of_its_name(tests[1]));
+}
+
+TEST(TestNameRule, TakesAWordOfTheNameForItsFolder) {
+  EXPECT_TRUE(is_in_folder_of_its_name({"bending-length", "experiment/bending_length/"}));
+  EXPECT_TRUE(is_in_folder_of_its_name({"pure-bending", "experiment/bending/"}));
+  EXPECT_FALSE(is_in_folder_of_its_name({"pure-bending", "experiment/bend/"}));
 }
 
 TEST(TestNameRule, LetsSentencesUseAWordThatIsAName) {

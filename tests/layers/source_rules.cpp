@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -117,6 +118,20 @@ std::vector<Offence> length_offences(const SourceFile& source) {
   if (lines <= kMostLines) return {};
   return {{source.path, lines, "has more than " + std::to_string(kMostLines) + " lines"}};
 }
+
+std::vector<Offence> header_name_offences(const std::vector<SourceFile>& sources) {
+  std::map<std::string, std::string> first;  // by name
+  std::vector<Offence> offences;
+  for (const SourceFile& source : sources) {
+    if (!is_header(source.path)) continue;
+    const std::string name = source.path.substr(source.path.rfind('/') + 1);
+    const auto [other, is_new] = first.emplace(name, source.path);
+    if (!is_new) offences.push_back({source.path, 1, "has the name of " + other->second});
+  }
+  return offences;
+}
+
+std::span<const std::string_view> layers() { return kLayers; }
 
 std::vector<TestName> test_names(const std::vector<SourceFile>& sources) {
   static const std::regex name(R"re(\.name = "([^"]+)")re");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,12 @@ std::vector<Offence> library_manner_offences(const SourceFile& source);
 
 /// Files that are longer than a reader can keep in mind.
 std::vector<Offence> length_offences(const SourceFile& source);
+
+/// Headers that have the name of another one in another folder.
+std::vector<Offence> header_name_offences(const std::vector<SourceFile>& sources);
+
+/// The folders of src/pliant, lowest first.
+std::span<const std::string_view> layers();
 
 /// A type of test of the registry.
 struct TestName {

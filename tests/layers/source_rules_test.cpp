@@ -60,9 +60,15 @@ TEST(SourceTree, HasNoFileThatIsTooLong) {
   expect_none(offences);
 }
 
+TEST(SourceTree, HasNoTwoHeadersOfOneName) {
+  std::vector<SourceFile> sources = source_files(PLIANT_SOURCE_DIR, "src");
+  std::ranges::move(source_files(PLIANT_SOURCE_DIR, "apps"), std::back_inserter(sources));
+  expect_none(header_name_offences(sources));
+}
+
 TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
   // A session is a document, too.
-  constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/document.cpp",
+  constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/session_document.cpp",
                                              "apps/pliant/file_info.cpp"};
   const std::vector<TestName> tests =
       test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"));
@@ -139,6 +145,12 @@ TEST(LengthRule, CountsLines) {
   EXPECT_THAT(length_offences({"apps/a.cpp", std::string(450, '\n')}), IsEmpty());
   const auto offences = length_offences({"apps/a.cpp", std::string(451, '\n')});
   EXPECT_THAT(describe(offences), HasSubstr("apps/a.cpp:451: has more than 450 lines"));
+}
+
+TEST(HeaderNameRule, FindsTheSecondHeaderOfAName) {
+  const auto offences = header_name_offences(
+      {{"apps/a.h", ""}, {"src/pliant/io/a.cpp", ""}, {"src/pliant/io/a.h", ""}});
+  EXPECT_EQ(describe(offences), "\nsrc/pliant/io/a.h:1: has the name of apps/a.h");
 }
 
 TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {

@@ -12,7 +12,7 @@
 #include "pliant/base/parallel.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/math/sparse_cholesky.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/dynamic_relaxation.h"
 #include "pliant/solver/static_solver.h"

@@ -15,8 +15,8 @@
 #include "pliant/material/strain/linear_tetrahedron.h"
 #include "pliant/material/strain/trilinear_hexahedron.h"
 #include "pliant/mechanics/point_forces.h"
-#include "pliant/mechanics/solid.h"
 #include "pliant/mechanics/solid_lanes.h"
+#include "pliant/mechanics/solid_potentials.h"
 #include "pliant/solver/static_solver.h"
 
 namespace {

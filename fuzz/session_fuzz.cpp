@@ -12,7 +12,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/io/document.h"
 #include "pliant/io/text_file.h"
-#include "pliant/measurement/session/document.h"
+#include "pliant/measurement/session/session_document.h"
 
 namespace {
 

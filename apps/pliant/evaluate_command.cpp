@@ -7,7 +7,7 @@
 
 #include "apps/pliant/command.h"
 #include "apps/pliant/given_document.h"
-#include "apps/pliant/imported_study.h"
+#include "apps/pliant/given_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
 

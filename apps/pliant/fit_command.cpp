@@ -14,7 +14,7 @@
 #include "apps/pliant/fit_models.h"
 #include "apps/pliant/fit_progress.h"
 #include "apps/pliant/given_document.h"
-#include "apps/pliant/imported_study.h"
+#include "apps/pliant/given_study.h"
 #include "apps/pliant/run_facts.h"
 #include "apps/pliant/summary.h"
 

@@ -7,7 +7,7 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/estimation/lab_figures.h"
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 #include "pliant/experiment/textile_figure.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/kes_bending.h"

@@ -19,6 +19,7 @@ namespace pliant::source_rules {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 
@@ -49,6 +50,20 @@ std::vector<Folder> folders_matching(const std::string& text, const std::regex& 
   return folders;
 }
 
+std::vector<std::string> names_of(const std::vector<Folder>& folders) {
+  std::vector<std::string> names;
+  for (const Folder& folder : folders) names.push_back(folder.first);
+  return names;
+}
+
+/// Those of the sentence `a stack of libraries, lowest first: base, io.`
+std::vector<std::string> told_order(const std::string& page) {
+  static const std::regex sentence(R"(a stack of libraries, lowest first:([a-z,\s]*)\.)");
+  std::smatch match;
+  return std::regex_search(page, match, sentence) ? words_of(match[1].str())
+                                                  : std::vector<std::string>();
+}
+
 /// Those of `pliant_library(NAME DEPENDS ... PACKAGES ...)`.
 std::vector<Folder> linked_folders(const std::string& cmake) {
   static const std::regex library(R"(\npliant_library\((\w+)([^)]*)\))");
@@ -72,6 +87,12 @@ TEST(ArchitecturePage, TellsTheFoldersAndWhatTheyUseAsTheyAreLinked) {
   const std::vector<Folder> linked = linked_folders(text_of("src/CMakeLists.txt"));
   EXPECT_GT(linked.size(), 9u);
   EXPECT_EQ(told_folders(text_of("docs/architecture.md")), linked);
+}
+
+TEST(ArchitecturePage, OrderIsThatOfTheRuleAndOfThePageForContributors) {
+  const std::vector<std::string> told = names_of(told_folders(text_of("docs/architecture.md")));
+  EXPECT_THAT(layers(), ElementsAreArray(told));
+  EXPECT_THAT(told_order(text_of("CONTRIBUTING.md")), ElementsAreArray(told));
 }
 
 TEST(ArchitecturePage, FoldersIncludeOnlyWhatTheyAreLinkedTo) {
@@ -98,6 +119,8 @@ TEST(FolderTables, AreRead) {
   EXPECT_THAT(told_folders("\n| folder | uses | what |\n|---|---|---|\n| base | | errors, io |\n"
                            "| mesh | base, io | x |\n"),
               ElementsAre(Pair("base", IsEmpty()), Pair("mesh", ElementsAre("base", "io"))));
+  EXPECT_THAT(told_order("`src/` is a stack of libraries, lowest first: base,\nio. A folder"),
+              ElementsAre("base", "io"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -118,14 +119,30 @@ std::vector<Offence> length_offences(const SourceFile& source) {
   return {{source.path, lines, "has more than " + std::to_string(kMostLines) + " lines"}};
 }
 
+std::vector<Offence> header_name_offences(const std::vector<SourceFile>& sources) {
+  std::map<std::string, std::string> first;  // by name
+  std::vector<Offence> offences;
+  for (const SourceFile& source : sources) {
+    if (!is_header(source.path)) continue;
+    const std::string name = source.path.substr(source.path.rfind('/') + 1);
+    const auto [other, is_new] = first.emplace(name, source.path);
+    if (!is_new) offences.push_back({source.path, 1, "has the name of " + other->second});
+  }
+  return offences;
+}
+
+std::span<const std::string_view> layers() { return kLayers; }
+
 std::vector<TestName> test_names(const std::vector<SourceFile>& sources) {
   static const std::regex name(R"re(\.name = "([^"]+)")re");
   std::vector<TestName> tests;
   for (const SourceFile& source : sources) {
-    std::smatch match;
     if (!source.path.ends_with("_type.cpp")) continue;
-    if (!std::regex_search(source.text, match, name)) continue;
-    tests.push_back({match[1].str(), source.path.substr(0, source.path.rfind('/') + 1)});
+    const std::string folder = source.path.substr(0, source.path.rfind('/') + 1);
+    for (std::sregex_iterator it(source.text.begin(), source.text.end(), name), end; it != end;
+         ++it) {
+      tests.push_back({(*it)[1].str(), folder});
+    }
   }
   return tests;
 }
@@ -150,6 +167,14 @@ std::vector<Offence> test_name_offences(const SourceFile& source,
     }
     return {};
   });
+}
+
+bool is_in_folder_of_its_name(const TestName& test) {
+  const size_t end = test.folder.size() - 1;
+  std::string folder = test.folder.substr(test.folder.rfind('/', end - 1) + 1);
+  folder.pop_back();
+  std::ranges::replace(folder, '_', '-');
+  return ("-" + test.name + "-").find("-" + folder + "-") != std::string::npos;
 }
 
 std::string describe(const std::vector<Offence>& offences) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,12 @@ std::vector<Offence> library_manner_offences(const SourceFile& source);
 /// Files that are longer than a reader can keep in mind.
 std::vector<Offence> length_offences(const SourceFile& source);
 
+/// Headers that have the name of another one in another folder.
+std::vector<Offence> header_name_offences(const std::vector<SourceFile>& sources);
+
+/// The folders of src/pliant, lowest first.
+std::span<const std::string_view> layers();
+
 /// A type of test of the registry.
 struct TestName {
   std::string name;    ///< as studies write it
@@ -51,6 +58,9 @@ std::vector<TestName> test_names(const std::vector<SourceFile>& sources);
 /// Texts that name a type of test outside its folder; comments and includes may.
 std::vector<Offence> test_name_offences(const SourceFile& source,
                                         const std::vector<TestName>& tests);
+
+/// Whether a test's folder has the test's name, or a word or more of it.
+bool is_in_folder_of_its_name(const TestName& test);
 
 /// One line an offence, as compilers write it: `file:line: what`.
 std::string describe(const std::vector<Offence>& offences);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -59,13 +60,19 @@ TEST(SourceTree, HasNoFileThatIsTooLong) {
   expect_none(offences);
 }
 
+TEST(SourceTree, HasNoTwoHeadersOfOneName) {
+  std::vector<SourceFile> sources = source_files(PLIANT_SOURCE_DIR, "src");
+  std::ranges::move(source_files(PLIANT_SOURCE_DIR, "apps"), std::back_inserter(sources));
+  expect_none(header_name_offences(sources));
+}
+
 TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
   // A session is a document, too.
-  constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/document.cpp",
+  constexpr std::string_view kDocuments[] = {"src/pliant/measurement/session/session_document.cpp",
                                              "apps/pliant/file_info.cpp"};
   const std::vector<TestName> tests =
       test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"));
-  EXPECT_GE(tests.size(), 9U);
+  EXPECT_GE(tests.size(), 15U);
   std::vector<Offence> offences;
   for (const char* folder : {"src/pliant", "apps"}) {
     for (const SourceFile& source : source_files(PLIANT_SOURCE_DIR, folder)) {
@@ -75,6 +82,15 @@ TEST(SourceTree, NamesATypeOfTestInItsFolderAlone) {
     }
   }
   expect_none(offences);
+}
+
+TEST(SourceTree, KeepsEachTypeOfTestInAFolderOfItsName) {
+  std::set<std::string> folders;
+  for (const TestName& test :
+       test_names(source_files(PLIANT_SOURCE_DIR, "src/pliant/experiment"))) {
+    EXPECT_TRUE(is_in_folder_of_its_name(test)) << test.name << " stands in " << test.folder;
+    EXPECT_TRUE(folders.insert(test.folder).second) << test.folder << " holds two tests";
+  }
 }
 
 TEST(LayerRule, FindsALaterLayerWithItsFileAndLine) {
@@ -131,6 +147,12 @@ TEST(LengthRule, CountsLines) {
   EXPECT_THAT(describe(offences), HasSubstr("apps/a.cpp:451: has more than 450 lines"));
 }
 
+TEST(HeaderNameRule, FindsTheSecondHeaderOfAName) {
+  const auto offences = header_name_offences(
+      {{"apps/a.h", ""}, {"src/pliant/io/a.cpp", ""}, {"src/pliant/io/a.h", ""}});
+  EXPECT_EQ(describe(offences), "\nsrc/pliant/io/a.h:1: has the name of apps/a.h");
+}
+
 TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {
   const SourceFile own{"src/pliant/experiment/pull/pull_type.cpp",
                        "const TestType type{.name = \"pull-test\"};\n"};
@@ -140,6 +162,22 @@ TEST(TestNameRule, FindsNamesInTextsOutsideTheirFolder) {
   EXPECT_THAT(test_name_offences(own, tests), IsEmpty());
   const std::string text = "if (type == \"pull-test\") {}\n// \"pull-test\"\nf(\"a pull-test\");\n";
   EXPECT_EQ(test_name_offences({"apps/a.cpp", text}, tests).size(), 2U);
+}
+
+TEST(TestNameRule, TakesAllNamesOfAFile) {
+  const SourceFile own{"src/pliant/experiment/pull/pull_type.cpp",
+                       "TestType a{.name = \"pull\"};\nTestType b{.name = \"push\"};\n"};
+  const std::vector<TestName> tests = test_names({own});
+  ASSERT_EQ(tests.size(), 2U);
+  EXPECT_EQ(tests[1].name, "push");
+  EXPECT_TRUE(is_in_folder_of_its_name(tests[0]));
+  EXPECT_FALSE(is_in_folder_of_its_name(tests[1]));
+}
+
+TEST(TestNameRule, TakesAWordOfTheNameForItsFolder) {
+  EXPECT_TRUE(is_in_folder_of_its_name({"bending-length", "experiment/bending_length/"}));
+  EXPECT_TRUE(is_in_folder_of_its_name({"pure-bending", "experiment/bending/"}));
+  EXPECT_FALSE(is_in_folder_of_its_name({"pure-bending", "experiment/bend/"}));
 }
 
 TEST(TestNameRule, LetsSentencesUseAWordThatIsAName) {

@@ -9,7 +9,7 @@
 #include "pliant/material/addend/addend_registry.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/law_path.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 #include "support/added_stiffness.h"
 #include "support/evaluate_system.h"

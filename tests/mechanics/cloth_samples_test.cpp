@@ -11,7 +11,7 @@
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/material_samples.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 #include "support/evaluate_system.h"
 

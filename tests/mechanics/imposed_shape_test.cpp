@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/geometry/regular_grid.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 #include "support/cloth_systems.h"
 #include "support/evaluate_system.h"

@@ -15,8 +15,8 @@
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/material/fill.h"
 #include "pliant/material/sheet_metric.h"
-#include "pliant/mechanics/cloth.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/cloth_potentials.h"
+#include "pliant/mechanics/solid_potentials.h"
 
 #include "support/evaluate_system.h"
 

@@ -9,7 +9,7 @@
 #include "pliant/io/digest.h"
 #include "pliant/io/text_file.h"
 #include "pliant/material/material_file.h"
-#include "pliant/measurement/session/document.h"
+#include "pliant/measurement/session/session_document.h"
 #include "pliant/scene/simulation_result.h"
 #include "pliant/study/model_fit_summary.h"
 #include "pliant/study/result_files.h"

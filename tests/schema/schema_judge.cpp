@@ -11,7 +11,7 @@
 #include "pliant/capture/rig_file.h"
 #include "pliant/io/schema_text.h"
 #include "pliant/material/material_file.h"
-#include "pliant/measurement/session/document.h"
+#include "pliant/measurement/session/session_document.h"
 #include "pliant/scene/scene.h"
 #include "pliant/study/study.h"
 #include "pliant/study/virtual_lab.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/indentation/indentation_type.h"
 #include "pliant/experiment/stored_rows.h"
 #include "pliant/material/solid/standard_solids.h"
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/experiment/indentation/indentation_type.h"
 #include "pliant/experiment/press/press_type.h"
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/material/addend/addend_registry.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/geometry/rest_patch.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/solver/static_solver.h"
 
 namespace pliant::test {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/static_solver.h"
 

@@ -6,7 +6,7 @@
 
 #include "pliant/base/random.h"
 #include "pliant/geometry/regular_grid.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant::test {

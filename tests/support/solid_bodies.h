@@ -5,7 +5,7 @@
 
 #include "pliant/geometry/block_mesh.h"
 #include "pliant/mechanics/point_forces.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 #include "pliant/solver/static_solver.h"
 
 #include "support/solid_laws.h"

@@ -2,7 +2,7 @@
 
 #include "pliant/material/solid/solid_density.h"
 #include "pliant/material/solid/standard_solids.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 
 namespace pliant::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "pliant/experiment/bending_length/bending_length_type.h"
 #include "pliant/experiment/cantilever/cantilever_type.h"
-#include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/experiment/rolled/rolled_strip_type.h"
 #include "pliant/study/virtual_lab.h"
 

@@ -16,7 +16,7 @@
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
 #include "pliant/io/vector_fields.h"
-#include "pliant/measurement/session/document.h"
+#include "pliant/measurement/session/session_document.h"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/estimation/figure_reader.h"
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 #include "pliant/experiment/pulled_figures.h"
 #include "pliant/experiment/uniaxial_geometry.h"
 #include "pliant/material/bending_strain.h"

@@ -24,6 +24,7 @@ Eigen::VectorXd moved_on(const Problem& other, const std::vector<Eigen::VectorXd
                                               known.noise.scatter, known.free, told);
   const std::vector<double> infinite(weight.size(), INFINITY);
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(values.size());
+  // G_2h^-1 (g_h - g_2h): docs/estimation.md, The error of the mesh.
   moved(known.free) = formula_covariance(*there, known.unit, infinite).inverse_slope *
                       (gradient_of(here) - gradient_of(*there));
   return moved;

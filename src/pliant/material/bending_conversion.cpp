@@ -13,6 +13,9 @@
 namespace pliant {
 namespace {
 
+// docs/architecture.md, Bending: sheets and hinges. Friction: docs/bending.md, Friction of sheets
+// and of hinges.
+
 // How a mesh answers to its hinges, and which directions are to be met.
 struct SheetModel {
   std::function<RigidityShares(const BendingVector&)> shares;

@@ -12,6 +12,7 @@
 namespace pliant {
 namespace {
 
+// docs/architecture.md, Bending: sheets and hinges (irregular meshes).
 constexpr int kMaxTriangles = 4000;
 constexpr int kHeldDepth = 1;  // vertices up to this depth are held: their height and their slope
 // What the rim does to the vertices inside decays within two or three edges.

@@ -5,7 +5,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/material/strain/discrete_shells.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 namespace pliant {
 namespace {

@@ -8,8 +8,9 @@
 
 namespace pliant {
 
-/// Eight hinges at once; the formulas are those of DiscreteShells. Rows and columns of a Hessian
-/// sum to zero over the nodes, so that those of the edge's first node follow from the others.
+/// Eight hinges at once; the formulas are those of DiscreteShells ([Tamstorf2013]). Rows and
+/// columns of a Hessian sum to zero over the nodes, so that those of the edge's first node follow
+/// from the others.
 template <>
 class LaneKernel<DiscreteShells> {
  public:

@@ -2,7 +2,7 @@
 #include <iterator>
 
 #include "pliant/material/solid/solid_density.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 
 namespace pliant {
 namespace {

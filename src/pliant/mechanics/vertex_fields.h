@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant {

@@ -3,7 +3,7 @@
 #include "pliant/base/run_context.h"
 #include "pliant/render/camera.h"
 #include "pliant/render/image.h"
-#include "pliant/render/scene.h"
+#include "pliant/render/render_scene.h"
 
 namespace pliant {
 

@@ -7,8 +7,8 @@
 
 #include "pliant/render/camera.h"
 #include "pliant/render/ray_scene.h"
+#include "pliant/render/render_scene.h"
 #include "pliant/render/sample_table.h"
-#include "pliant/render/scene.h"
 #include "pliant/render/surface.h"
 
 namespace pliant {

@@ -7,8 +7,8 @@
 
 #include "pliant/render/corner_normals.h"
 #include "pliant/render/ray_scene.h"
+#include "pliant/render/render_scene.h"
 #include "pliant/render/rest_lines.h"
-#include "pliant/render/scene.h"
 
 namespace pliant {
 

@@ -10,7 +10,7 @@
 #include "pliant/report/prediction.h"
 #include "pliant/report/results.h"
 #include "pliant/report/sheet_session.h"
-#include "pliant/report/strip_shapes.h"
+#include "pliant/report/strip_shapes_file.h"
 
 namespace pliant::report {
 

@@ -5,7 +5,7 @@
 
 #include "pliant/report/figure.h"
 #include "pliant/report/plot_style.h"
-#include "pliant/report/strip_shapes.h"
+#include "pliant/report/strip_shapes_file.h"
 
 namespace pliant::report {
 

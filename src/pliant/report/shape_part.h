@@ -4,7 +4,7 @@
 
 #include "pliant/report/figure.h"
 #include "pliant/report/results.h"
-#include "pliant/report/strip_shapes.h"
+#include "pliant/report/strip_shapes_file.h"
 
 namespace pliant::report {
 

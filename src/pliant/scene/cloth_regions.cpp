@@ -7,7 +7,7 @@
 #include "pliant/material/fill.h"
 #include "pliant/material/positive_stiffness.h"
 #include "pliant/material/use_warnings.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 namespace pliant {
 namespace {

@@ -8,7 +8,7 @@
 #include "pliant/contact/obstacle_contact.h"
 #include "pliant/contact/surface_contact.h"
 #include "pliant/geometry/triangle_mesh.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/system.h"
 #include "pliant/scene/scene.h"
 #include "pliant/scene/scene_crossings.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 #include "pliant/scene/scene.h"
 
 namespace pliant {

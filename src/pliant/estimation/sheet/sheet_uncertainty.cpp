@@ -78,6 +78,7 @@ Eigen::VectorXd shift_on(const std::vector<const SheetTest*>& coarser, const Pro
 
 }  // namespace
 
+// docs/estimation.md: The statistics of a fit ([Bell2002]), The error of the mesh.
 SheetUncertainty sheet_uncertainty(const SheetFit& fit, const FitOptions& options,
                                    const RunContext& context,
                                    const std::vector<const SheetTest*>& coarser) {

@@ -19,7 +19,7 @@
 #include "pliant/geometry/crossings.h"
 #include "pliant/material/bending_strain.h"
 #include "pliant/material/positive_stiffness.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/point_forces.h"
 #include "pliant/solver/static_solver.h"
 #include "pliant/solver/time_stepper.h"

@@ -4,7 +4,7 @@
 
 #include "pliant/geometry/nearest_on_surface.h"
 #include "pliant/geometry/volume_mesh.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant {

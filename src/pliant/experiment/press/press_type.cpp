@@ -19,7 +19,17 @@
 namespace pliant {
 namespace {
 
-std::shared_ptr<const TestSpec> read_spec(const TestType& kind, Fields& fields) {
+WrittenFields setup_fields(const PressSetup& setup, const std::string& fixed) {
+  WrittenFields fields{{"fixed", fixed}, {"direction", vector_text(setup.direction)}};
+  if (!setup.radius) return fields;
+  fields.emplace_back("radius", exact_quantity(*setup.radius, Dimension::length));
+  fields.emplace_back("through", vector_text(setup.through));
+  return fields;
+}
+
+}  // namespace
+
+std::shared_ptr<const TestSpec> read_press(const TestType& kind, Fields& fields) {
   auto spec = std::make_shared<PressSpec>();
   spec->kind = &kind;
   spec->setup.mesh = read_body_mesh(fields, spec->mesh_file);
@@ -27,7 +37,7 @@ std::shared_ptr<const TestSpec> read_spec(const TestType& kind, Fields& fields) 
   return spec;
 }
 
-std::shared_ptr<VirtualTest> read_lab(const TestType& kind, Fields& fields) {
+std::shared_ptr<VirtualTest> read_virtual_press(const TestType& kind, Fields& fields) {
   auto test = std::make_shared<VirtualPress>();
   test->kind = &kind;
   test->setup.mesh = make_volume_mesh(read_volume_source(fields.require("mesh")));
@@ -39,60 +49,26 @@ std::shared_ptr<VirtualTest> read_lab(const TestType& kind, Fields& fields) {
   return test;
 }
 
-std::unique_ptr<Experiment> make(const ExperimentSpec& spec, const DataRows& data) {
+std::unique_ptr<Experiment> make_press(const ExperimentSpec& spec, const DataRows& data) {
   return std::make_unique<PressTest>(spec, data);
 }
-
-constexpr TestFacts kFacts{.measures_solids = true,
-                           .assumption = "the indenter is rigid and slides freely on the body",
-                           .unfitted = "a body at rest before its first row"};
-
-WrittenFields setup_fields(const PressSetup& setup, const std::string& fixed) {
-  WrittenFields fields{{"fixed", fixed}, {"direction", vector_text(setup.direction)}};
-  if (!setup.radius) return fields;
-  fields.emplace_back("radius", exact_quantity(*setup.radius, Dimension::length));
-  fields.emplace_back("through", vector_text(setup.through));
-  return fields;
-}
-
-}  // namespace
 
 const TestType& press_type() {
   static const TestType type{
       .name = "press",
-      .facts = kFacts,
+      .facts = kPressFacts,
       .channels = {force_channel()},
       .template_files = template_files("press"),
       .required = {"mesh", "unit", "fixed", "direction"},
       .read = [](Fields& fields, const SpecimenDefaults&,
-                 ExperimentSpec&) { return read_spec(press_type(), fields); },
-      .make_solid = make,
-      .read_virtual = [](Fields& fields) { return read_lab(press_type(), fields); },
+                 ExperimentSpec&) { return read_press(press_type(), fields); },
+      .make_solid = make_press,
+      .read_virtual = [](Fields& fields) { return read_virtual_press(press_type(), fields); },
       .own_quantities = {{"area", Dimension::area}},
       .is_table =
           [](const TableColumns& columns) {
             return columns.has("area", Dimension::area) && columns.has("force", Dimension::force) &&
                    !columns.has("extension", Dimension::length);
-          }};
-  return type;
-}
-
-const TestType& indentation_type() {
-  static const TestType type{
-      .name = "indentation",
-      .facts = kFacts,
-      .channels = {force_channel()},
-      .template_files = template_files("indentation"),
-      .required = {"mesh", "unit", "fixed", "direction"},
-      .read = [](Fields& fields, const SpecimenDefaults&,
-                 ExperimentSpec&) { return read_spec(indentation_type(), fields); },
-      .make_solid = make,
-      .read_virtual = [](Fields& fields) { return read_lab(indentation_type(), fields); },
-      .own_quantities = {{"depth", Dimension::length}},
-      .is_table =
-          [](const TableColumns& columns) {
-            return columns.has("depth", Dimension::length) &&
-                   columns.has("force", Dimension::force);
           }};
   return type;
 }

@@ -13,9 +13,6 @@ namespace pliant {
 /// A body that a rigid plane or sphere is pressed into: its force at each contact area ([T] 4.4.2).
 const TestType& press_type();
 
-/// The same at each depth of the indenter.
-const TestType& indentation_type();
-
 /// What a study says of the body and its indenter.
 struct PressSpec : TestSpec {
   const TestType* kind = nullptr;
@@ -53,5 +50,16 @@ struct VirtualPress : VirtualTest {
  private:
   std::vector<double> path() const;
 };
+
+inline constexpr TestFacts kPressFacts{
+    .measures_solids = true,
+    .assumption = "the indenter is rigid and slides freely on the body",
+    .unfitted = "a body at rest before its first row"};
+
+/// What tests that press share; `kind` is the test's own type.
+/// @throws InputError
+std::shared_ptr<const TestSpec> read_press(const TestType& kind, Fields& fields);
+std::shared_ptr<VirtualTest> read_virtual_press(const TestType& kind, Fields& fields);
+std::unique_ptr<Experiment> make_press(const ExperimentSpec& spec, const DataRows& data);
 
 }  // namespace pliant

@@ -7,7 +7,7 @@
 #include "pliant/contact/obstacle_contact.h"
 #include "pliant/experiment/press/touching_area.h"
 #include "pliant/geometry/volume_mesh.h"
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 
 namespace pliant {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pliant/experiment/session/virtual/fields.h"
+#include "pliant/experiment/session/virtual/session_fields.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/experiment/virtual_sheet.h"
 

@@ -9,7 +9,7 @@
 
 #include "pliant/base/progress.h"
 #include "pliant/experiment/session/equilibrium_work.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 namespace pliant {
 

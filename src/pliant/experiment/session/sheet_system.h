@@ -5,7 +5,7 @@
 
 #include "pliant/material/material.h"
 #include "pliant/measurement/session.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant {

@@ -91,7 +91,8 @@ DiscreteShells::Strain DiscreteShells::strain(const Rest& rest, const Positions&
 }
 
 // Rigid motions leave theta unchanged: the edge's nodes balance the force and the moment of the two
-// vertices, each by the vertex' share along the edge.
+// vertices, each by the vertex' share along the edge. A share over the wing's height is the cosine
+// over a height of [Tamstorf2013].
 DiscreteShells::Gradient DiscreteShells::gradient(const Rest& rest, const Positions& positions) {
   const FoldedHinge hinge = hinge_of(positions);
   const Vector g1 = hinge.first.vertex_gradient(), g2 = hinge.second.vertex_gradient();
@@ -102,6 +103,8 @@ DiscreteShells::Gradient DiscreteShells::gradient(const Rest& rest, const Positi
   return 3 / rest.height * result;
 }
 
+// The Hessian of theta ([Tamstorf2013]), by edge and sides in place of normals in the planes of the
+// wings: the gradient's derivatives, whose sum over the nodes is zero.
 DiscreteShells::Hessian DiscreteShells::weighted_hessian(const Rest& rest,
                                                          const Positions& positions,
                                                          const Strain& y) {

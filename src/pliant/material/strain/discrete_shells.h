@@ -5,7 +5,7 @@
 namespace pliant {
 
 /// Bending strain of a hinge, two triangles that share an edge ([T] 5.2.1, Eq. 3.5): 3 (theta -
-/// theta0) / h.
+/// theta0) / h. Gradient and Hessian of theta are the closed forms of [Tamstorf2013].
 ///
 /// Nodes: the edge's two ends, then the opposite vertex of the triangle that has the edge in this
 /// direction, then that of the other. theta is the signed angle between the normals, continued

@@ -8,7 +8,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/number_text.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 namespace pliant {
 namespace {

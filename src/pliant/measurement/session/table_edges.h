@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "pliant/measurement/session.h"
-#include "pliant/measurement/session/document.h"
 #include "pliant/measurement/session/frame_rows.h"
+#include "pliant/measurement/session/session_document.h"
 
 namespace pliant {
 

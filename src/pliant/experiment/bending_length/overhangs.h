@@ -1,7 +1,7 @@
 #pragma once
 
+#include "pliant/experiment/bending_length/overhang_rows.h"
 #include "pliant/experiment/component_experiment.h"
-#include "pliant/experiment/overhang/overhang_rows.h"
 #include "pliant/experiment/test_type.h"
 
 namespace pliant {

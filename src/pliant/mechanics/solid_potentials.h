@@ -6,7 +6,7 @@
 
 #include "pliant/geometry/volume_mesh.h"
 #include "pliant/material/component_density.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 #include "pliant/mechanics/system.h"
 
 namespace pliant {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/overhang/overhang_rows.h"
+#include "pliant/experiment/bending_length/overhang_rows.h"
 #include "pliant/experiment/standard_figures.h"
 
 namespace pliant {

@@ -1,4 +1,4 @@
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 #include <cmath>
 #include <numeric>

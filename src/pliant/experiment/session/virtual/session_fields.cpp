@@ -1,4 +1,4 @@
-#include "pliant/experiment/session/virtual/fields.h"
+#include "pliant/experiment/session/virtual/session_fields.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "pliant/experiment/virtual_sheet.h"
 #include "pliant/io/vector_fields.h"
 #include "pliant/measurement/session/clip_poses.h"
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 namespace pliant {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/pliant/imported_study.h"
+#include "apps/pliant/given_study.h"
 
 #include "pliant/exchange/u3m_import.h"
 

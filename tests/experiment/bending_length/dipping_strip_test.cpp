@@ -1,4 +1,4 @@
-#include "pliant/experiment/overhang/dipping_strip.h"
+#include "pliant/experiment/bending_length/dipping_strip.h"
 
 #include <cmath>
 #include <numbers>

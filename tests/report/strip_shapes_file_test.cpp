@@ -1,4 +1,4 @@
-#include "pliant/report/strip_shapes.h"
+#include "pliant/report/strip_shapes_file.h"
 
 #include <cmath>
 #include <string>

@@ -1,11 +1,11 @@
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "pliant/base/assert.h"
 #include "pliant/base/quantity.h"
-#include "pliant/experiment/overhang/dipping_strip.h"
+#include "pliant/experiment/bending_length/dipping_strip.h"
 #include "pliant/material/bending_strain.h"
 
 namespace pliant {

@@ -1,4 +1,4 @@
-#include "pliant/mechanics/solid.h"
+#include "pliant/mechanics/solid_potentials.h"
 
 #include <array>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 #include "pliant/experiment/virtual_table.h"
 
 namespace pliant {

@@ -1,9 +1,9 @@
-#include "pliant/experiment/overhang/bending_length_type.h"
+#include "pliant/experiment/bending_length/bending_length_type.h"
 
 #include <fmt/format.h>
 
-#include "pliant/experiment/overhang/overhangs.h"
-#include "pliant/experiment/overhang/standard_bending_length.h"
+#include "pliant/experiment/bending_length/overhangs.h"
+#include "pliant/experiment/bending_length/standard_bending_length.h"
 #include "pliant/experiment/profile/profile_facts.h"
 #include "pliant/experiment/specimen_fields.h"
 
@@ -49,7 +49,7 @@ const TestType& bending_length_type() {
                               "stretch and is pushed out once; the noise is in the overhangs",
                 .undetermined = "at other curvatures: a bending length determines one number"},
       .channels = {length_channel("overhang")},
-      .template_files = template_files("overhang"),
+      .template_files = template_files("bending_length"),
       .required = {"direction"},
       .read = read,
       .make = make_experiment<Overhangs>,

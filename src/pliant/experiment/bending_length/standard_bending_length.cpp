@@ -1,4 +1,4 @@
-#include "pliant/experiment/overhang/standard_bending_length.h"
+#include "pliant/experiment/bending_length/standard_bending_length.h"
 
 #include <numbers>
 #include <optional>

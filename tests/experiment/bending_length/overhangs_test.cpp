@@ -1,6 +1,6 @@
 // Bending lengths as experiments of a study.
 
-#include "pliant/experiment/overhang/overhangs.h"
+#include "pliant/experiment/bending_length/overhangs.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 #include "pliant/experiment/loop_metrics.h"
-#include "pliant/experiment/overhang/bending_length.h"
 #include "pliant/material/bending_strain.h"
 
 #include "io/input_error_of.h"

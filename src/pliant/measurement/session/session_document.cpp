@@ -1,4 +1,4 @@
-#include "pliant/measurement/session/document.h"
+#include "pliant/measurement/session/session_document.h"
 
 #include <set>
 #include <string_view>

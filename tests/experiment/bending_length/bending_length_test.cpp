@@ -1,4 +1,4 @@
-#include "pliant/experiment/overhang/bending_length.h"
+#include "pliant/experiment/bending_length/bending_length.h"
 
 #include <cmath>
 

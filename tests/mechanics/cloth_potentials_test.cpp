@@ -1,6 +1,6 @@
 // A cloth as its material: patch tests on irregular meshes and on springs, parameters, regions.
 
-#include "pliant/mechanics/cloth.h"
+#include "pliant/mechanics/cloth_potentials.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "pliant/experiment/overhang/overhangs.h"
+#include "pliant/experiment/bending_length/overhangs.h"
 
 #include <numbers>
 #include <utility>
@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/experiment/bending_length/bending_length_type.h"
 #include "pliant/experiment/experiment_data.h"
-#include "pliant/experiment/overhang/bending_length_type.h"
 #include "pliant/experiment/strip_figures.h"
 #include "pliant/material/bending_strain.h"
 

@@ -1,4 +1,4 @@
-#include "pliant/render/scene.h"
+#include "pliant/render/render_scene.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "pliant/experiment/overhang/overhang_rows.h"
+#include "pliant/experiment/bending_length/overhang_rows.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pliant/experiment/overhang/bending_length.h"
-#include "pliant/experiment/overhang/dipping_strip.h"
+#include "pliant/experiment/bending_length/bending_length.h"
+#include "pliant/experiment/bending_length/dipping_strip.h"
 #include "pliant/measurement/data_source.h"
 
 namespace pliant {

@@ -62,10 +62,6 @@ class ComponentPredictor : public Predictor {
 
 }  // namespace
 
-void ComponentExperiment::follow(const ComponentExperiment&, const Location&) {
-  PLIANT_ASSERT(false, "tests of this type start with fresh specimens");
-}
-
 std::vector<Frame> ComponentExperiment::frames() const {
   std::vector<Frame> frames;
   for (int row = 0; row < rows(); ++row) {

@@ -63,12 +63,6 @@ class ComponentExperiment : public Experiment {
   /// How many threads a prediction may use; its results do not depend on it.
   void set_threads(int threads) { threads_ = threads; }
 
-  /// Takes it that these specimens came from an earlier test and start as it has left them.
-  /// @param earlier  of the same type and component
-  /// @param where    the study says so, for messages
-  /// @throws InputError where its specimens are others
-  virtual void follow(const ComponentExperiment& earlier, const Location& where);
-
   /// The same test with the length of its specimens estimated along; nothing where none is stated,
   /// or where it is estimated already.
   virtual std::unique_ptr<ComponentExperiment> with_free_length() const { return nullptr; }
@@ -127,6 +121,18 @@ class ComponentExperiment : public Experiment {
 
   MeasuredPath path_;
   int threads_ = 1;
+};
+
+/// A test that may be on the specimens of an earlier one.
+class FollowingExperiment {
+ public:
+  virtual ~FollowingExperiment() = default;
+
+  /// Takes it that these specimens came from an earlier test and start as it has left them.
+  /// @param earlier  of the same type and component
+  /// @param where    the study says so, for messages
+  /// @throws InputError where its specimens are others
+  virtual void follow(const ComponentExperiment& earlier, const Location& where) = 0;
 };
 
 }  // namespace pliant

@@ -48,7 +48,8 @@ Experiments read_experiments(const Study& study, StudyResult& result) {
       const auto earlier =
           std::ranges::find(experiments, spec.after, [](const auto& e) { return e->info().name; });
       PLIANT_ASSERT(earlier != experiments.end(), "studies list them in the order of time");
-      experiments.back()->follow(**earlier, after_location(spec));
+      auto& later = dynamic_cast<FollowingExperiment&>(*experiments.back());
+      later.follow(**earlier, after_location(spec));
     }
     add_remarks(spec.name, experiments.back()->info(), result);
     if (is_example_data(spec)) {

@@ -15,7 +15,7 @@ namespace pliant {
 /// The clamp distance drives the path; forces follow from pull_strip. The force offset of each
 /// specimen is a nuisance parameter; so are, where they are unknown, its friction state at the
 /// first row and its rest length.
-class TensileCycles : public ComponentExperiment {
+class TensileCycles : public ComponentExperiment, public FollowingExperiment {
  public:
   TensileCycles(const ExperimentSpec& spec, const DataRows& data, const ClothFacts& cloth);
   /// A path of the clamps (m) without measured forces, of a fresh strip.

@@ -26,18 +26,28 @@ TEST(RealCapture, StereoChessboardIsMetWithAllNinePairs) {
   const auto folder = measurement("stereo_chessboard");
   SKIP_WITHOUT(folder);
   if (!can_find_chessboards()) GTEST_SKIP() << "needs OpenCV's calib3d";
-  const RigCalibration found =
-      calibrated("{columns: 9, rows: 6, square: 1 m}", "{left: , right: }",
-                 fmt::format("{{left: {0}/left*.jpg, right: {0}/right*.jpg}}", folder.string()));
+  constexpr int kColumns = 9, kRows = 6;
+  const RigCalibration found = calibrated(
+      fmt::format("{{columns: {}, rows: {}, square: 1 m}}", kColumns, kRows), "{left: , right: }",
+      fmt::format("{{left: {0}/left*.jpg, right: {0}/right*.jpg}}", folder.string()));
   EXPECT_EQ(left_out_pictures(found), 0);
   double squares = 0, all_squares = 0;
-  int corners = 0, all = 0;
+  int corners = 0, all = 0, outermost = 0;
   for (const CameraResiduals& camera : found.cameras) {
     squares += camera.rms * camera.rms * camera.corners;
     corners += camera.corners;
     all += camera.corners + camera.left_out;
     all_squares += camera.rms_all * camera.rms_all * (camera.corners + camera.left_out);
   }
+  for (const CornerView& view : found.bundle.views) {
+    for (std::size_t i = 0; i < view.corners.size(); ++i) {
+      const int column = view.corners[i] % kColumns, row = view.corners[i] / kColumns;
+      const bool is_outermost =
+          column == 0 || column == kColumns - 1 || row == 0 || row == kRows - 1;
+      outermost += is_outermost && !view.is_used[i];
+    }
+  }
+  EXPECT_EQ(outermost, all - corners);  // what was left out is at the rim of the board
   ASSERT_EQ(found.pairs.size(), 1u);
   ASSERT_TRUE(found.held_out);
   fmt::print(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ TEST(RealStereo, DisparitiesOfTheConesAreMet) {
   const GreyPicture occluded = read_photo(folder / "Occlusion_LEFT.png");
   Quadrilateral all;
   all << 0, kColumns - 1, kColumns - 1, 0, 0, 0, kRows - 1, kRows - 1;
-  for (const int radius : {4, 7}) {
+  for (const auto& [radius, least_matched] : {std::pair(4, 0.70), std::pair(7, 0.66)}) {
     const StereoRest rest = match_rest({left, right}, pictures, all, {radius, 3}, {});
     int known = 0, matched = 0, close = 0;
     double squares = 0;
@@ -67,8 +68,10 @@ TEST(RealStereo, DisparitiesOfTheConesAreMet) {
         "px, {:.2f} px RMS of these\n",
         2 * radius + 1, 100.0 * matched / known, known, 100.0 * close / matched,
         std::sqrt(squares / close));
-    EXPECT_GT(matched, known / 2);
-    EXPECT_GT(close, 9 * matched / 10);
+    // Measured are 0.721 and 0.680, 0.988 and 0.979, 0.18 and 0.20 pixels.
+    EXPECT_GT(matched, least_matched * known);
+    EXPECT_GT(close, 0.97 * matched);
+    EXPECT_LT(std::sqrt(squares / close), 0.22);
   }
 }
 

@@ -121,6 +121,31 @@ TEST_F(SlowLabelledCamera, RefusesAFirstPictureWithoutALabel) {
               HasSubstr("shows the label 8 of the clip upper not at all (labels found: 0, 1)"));
 }
 
+/// The upper label once more, in front of the cloth.
+GreyPicture with_label_again(GreyPicture picture) {
+  constexpr int kSide = 127, kColumn = 117;  // with the white around it
+  picture.block(450, kColumn, kSide, kSide) = picture.block(57, kColumn, kSide, kSide).eval();
+  return picture;
+}
+
+TEST_F(SlowLabelledCamera, RefusesALabelThatIsSeenTwice) {
+  const LabelledPull rest;
+  const DicFile dic = describe({rest, rest});
+  const GreyPicture once = rest.picture(0), twice = with_label_again(once);
+  const InputError error = test::input_error_of([&] { LabelViews(dic, twice); });
+  EXPECT_THAT(error.what(),
+              HasSubstr("shows the label 1 of the clip upper 2 times (labels found: 0, 1, 1)"));
+  EXPECT_EQ(LabelViews(dic, once).of(twice).missing, "shows the label 1 2 times");
+}
+
+TEST_F(SlowLabelledCamera, RefusesAMirroredPicture) {
+  const LabelledPull rest;
+  const DicFile dic = describe({rest});
+  const InputError error =
+      test::input_error_of([&] { LabelViews(dic, rest.picture(0).rowwise().reverse()); });
+  EXPECT_THAT(error.what(), HasSubstr("000.png: is mirrored: its labels can be read from behind"));
+}
+
 TEST(LabelFile, TellsWhichLabelsWerePrinted) {
   const TemporaryFolder folder;
   folder.write("p/0.png", "");

@@ -35,9 +35,6 @@ double mean_side(const std::vector<std::optional<SeenPlace>>& seen, const std::v
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   std::vector<GreyPicture> first = pictures(0);
-  const PatchGrid grid{views().patch / 2, views().step};
-  StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
-  require_sight(rest);
   clips_.resize(dic_.clips.size());
   if (std::ranges::any_of(dic_.clips, [](const DicClip& clip) { return !clip.labels.empty(); })) {
     labels_ = std::make_unique<SpaceLabels>(dic_, first, context_.threads);
@@ -45,6 +42,9 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
       if (!dic_.clips[i].labels.empty()) clips_[i] = Pose();
     }
   }
+  const PatchGrid grid{views().patch / 2, views().step};
+  StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
+  require_sight(rest);
   rest_miss_ = rest.median_miss;
   lost_at_rest_ = rest.places - static_cast<int>(rest.points.size());
   rest_ = std::move(rest.points);

@@ -383,7 +383,14 @@ std::vector<std::string> SpacePoints::notes() const {
 }
 
 std::vector<std::string> SpacePoints::warnings() const {
+  constexpr double kDoubtfulMiss = 0.2;  // pixels; cheap lenses miss by half of it
   std::vector<std::string> warnings = warnings_;
+  if (rest_miss_ > kDoubtfulMiss) {
+    warnings.push_back(fmt::format(
+        "at rest lines of sight miss each other by {:.2g} pixels: was a camera moved or "
+        "refocused since it was calibrated?",
+        rest_miss_));
+  }
   for (const Eigen::Index axis : {0, 1}) {
     const std::string doubt =
         size_doubt(placement_.sides(axis), size()(axis), axis == 0 ? "wide" : "high");

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/capture/dic_session.h"
+#include "pliant/capture/frame_doubts.h"
 
 #include "capture/labelled_camera.h"
 #include "io/input_error_of.h"
@@ -144,6 +145,21 @@ TEST_F(SlowLabelledCamera, RefusesAMirroredPicture) {
   const InputError error =
       test::input_error_of([&] { LabelViews(dic, rest.picture(0).rowwise().reverse()); });
   EXPECT_THAT(error.what(), HasSubstr("000.png: is mirrored: its labels can be read from behind"));
+}
+
+// A camera that stands straight in front, to which labels tell nothing but that they stand still.
+TEST_F(SlowLabelledCamera, IsNamedWhereFixedTagsSeeItMove) {
+  describe({{}, {.strain = 0.01}, {.strain = 0.01, .turned = 0.002}});
+  const DicFile dic = read_dic(folder_.write(
+      "fixed.yaml",
+      "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\nscale: 0.15 mm\norigin: [80, 820]\n"
+      "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
+      "clips: [{name: lower, side: bottom}, {name: upper, side: top}]\nfixed: [0]\n"));
+  const std::vector<FrameDoubt> doubts = frame_doubts(make_dic_session(dic, reader()));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].frame, 2);
+  // The farthest corner is 453 pixels from the middle of the picture.
+  EXPECT_THAT(doubts[0].why, HasSubstr("its picture shows the fixed tag 0 0.9 pixels off"));
 }
 
 TEST(LabelFile, TellsWhichLabelsWerePrinted) {

@@ -12,6 +12,7 @@
 
 #include "pliant/base/errors.h"
 
+#include "capture/drawn_label.h"
 #include "capture/drawn_rig.h"
 #include "support/asked_for.h"
 
@@ -264,6 +265,19 @@ TEST(SlowSpacePoints, AreWarnedOfACameraThatWasRefocused) {
   dic.views->cameras[1].intrinsics.head<2>() *= 1.02;  // 3 pixels at the rim of the sample
   EXPECT_THAT(SpacePoints(dic, rig.reader(), with(2)).warnings(),
               testing::Contains(testing::HasSubstr("lines of sight miss each other by")));
+}
+
+TEST(SlowSpacePoints, NameTheCameraThatFixedTagsSeeMove) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest, pulled_askew, pulled_askew};
+  rig.others = [](int) { return std::vector{test::drawn_label(30, {-0.008, 0.018})}; };
+  DicFile dic = rig.dic();
+  dic.fixed = {30};
+  SpacePoints points(dic, rig.reader(), with(2));
+  EXPECT_EQ(points.read(1).quality->moved, "");
+  rig.cameras[1].pose.rotation.x() += 0.001;  // 2 pixels
+  EXPECT_THAT(points.read(2).quality->moved,
+              testing::StartsWith("camera1 shows the fixed tag 30 "));
 }
 
 TEST(SlowSpacePoints, RefuseASampleWithoutTexture) {

@@ -42,6 +42,7 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
       if (!dic_.clips[i].labels.empty()) clips_[i] = Pose();
     }
   }
+  begin_fixed(first);
   const PatchGrid grid{views().patch / 2, views().step};
   StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
   require_sight(rest);
@@ -158,6 +159,25 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
   }
 }
 
+void SpacePoints::begin_fixed(const std::vector<GreyPicture>& pictures) {
+  if (dic_.fixed.empty()) return;
+  for (std::size_t c = 0; c < pictures.size(); ++c) {
+    fixed_.emplace_back(dic_.fixed, pictures[c], views().files[c].front().string());
+  }
+}
+
+std::string SpacePoints::moved_camera(const std::vector<GreyPicture>& pictures) const {
+  std::vector<std::string> doubts(fixed_.size());
+  parallel_for(static_cast<int>(fixed_.size()), context_.threads, [&](int camera) {
+    const auto c = static_cast<std::size_t>(camera);
+    doubts[c] = fixed_[c].doubt(pictures[c]);
+  });
+  for (std::size_t c = 0; c < doubts.size(); ++c) {
+    if (!doubts[c].empty()) return fmt::format("{} {}", views().names[c], doubts[c]);
+  }
+  return {};
+}
+
 void SpacePoints::begin_cords(const std::vector<GreyPicture>& pictures) {
   if (!dic_.forces || dic_.forces->cells.empty()) return;
   cords_ = std::make_unique<SpaceCords>(dic_, placement_.to_sample.inverse(), rest_positions(),
@@ -208,6 +228,7 @@ std::string SpacePoints::follow(int frame) {
   note_agreement(seen);
   note_misses(seen);
   matches_ = {};
+  moved_ = moved_camera(now);
   doubt_.clear();
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     View& view = follow_[c];
@@ -337,6 +358,7 @@ SightQuality SpacePoints::quality() const {
   }
   quality.miss = median(std::move(misses));
   quality.matches = matches_.quality();
+  quality.moved = moved_;
   quality.doubt = doubt_;
   for (std::size_t c = 0; c < used.size(); ++c) {
     quality.share.push_back(used[c] / std::max(follow_[c].tracker->count(), 1));

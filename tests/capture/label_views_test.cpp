@@ -76,6 +76,22 @@ TEST_F(SlowLabelledCamera, SeesAJawTurnAndComeNearer) {
   EXPECT_NEAR(view.nearer, 0.002, 3e-4);
 }
 
+// A shutter that reads its rows in 30 ms, and a jaw that moves by 20 mm/s. The upper rows are read
+// first: the label on the jaw is seen less high than it is, as if it were further away.
+TEST_F(SlowLabelledCamera, SeesAJawWithinWhatItMovesWhileRowsAreRead) {
+  constexpr double kMoved = 0.6e-3;
+  const LabelledPull rest, now{.rolled = kMoved / LabelledPull::kHeight};
+  const DicFile dic = describe({rest, now});
+  const PlaneView view = *LabelViews(dic, rest.picture(0)).of(now.picture(1)).view;
+  const Eigen::Vector3d middle(0.015, 0.09, 0);
+  const double way = (view.clips[1]->apply(middle) - middle).y();
+  fmt::print("the jaw is seen {:.3f} mm further, by labels that miss by {:.3f} pixels\n", 1e3 * way,
+             view.miss);
+  EXPECT_GT(way, 0.1e-3);
+  EXPECT_LT(way, kMoved);
+  EXPECT_LT(view.miss, 0.1) << "it cannot be told from a label as it is at rest";
+}
+
 TEST_F(SlowLabelledCamera, IsNotDeceivedByAJawThatComesNearer) {
   const std::vector<LabelledPull> pulls{
       {},

@@ -32,6 +32,7 @@ struct LabelledPull {
   double jaw_turned = 0;  ///< of the upper jaw in the plane (rad)
   bool hidden = false;    ///< whether something is in front of the lower label
   double k1 = 0;          ///< radial distortion of the lens
+  double rolled = 0;      ///< strain that is added from the first row that is read to the last one
 
   /// Where the upper end of the cloth would be without slip (m).
   double jaw() const { return kHeight * (1 + strain) + slip; }
@@ -85,23 +86,25 @@ struct LabelledPull {
   }
 
   GreyPicture picture(std::uint64_t seed) const {
-    const Eigen::Matrix3d to_plane = to_picture().inverse();
     const Texture texture(5);
     const Lens lens(camera());
     GreyPicture picture(kRows, kColumns);
     for (int row = 0; row < kRows; ++row) {
+      LabelledPull now = *this;
+      now.strain += rolled * row / kRows;
+      const Eigen::Matrix3d to_plane = now.to_picture().inverse();
       for (int column = 0; column < kColumns; ++column) {
         const Eigen::Vector2d pixel = lens.straightened(Eigen::Vector2d(column, row));
         // The edges of a label are where its corners are found: finer there, and cloth is smooth.
         const double v = (to_plane * pixel.homogeneous()).hnormalized().y();
-        const int samples = v < 0 || v > jaw() ? 64 : 4;
+        const int samples = v < 0 || v > now.jaw() ? 64 : 4;
         double sum = 0;
         for (int sample = 0; sample < samples; ++sample) {
           // No two in a row or column: edges along them would move in steps.
           const Eigen::Vector2d within((sample + 0.5) / samples,
                                        reversed_bits(sample) + 0.5 / samples);
           const Eigen::Vector2d place = pixel + within.unaryExpr(&LabelledPull::blurred);
-          sum += at((to_plane * place.homogeneous()).hnormalized(), texture);
+          sum += now.at((to_plane * place.homogeneous()).hnormalized(), texture);
         }
         picture(row, column) = static_cast<float>(0.1 + 0.8 * sum / samples);
       }

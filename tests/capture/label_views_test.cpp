@@ -8,16 +8,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pliant/capture/dic_import.h"
 #include "pliant/capture/dic_session.h"
 #include "pliant/capture/frame_doubts.h"
+#include "pliant/capture/local_motion.h"
 
 #include "capture/labelled_camera.h"
+#include "capture/labelled_frame.h"
 #include "io/input_error_of.h"
 #include "io/temporary_folder.h"
 
 namespace pliant {
 namespace {
 
+using test::LabelledFrame;
 using test::LabelledPull;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
@@ -25,16 +29,18 @@ using ::testing::HasSubstr;
 /// Pictures of pulls, written as empty files that the reader knows by their numbers.
 class SlowLabelledCamera : public ::testing::Test {
  protected:
-  DicFile describe(const std::vector<LabelledPull>& pulls, const std::string& codes = "[1]") {
+  DicFile describe(const std::vector<LabelledPull>& pulls, const std::string& codes = "[1]",
+                   const std::string& test = "stretch-warp", const std::string& more = "") {
     pulls_ = pulls;
     for (std::size_t f = 0; f < pulls.size(); ++f) folder_.write(fmt::format("p/{:03}.png", f), "");
     return read_dic(folder_.write(
         "d.yaml",
-        "pliant: dic/1\ntest: stretch-warp\npictures: p/*.png\n"
-        "labels: {tag: 15 mm, edge: 15 mm}\n"
-        "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
-        "clips: [{name: lower, side: bottom, labels: [0]}, {name: upper, side: top, labels: " +
-            codes + "}]\n"));
+        "pliant: dic/1\ntest: " + test +
+            "\npictures: p/*.png\n"
+            "labels: {tag: 15 mm, edge: 15 mm}\n"
+            "sample: {width: 30 mm, height: 90 mm, mass: 1 g}\n"
+            "clips: [{name: lower, side: bottom, labels: [0]}, {name: upper, side: top, labels: " +
+            codes + "}]\n" + more));
   }
 
   ReadPicture reader() const {
@@ -161,6 +167,75 @@ TEST_F(SlowLabelledCamera, RefusesAMirroredPicture) {
   const InputError error =
       test::input_error_of([&] { LabelViews(dic, rest.picture(0).rowwise().reverse()); });
   EXPECT_THAT(error.what(), HasSubstr("000.png: is mirrored: its labels can be read from behind"));
+}
+
+/// Stretches and shear in the middle of a sheet: C of F^T F in its rest axes.
+Eigen::Matrix2d stretch_of_middle(const Session& session, int frame) {
+  std::vector<int> middle;
+  const Eigen::Vector3d size(session.sample.width, session.sample.height, 0);
+  for (int v = 0; v < session.rest.vertex_count(); ++v) {
+    const Eigen::Vector3d off = session.rest.positions.col(v) - size / 2;
+    if (off.norm() < session.sample.width / 8) middle.push_back(v);
+  }
+  const auto motion =
+      affine_motion(session.rest.positions.topRows<2>()(Eigen::all, middle),
+                    session.frames[static_cast<std::size_t>(frame)].positions(Eigen::all, middle));
+  return motion->slope.transpose() * motion->slope;
+}
+
+// It narrows as yarns do that turn and keep their length, nearly.
+TEST_F(SlowLabelledCamera, SeesABiasStripShearItsYarns) {
+  folder_.write("log.csv", "force_N\n0\n4\n9\n");
+  const DicFile dic =
+      describe({{}, {.strain = 0.03, .narrows = 0.9}, {.strain = 0.06, .narrows = 0.9}}, "[1]",
+               "bias-extension", "forces: {data: log.csv, on: upper}\n");
+  const DicImport imported = import_dic(dic.file, reader(), {});
+  for (const auto& [file, content] : imported.study.files) {
+    folder_.write("out/" + file, content);
+  }
+  EXPECT_THAT(test::content_of(folder_.path() / "out/strip.yaml"), HasSubstr("direction: bias"));
+  ASSERT_TRUE(imported.made.middle);
+  EXPECT_NEAR(imported.made.middle->strain[2], 0.06, 5e-4);
+  EXPECT_NEAR(imported.made.middle->lateral_strain[2], -0.054, 5e-4);
+  const Session session = read_session(folder_.path() / "out" / kDicSessionFolder);
+  EXPECT_NEAR(session.sample.width, 0.12 / std::sqrt(2.0), 1e-5);
+  const Eigen::Matrix2d stretch = stretch_of_middle(session, session.frame_count() - 1);
+  const double along = 1.06 * 1.06, across = 0.946 * 0.946;
+  EXPECT_NEAR(stretch(0, 0), (along + across) / 2, 2e-3);
+  EXPECT_NEAR(stretch(1, 1), (along + across) / 2, 2e-3);
+  EXPECT_NEAR(stretch(0, 1), (along - across) / 2, 2e-3);
+}
+
+TEST(SlowLabelledFrame, SeesYarnsTurnAndKeepTheirLength) {
+  const std::vector<LabelledFrame> frames{{}, {.angle = 0.05}, {.angle = 0.1}};
+  const TemporaryFolder folder;
+  for (std::size_t f = 0; f < frames.size(); ++f) folder.write(fmt::format("p/{}.png", f), "");
+  const DicFile dic = read_dic(folder.write(
+      "d.yaml",
+      "pliant: dic/1\ntest: shear\npictures: p/*.png\nlabels: {tag: 12 mm, edge: 12 mm}\n"
+      "sample: {width: 60 mm, height: 60 mm, mass: 1 g}\n"
+      "clips:\n  - {name: bottom, side: bottom, labels: [0]}\n"
+      "  - {name: top, side: top, labels: [1]}\n  - {name: left, side: left, labels: [2]}\n"
+      "  - {name: right, side: right, labels: [3]}\n"));
+  const DicSession made = make_dic_session(dic, [&](const std::filesystem::path& file) {
+    const auto frame = static_cast<std::size_t>(std::stoi(file.stem().string()));
+    return frames[frame].picture(frame);
+  });
+  ASSERT_EQ(made.session.frame_count(), 3);
+  const Eigen::Matrix2d stretch = stretch_of_middle(made.session, 2);
+  EXPECT_NEAR(stretch(0, 1), std::sin(0.1), 1e-3);
+  EXPECT_NEAR(stretch(0, 0), 1, 1e-3);
+  EXPECT_NEAR(stretch(1, 1), 1, 1e-3);
+  // The first bar stays where it is; the others go where yarns of their length lead them.
+  const std::vector<Pose>& bars = made.session.frames[2].poses;
+  const double height = LabelledFrame::kSide * std::cos(0.1);
+  const double way = LabelledFrame::kSide * std::sin(0.1);
+  const Eigen::Vector3d top = bars[1].apply({0.03, 0.06, 0});
+  EXPECT_LT((top - Eigen::Vector3d(0.03 + way, height, 0)).norm(), 0.05e-3);
+  for (const std::size_t bar : {2U, 3U}) {
+    EXPECT_NEAR(2 * std::asin(bars[bar].rotation.z()), -0.1, 1e-3);
+  }
+  EXPECT_FALSE(made.middle) << "it is of two bars that pull";
 }
 
 // A camera that stands straight in front, to which labels tell nothing but that they stand still.

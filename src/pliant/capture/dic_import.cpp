@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/capture/bias_strip.h"
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/session/session_type.h"
 #include "pliant/experiment/tensile/tensile_cycles_type.h"
@@ -215,11 +216,14 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
                      "cannot be read: this program was built without them", "tables of `points`");
   }
   DicSession made = make_dic_session(dic, read_picture, context);
+  const bool is_bias = dic.test == kBiasExtension;
+  if (is_bias && made.middle) made.middle->direction = "bias";
   std::vector<FrameDoubt> doubts = frame_doubts(made);
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(made, name);
-  for (auto& [path, content] : session_files(made.session)) {
+  for (auto& [path, content] :
+       is_bias ? session_files(in_yarn_axes(made.session)) : session_files(made.session)) {
     study.files.emplace_back(fmt::format("{}/{}", kDicSessionFolder, path), std::move(content));
   }
   if (made.middle && !made.force.empty()) {

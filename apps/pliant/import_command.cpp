@@ -116,10 +116,9 @@ const std::string& only_file(const ImportArguments& arguments, const char* expec
 ImportedStudy import_points(const std::string& file, ResultDirectory& results,
                             const RunContext& context) {
   DicImport imported = import_dic(file, picture_reader(), context);
-  make_session_files(imported.made.session,
-                     [&](const std::string& name, const std::string& content) {
-                       results.write(fmt::format("{}/{}", kDicSessionFolder, name), content);
-                     });
+  make_session_files(imported, [&](const std::string& name, const std::string& content) {
+    results.write(name, content);
+  });
   ImportedStudy& study = imported.study;
   const CaptureRecord record{std::filesystem::path(file).stem().string(),
                              imported.made,

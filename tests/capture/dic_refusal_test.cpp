@@ -131,6 +131,27 @@ TEST(DicRefusal, OfForcesOnNoClip) {
               HasSubstr("forces.on: \"c\" is no clip"));
 }
 
+TEST(DicRefusal, OfFixedTagsInTables) {
+  const TemporaryFolder folder;
+  PointTables::write(folder, 2, still);
+  EXPECT_THAT(refused(folder, std::string(kTwoClips) + "fixed: [3]\n"),
+              HasSubstr("fixed: stand in no picture"));
+}
+
+TEST(DicRefusal, OfAFixedTagThatIsOnAClip) {
+  const TemporaryFolder folder;
+  folder.write("l/0.png", "");
+  folder.write("r/0.png", "");
+  const auto file = folder.write("d.yaml",
+                                 "pliant: dic/1\ntest: t\nviews:\n  calibration: c.json\n"
+                                 "  pictures: {left: l/*.png, right: r/*.png}\n"
+                                 "  corners: [[0, 9], [9, 9], [9, 0], [0, 0]]\n"
+                                 "sample: {width: 40 mm, height: 80 mm, mass: 1 g}\n"
+                                 "clips: [{name: a, side: top, labels: [3]}]\nfixed: [4, 3]\n");
+  EXPECT_THAT(test::input_error_of([&] { read_dic(file); }).what(),
+              HasSubstr("fixed[1]: 3 stands here twice"));
+}
+
 TEST(DicRefusal, OfAMeshTooFine) {
   const TemporaryFolder folder;
   PointTables::write(folder, 2, still);

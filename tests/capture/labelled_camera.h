@@ -16,6 +16,44 @@
 
 namespace pliant::test {
 
+/// Pixels from the middle of a pixel at which it sees a share of its light on one side: a square
+/// pixel behind a lens that blurs by as much.
+inline double blurred_share(double share) {
+  return share < 0.5 ? std::sqrt(2 * share) - 1 : 1 - std::sqrt(2 * (1 - share));
+}
+
+/// The binary digits of a number behind the point.
+inline double reversed_bits(int number) {
+  double value = 0;
+  for (double digit = 0.5; number > 0; number /= 2, digit /= 2) value += digit * (number % 2);
+  return value;
+}
+
+/// Brightness of a pixel around a place: the mean of what is there.
+/// @param at  of a place (pixels)
+template <class At>
+double seen_by_pixel(const Eigen::Vector2d& pixel, int samples, const At& at) {
+  double sum = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    // No two in a row or column: edges along them would move in steps.
+    const Eigen::Vector2d within((sample + 0.5) / samples, reversed_bits(sample) + 0.5 / samples);
+    sum += at(Eigen::Vector2d(pixel + within.unaryExpr(&blurred_share)));
+  }
+  return sum / samples;
+}
+
+/// Brightness within a label and the white around it, -1 outside.
+/// @param tag  side of its black square (m)
+inline double label_brightness(const GreyPicture& cells, double tag, const Eigen::Vector2d& place) {
+  constexpr int kCells = 8;
+  const double cell = tag / kCells, around = tag / 2 + cell;
+  if (std::abs(place.x()) > around || std::abs(place.y()) > around) return -1;
+  if (std::abs(place.x()) >= tag / 2 || std::abs(place.y()) >= tag / 2) return 1;
+  const int column = static_cast<int>((place.x() + tag / 2) / cell);
+  const int row = kCells - 1 - static_cast<int>((place.y() + tag / 2) / cell);
+  return static_cast<double>(cells(row, column));
+}
+
 /// A flat strip between two jaws with the labels 0 and 1, as a pinhole camera sees it: 30 mm x 90
 /// mm, labels of 15 mm whose middles are 15 mm outside of its ends. Plane coordinates are those of
 /// the sample.
@@ -24,7 +62,7 @@ struct LabelledPull {
   static constexpr int kColumns = 360, kRows = 1040;
   static constexpr double kFocal = 5000 / 1.5;  ///< pixels
 
-  double strain = 0;      ///< of the cloth, along warp; across it narrows by a tenth of it
+  double strain = 0;      ///< of the cloth, along warp; across it narrows by a share of it
   double slip = 0;        ///< by which it has left the upper jaw (m)
   double nearer = 0;      ///< of the upper jaw to the camera (m)
   double turned = 0;      ///< of the camera, about its axis (rad)
@@ -32,10 +70,12 @@ struct LabelledPull {
   double jaw_turned = 0;  ///< of the upper jaw in the plane (rad)
   bool hidden = false;    ///< whether something is in front of the lower label
   double k1 = 0;          ///< radial distortion of the lens
+  double narrows = 0.1;   ///< that share
+  double rolled = 0;      ///< strain that is added from the first row that is read to the last one
 
   /// Where the upper end of the cloth would be without slip (m).
   double jaw() const { return kHeight * (1 + strain) + slip; }
-  double narrowing() const { return -0.1 * strain; }
+  double narrowing() const { return -narrows * strain; }
 
   /// From the plane to pixels: a camera 500 mm away, 0.15 mm a pixel.
   Eigen::Matrix3d to_picture() const {
@@ -72,8 +112,9 @@ struct LabelledPull {
     const Eigen::Rotation2Dd back(-jaw_turned);
     const Eigen::Vector2d on_jaw = back * (place - middle - Eigen::Vector2d(0, jaw()));
     // The lower label stands on its head: its edge is towards the cloth.
-    const double label = std::max(in_label(lower, -(place - middle + Eigen::Vector2d(0, kEdge))),
-                                  in_label(upper, on_jaw - Eigen::Vector2d(0, kEdge)));
+    const double label =
+        std::max(label_brightness(lower, kTag, -(place - middle + Eigen::Vector2d(0, kEdge))),
+                 label_brightness(upper, kTag, on_jaw - Eigen::Vector2d(0, kEdge)));
     if (hidden && place.y() < 0) return 0.5;
     if (label >= 0) return label;
     const Eigen::Vector2d rest((place.x() - kWidth / 2) / (1 + narrowing()) + kWidth / 2,
@@ -85,55 +126,27 @@ struct LabelledPull {
   }
 
   GreyPicture picture(std::uint64_t seed) const {
-    const Eigen::Matrix3d to_plane = to_picture().inverse();
     const Texture texture(5);
     const Lens lens(camera());
     GreyPicture picture(kRows, kColumns);
     for (int row = 0; row < kRows; ++row) {
+      LabelledPull now = *this;
+      now.strain += rolled * row / kRows;
+      const Eigen::Matrix3d to_plane = now.to_picture().inverse();
       for (int column = 0; column < kColumns; ++column) {
         const Eigen::Vector2d pixel = lens.straightened(Eigen::Vector2d(column, row));
         // The edges of a label are where its corners are found: finer there, and cloth is smooth.
         const double v = (to_plane * pixel.homogeneous()).hnormalized().y();
-        const int samples = v < 0 || v > jaw() ? 64 : 4;
-        double sum = 0;
-        for (int sample = 0; sample < samples; ++sample) {
-          // No two in a row or column: edges along them would move in steps.
-          const Eigen::Vector2d within((sample + 0.5) / samples,
-                                       reversed_bits(sample) + 0.5 / samples);
-          const Eigen::Vector2d place = pixel + within.unaryExpr(&LabelledPull::blurred);
-          sum += at((to_plane * place.homogeneous()).hnormalized(), texture);
-        }
-        picture(row, column) = static_cast<float>(0.1 + 0.8 * sum / samples);
+        const int samples = v < 0 || v > now.jaw() ? 64 : 4;
+        const double light = seen_by_pixel(pixel, samples, [&](const Eigen::Vector2d& place) {
+          return now.at((to_plane * place.homogeneous()).hnormalized(), texture);
+        });
+        picture(row, column) = static_cast<float>(0.1 + 0.8 * light);
       }
     }
     RandomStream random(seed);
     add_noise(picture, 0.01, random);
     return picture;
-  }
-
- private:
-  /// Pixels from the middle of a pixel at which it sees a share of its light on one side: a square
-  /// pixel behind a lens that blurs by as much.
-  static double blurred(double share) {
-    return share < 0.5 ? std::sqrt(2 * share) - 1 : 1 - std::sqrt(2 * (1 - share));
-  }
-
-  /// The binary digits of a number behind the point.
-  static double reversed_bits(int number) {
-    double value = 0;
-    for (double digit = 0.5; number > 0; number /= 2, digit /= 2) value += digit * (number % 2);
-    return value;
-  }
-
-  /// Brightness within a label and the white around it, -1 outside.
-  static double in_label(const GreyPicture& cells, const Eigen::Vector2d& place) {
-    constexpr int kCells = 8;
-    const double cell = kTag / kCells, around = kTag / 2 + cell;
-    if (std::abs(place.x()) > around || std::abs(place.y()) > around) return -1;
-    if (std::abs(place.x()) >= kTag / 2 || std::abs(place.y()) >= kTag / 2) return 1;
-    const int column = static_cast<int>((place.x() + kTag / 2) / cell);
-    const int row = kCells - 1 - static_cast<int>((place.y() + kTag / 2) / cell);
-    return static_cast<double>(cells(row, column));
   }
 };
 

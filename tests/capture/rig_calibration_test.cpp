@@ -1,6 +1,7 @@
 #include "pliant/capture/rig_calibration.h"
 
 #include <chrono>
+#include <functional>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,7 +13,9 @@ namespace pliant {
 namespace {
 
 using test::VirtualRig;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Differences from the truth over their standard errors.
 std::vector<double> errors_apart(const RigCalibration& found, const VirtualRig& rig) {
@@ -113,6 +116,43 @@ TEST(RigCalibration, LeavesOutAPictureOfAnotherMoment) {
   }
   EXPECT_EQ(left_out, 2);
   for (const double apart : errors_apart(found, rig)) EXPECT_LT(std::abs(apart), 3.5);
+}
+
+/// Of three cameras the second one changes after two thirds of twelve shots.
+RigCalibration calibrated_with_change(const std::function<void(CameraModel&)>& change) {
+  constexpr int kShots = 12, kChanged = 8;
+  const VirtualRig before(3);
+  VirtualRig after = before;
+  change(after.cameras[1]);
+  std::vector<RigPicture> pictures = before.pictures(kShots, RandomStream(8));
+  const std::vector<RigPicture> later = after.pictures(kShots, RandomStream(8));
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (pictures[i].shot >= kChanged) pictures[i] = later[i];
+  }
+  return calibrate_rig(before.rig, pictures, {});
+}
+
+void expect_the_second_named(const RigCalibration& found) {
+  using ::testing::Contains;
+  using ::testing::StartsWith;
+  EXPECT_THAT(found.warnings,
+              Contains(AllOf(StartsWith("camera1: its pictures do not go together"),
+                             HasSubstr(": 4 of them"), HasSubstr("was it moved, refocused"))));
+  for (const char* other : {"camera0: its pictures", "camera2: its pictures"}) {
+    EXPECT_THAT(found.warnings, Not(Contains(StartsWith(other))));
+  }
+}
+
+TEST(SlowRigCalibration, NamesACameraThatWasMovedMeanwhile) {
+  const RigCalibration found = calibrated_with_change(
+      [](CameraModel& camera) { camera.pose.rotation.x() += 0.004; });  // 8 pixels
+  expect_the_second_named(found);
+}
+
+TEST(SlowRigCalibration, NamesACameraThatWasRefocusedMeanwhile) {
+  const RigCalibration found =
+      calibrated_with_change([](CameraModel& camera) { camera.intrinsics.head<2>() *= 1.02; });
+  expect_the_second_named(found);
 }
 
 TEST(SlowRigCalibration, LeavesOutCornersThatMiss) {

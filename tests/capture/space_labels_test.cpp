@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "capture/drawn_label.h"
 #include "capture/drawn_rig.h"
+#include "io/input_error_of.h"
 
 namespace pliant {
 namespace {
@@ -12,25 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-constexpr double kTag = 8e-3;  // side of a label's black square (m)
-
-/// A label of that middle on white paper, moved.
-DrawnSurface label(int code, const Eigen::Vector2d& middle, const Eigen::Vector3d& moved) {
-  const Eigen::Vector2d half = Eigen::Vector2d::Constant(kTag / 2);
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(2e-3);
-  DrawnSurface paper = flat_rectangle(
-      {middle - half - margin, middle + half + margin}, 0.2e-3,
-      [cells = tag_cells(code), from = Eigen::Vector2d(middle - half)](const Eigen::Vector2d& at) {
-        const Eigen::Vector2d place = (at - from) / kTag;
-        if (place.minCoeff() < 0 || place.maxCoeff() >= 1) return 0.9;
-        return 0.1 + 0.8 * static_cast<double>(cells(static_cast<int>((1 - place.y()) * 8),
-                                                     static_cast<int>(place.x() * 8)));
-      });
-  paper.positions.colwise() += moved;
-  return paper;
-}
+using ::testing::StartsWith;
 
 /// A white cord along an edge of the label, above it, that moves with it.
 DrawnSurface cord_over(const Eigen::Vector2d& middle, const Eigen::Vector3d& moved) {
@@ -40,7 +24,7 @@ DrawnSurface cord_over(const Eigen::Vector2d& middle, const Eigen::Vector3d& mov
   const Eigen::Vector3d about(middle.x(), middle.y(), 0);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitZ()).matrix();
   cord.positions = (turn * (cord.positions.colwise() - about)).colwise() + about;
-  cord.positions.row(0).array() += kTag / 2 - 0.2e-3;
+  cord.positions.row(0).array() += test::kDrawnTag / 2 - 0.2e-3;
   cord.positions.colwise() += moved;
   return cord;
 }
@@ -61,33 +45,29 @@ class SlowSpaceLabels : public testing::Test {
     rig_.noise = {0.01, 0, 8};
   }
 
-  /// Labels on two clips that move away by a millimetre a frame; from the second frame on a cord
-  /// lies over the first, where there is one.
-  std::vector<std::string> warnings(bool has_cord) {
-    rig_.others = [&](int frame) {
-      const double way = 1e-3 * frame;
-      std::vector<DrawnSurface> surfaces{label(3, left_, {-way, 0, 0}),
-                                         label(4, right_, {way, 0, 0})};
-      if (has_cord && frame > 0) surfaces.push_back(cord_over(left_, {-way, 0, 0}));
-      return surfaces;
-    };
-    DicFile dic = rig_.dic();
-    dic.clips = {labelled_clip("left", 3), labelled_clip("right", 4)};
-    SpaceLabels labels(dic, pictures(0), 1);
-    for (int frame = 1; frame < 4; ++frame) {
-      const LabelledMotions motions = labels.motions(pictures(frame));
-      EXPECT_EQ(motions.missing, "");
-      const Eigen::Vector3d middle = rig_.to_rig() * Eigen::Vector3d(right_.x(), right_.y(), 0);
-      EXPECT_NEAR((motions.clips.at(1)->apply(middle) - middle).norm(), 1e-3 * frame, 0.02e-3);
-    }
-    return labels.warnings();
+  /// Labels on two clips that move away by a millimetre a frame.
+  std::vector<DrawnSurface> labels(int frame) const {
+    const double way = 1e-3 * frame;
+    return {test::drawn_label(3, left_, {-way, 0, 0}), test::drawn_label(4, right_, {way, 0, 0})};
   }
 
- private:
+  DicFile dic() const {
+    DicFile dic = rig_.dic();
+    dic.clips = {labelled_clip("left", 3), labelled_clip("right", 4)};
+    return dic;
+  }
+
   std::vector<GreyPicture> pictures(int frame) const {
     std::vector<GreyPicture> pictures;
     for (int c = 0; c < std::ssize(rig_.cameras); ++c) pictures.push_back(rig_.picture(c, frame));
     return pictures;
+  }
+
+  void expect_ways(SpaceLabels& labels, int frame) const {
+    const LabelledMotions motions = labels.motions(pictures(frame));
+    EXPECT_EQ(motions.missing, "");
+    const Eigen::Vector3d middle = rig_.to_rig() * Eigen::Vector3d(right_.x(), right_.y(), 0);
+    EXPECT_NEAR((motions.clips.at(1)->apply(middle) - middle).norm(), 1e-3 * frame, 0.02e-3);
   }
 
   test::DrawnRig rig_;
@@ -95,11 +75,58 @@ class SlowSpaceLabels : public testing::Test {
 };
 
 TEST_F(SlowSpaceLabels, AreWarnedOfWhereACordCrossesThem) {
-  EXPECT_THAT(warnings(/*has_cord=*/false), IsEmpty());
-  const std::vector<std::string> said = warnings(/*has_cord=*/true);
-  ASSERT_FALSE(said.empty());
-  EXPECT_THAT(said, testing::Each(AllOf(HasSubstr("the label 3 of the clip left"),
-                                        HasSubstr("of 3 frames"))));
+  for (const bool has_cord : {false, true}) {
+    // From the second frame on it lies over the first.
+    rig_.others = [&](int frame) {
+      std::vector<DrawnSurface> surfaces = labels(frame);
+      if (has_cord && frame > 0) surfaces.push_back(cord_over(left_, {-1e-3 * frame, 0, 0}));
+      return surfaces;
+    };
+    const DicFile dic = this->dic();
+    SpaceLabels labels(dic, pictures(0), 1);
+    for (int frame = 1; frame < 4; ++frame) expect_ways(labels, frame);
+    const std::vector<std::string> said = labels.warnings();
+    EXPECT_EQ(said.empty(), !has_cord);
+    EXPECT_THAT(said, testing::Each(AllOf(HasSubstr("the label 3 of the clip left"),
+                                          HasSubstr("of 3 frames"))));
+  }
+}
+
+// The other two tell where the clips are, since the picture moves across their lines of sight.
+TEST_F(SlowSpaceLabels, TellTheCameraThatWasMovedMeanwhile) {
+  rig_.others = [&](int frame) { return labels(frame); };
+  const DicFile dic = this->dic();
+  SpaceLabels labels(dic, pictures(0), 1);
+  expect_ways(labels, 1);
+  rig_.cameras[1].pose.rotation += Eigen::Vector3d(0.0012, 0.0016, 0);  // 4 pixels
+  for (int frame = 2; frame < 4; ++frame) expect_ways(labels, frame);
+  EXPECT_THAT(labels.warnings(), ElementsAre(AllOf(StartsWith("camera1 sees most labels elsewhere"),
+                                                   HasSubstr("moved, refocused or stabilised"))));
+}
+
+TEST_F(SlowSpaceLabels, AreRefusedWhereACodeIsSeenTwice) {
+  int twice_from = 1;
+  rig_.others = [&](int frame) {
+    std::vector<DrawnSurface> surfaces = labels(frame);
+    if (frame >= twice_from) surfaces.push_back(test::drawn_label(3, {0.015, 0.042}));
+    return surfaces;
+  };
+  const DicFile dic = this->dic();
+  SpaceLabels labels(dic, pictures(0), 1);
+  EXPECT_EQ(labels.motions(pictures(1)).missing,
+            "shows the label 3 of the clip left more than once to camera0");
+  twice_from = 0;
+  const InputError error = test::input_error_of([&] { SpaceLabels(dic, pictures(0), 1); });
+  EXPECT_THAT(error.what(), HasSubstr("shows the label 3 of the clip left more than once"));
+}
+
+TEST_F(SlowSpaceLabels, AreRefusedInAMirroredPicture) {
+  rig_.others = [&](int frame) { return labels(frame); };
+  const DicFile dic = this->dic();
+  std::vector<GreyPicture> first = pictures(0);
+  first[2] = first[2].rowwise().reverse().eval();
+  const InputError error = test::input_error_of([&] { SpaceLabels(dic, first, 1); });
+  EXPECT_THAT(error.what(), HasSubstr("2/0: is mirrored"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "pliant/base/errors.h"
 
+#include "capture/drawn_label.h"
 #include "capture/drawn_rig.h"
 #include "support/asked_for.h"
 
@@ -196,6 +197,27 @@ TEST(SlowSpacePoints, AreLostBehindSomethingAndFoundAgain) {
   EXPECT_LT(errors_of(again, rig.frames[2]).off_plane, 0.006e-3);
 }
 
+TEST(SlowSpacePoints, LeaveThePictureAndAreFoundAgain) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  // Half the picture is 37 mm wide, and half the sheet 17 mm.
+  const auto aside = [](const Eigen::Vector2d& place) {
+    return Eigen::Vector3d(place.x() + 0.03, place.y(), 0);
+  };
+  rig.frames = {at_rest, aside, at_rest};
+  const DicFile dic = rig.dic();
+  SpacePoints points(dic, rig.reader(), with(2));
+  const int all = points.read(0).count();
+  const PointFrame outside = points.read(1);
+  EXPECT_GT(outside.lost, all / 6);
+  EXPECT_GT(outside.count(), all / 3);
+  EXPECT_LT(errors_of(outside, aside).largest, 0.1e-3);
+  const PointFrame again = points.read(2);
+  EXPECT_EQ(again.count(), all);
+  const Errors back = errors_of(again, at_rest);
+  EXPECT_LT(back.in_plane, 0.004e-3);
+  EXPECT_LT(back.off_plane, 0.006e-3);
+}
+
 TEST(SlowSpacePoints, AreTheSameOnAnyNumberOfThreads) {
   test::DrawnRig rig(2, 300, 280, 0.035);
   rig.frames = {at_rest, tilted_sheet};
@@ -232,6 +254,42 @@ TEST(SpacePoints, RefuseAPictureOfAnotherSizeThanItsCameras) {
   EXPECT_THAT([&] { SpacePoints(dic, cut, with(1)); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr(
                   "1/0: is 118 x 110 pixels, and those of its camera's calibration 120 x 110")));
+}
+
+// All of them: what they see of a point goes together, and the sample is smaller by all of it.
+TEST(SlowSpacePoints, AreWarnedOfCamerasThatWereRefocused) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest};
+  DicFile dic = rig.dic();
+  for (CameraModel& camera : dic.views->cameras) camera.intrinsics.head<2>() *= 1.02;
+  const SpacePoints points(dic, rig.reader(), with(2));
+  EXPECT_THAT(points.warnings(),
+              testing::Each(testing::AllOf(testing::HasSubstr("% less than the 35"),
+                                           testing::HasSubstr("was a camera refocused?"))));
+  EXPECT_EQ(points.warnings().size(), 2u);  // wide, and high
+}
+
+TEST(SlowSpacePoints, AreWarnedOfACameraThatWasRefocused) {
+  test::DrawnRig rig(2, 420, 400, 0.07);
+  rig.frames = {at_rest};
+  DicFile dic = rig.dic();
+  EXPECT_THAT(SpacePoints(dic, rig.reader(), with(2)).warnings(), testing::IsEmpty());
+  dic.views->cameras[1].intrinsics.head<2>() *= 1.02;  // 3 pixels at the rim of the sample
+  EXPECT_THAT(SpacePoints(dic, rig.reader(), with(2)).warnings(),
+              testing::Contains(testing::HasSubstr("lines of sight miss each other by")));
+}
+
+TEST(SlowSpacePoints, NameTheCameraThatFixedTagsSeeMove) {
+  test::DrawnRig rig(2, 300, 280, 0.035);
+  rig.frames = {at_rest, pulled_askew, pulled_askew};
+  rig.others = [](int) { return std::vector{test::drawn_label(30, {-0.008, 0.018})}; };
+  DicFile dic = rig.dic();
+  dic.fixed = {30};
+  SpacePoints points(dic, rig.reader(), with(2));
+  EXPECT_EQ(points.read(1).quality->moved, "");
+  rig.cameras[1].pose.rotation.x() += 0.001;  // 2 pixels
+  EXPECT_THAT(points.read(2).quality->moved,
+              testing::StartsWith("camera1 shows the fixed tag 30 "));
 }
 
 TEST(SlowSpacePoints, RefuseASampleWithoutTexture) {

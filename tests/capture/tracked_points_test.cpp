@@ -122,21 +122,27 @@ TEST(SlowTrackedPoints, ComeBackToWhereTheyWere) {
   EXPECT_LT(std::sqrt(sum) / kPixel, 0.02);  // the noise of one match
 }
 
-// The sample jumps by 60 pixels between two pictures.
+// The sample jumps by 60 pixels between two pictures, out of the picture in part, and back.
 TEST(TrackedPoints, AreFoundAgainAfterAJump) {
   Camera camera;
   const Eigen::Vector2d jump(12, -58);
   camera.add(same);
   camera.add([&](const Eigen::Vector2d& place) -> Eigen::Vector2d { return place - jump; });
+  camera.add(same);
   const TemporaryFolder folder;
   const DicFile dic = camera.describe(folder);
   TrackedPoints points(dic, camera.reader(), {});
+  const int all = points.read(0).count();
   const PointFrame frame = points.read(1);
   EXPECT_GT(frame.count(), 18 * 20);  // the upper fifth has left the picture
+  EXPECT_LT(frame.count(), all - 19 * 3);
   for (int i = 0; i < frame.count(); ++i) {
     const Eigen::Vector3d by = (frame.moved.col(i) - frame.rest.col(i)) / kPixel;
     EXPECT_LT((by.head<2>() - jump).norm(), 0.02);
   }
+  const PointFrame back = points.read(2);
+  EXPECT_EQ(back.count(), all);
+  EXPECT_LT(largest_error(back, 0), 0.02);
 }
 
 // A hand before the sample hides a part of it for one picture.

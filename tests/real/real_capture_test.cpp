@@ -6,15 +6,20 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pliant/capture/chessboard_corners.h"
+#include "pliant/capture/dic_session.h"
 #include "pliant/capture/rig_calibration.h"
 #include "pliant/imaging/photo.h"
 
+#include "io/input_error_of.h"
+#include "io/temporary_folder.h"
 #include "real/real_fit.h"
 
 namespace pliant::test {
@@ -110,6 +115,27 @@ TEST(RealCapture, TagsOfPhotographsAreFound) {
     EXPECT_EQ(found, std::ssize(listed));
     EXPECT_EQ(tags.size(), listed.size());
     EXPECT_LT(std::sqrt(squares / found), 0.5);
+  }
+}
+
+// They all show one code: as labels of clips they are refused.
+TEST(RealCapture, TagsOfPhotographsAreNoLabelsOfClips) {
+  const auto folder = measurement("apriltag_photos");
+  SKIP_WITHOUT(folder);
+  for (const auto& [name, times] :
+       {std::pair("33369213973_9d9bb4cc96_c", 12), std::pair("34085369442_304b6bafd9_c", 25)}) {
+    const TemporaryFolder written;
+    const auto file = written.write(
+        "d.yaml", fmt::format("pliant: dic/1\ntest: stretch-warp\npictures: {}/{}.jpg\n"
+                              "labels: {{tag: 15 mm, edge: 15 mm}}\n"
+                              "sample: {{width: 30 mm, height: 90 mm, mass: 1 g}}\n"
+                              "clips: [{{name: lower, side: bottom, labels: [0]}},"
+                              " {{name: upper, side: top, labels: [1]}}]\n",
+                              folder.string(), name));
+    const InputError error = input_error_of([&] { make_dic_session(read_dic(file), &read_photo); });
+    fmt::print("{}\n", error.what());
+    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format(
+                                  "shows the label 0 of the clip lower {} times", times)));
   }
 }
 

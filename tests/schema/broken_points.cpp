@@ -68,6 +68,10 @@ std::vector<NamedDocument> broken_points() {
       without("a cord in no picture", cells, "/forces/cells/0/picture"),
       without("a cell without column", cells, "/forces/cells/1/column"),
       without("a time without rate", cells, "/forces/rate"),
+      changed("no fixed tags", pictures, "/fixed", nlohmann::json::array()),
+      changed("a fixed tag of no family", views, "/fixed/0", 587),
+      changed("fixed tags beside labels", labelled, "/fixed", nlohmann::json::array({30})),
+      changed("fixed tags in tables", dic, "/fixed", nlohmann::json::array({30})),
       changed("labels in tables", dic, "/labels", "labels.yaml"),
   };
 }

@@ -1,7 +1,7 @@
 #include "pliant/capture/calibration_board.h"
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -12,20 +12,6 @@ namespace {
 
 // The corners of a single tag leave no check of it.
 constexpr int kFewestTags = 2;
-
-struct TagsOfPicture {
-  std::map<int, DetectedTag> once;
-  std::set<int> twice;
-};
-
-TagsOfPicture tags_by_code(const std::vector<DetectedTag>& tags) {
-  TagsOfPicture result;
-  for (const DetectedTag& tag : tags) {
-    if (!result.once.emplace(tag.code, tag).second) result.twice.insert(tag.code);
-  }
-  for (const int code : result.twice) result.once.erase(code);
-  return result;
-}
 
 BoardView view_of_tags(int number, const TagBoard& board, const std::map<int, DetectedTag>& tags) {
   BoardView view{number, {}, {}};
@@ -44,7 +30,7 @@ BoardView view_of_tags(int number, const TagBoard& board, const std::map<int, De
 
 std::string reason_without_boards(const GreyPicture& picture,
                                   const std::vector<CalibrationBoard>& boards,
-                                  const TagsOfPicture& tags, int of_boards) {
+                                  const TagsByCode& tags, int of_boards) {
   const bool wants_tags = std::ranges::any_of(
       boards, [](const CalibrationBoard& board) { return !board.is_chessboard(); });
   if (!tags.twice.empty()) return fmt::format("shows code {} twice", *tags.twice.begin());
@@ -52,7 +38,7 @@ std::string reason_without_boards(const GreyPicture& picture,
   if (!tags.once.empty()) {
     return fmt::format("shows tags of no board (code {})", tags.once.begin()->first);
   }
-  if (wants_tags && detect_tags(picture.rowwise().reverse()).size() >= kFewestTags) {
+  if (wants_tags && mirrored_codes(picture).size() >= kFewestTags) {
     return "is mirrored: its tags can be read from behind alone";
   }
   return wants_tags ? "shows no board" : "shows no board with all of its corners";
@@ -79,7 +65,7 @@ Eigen::Matrix3Xd CalibrationBoard::corners() const {
 PictureFindings find_boards(const GreyPicture& picture,
                             const std::vector<CalibrationBoard>& boards) {
   PictureFindings findings;
-  TagsOfPicture tags = tags_by_code(detect_tags(picture));
+  TagsByCode tags = tags_by_code(detect_tags(picture));
   int most_of_boards = 0;
   for (int b = 0; b < std::ssize(boards); ++b) {
     if (const auto* chessboard = std::get_if<Chessboard>(&boards[b].kind)) {

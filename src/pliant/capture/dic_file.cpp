@@ -54,7 +54,7 @@ std::vector<int> read_codes(const Value& value, std::set<int>& taken) {
       item.fail(fmt::format("{} stands here twice", codes.back()), "a code for each label");
     }
   }
-  if (codes.empty()) value.fail("names no code", "the codes of the labels on the clip");
+  if (codes.empty()) value.fail("names no code", "the codes of the tags, one or more");
   return codes;
 }
 
@@ -224,6 +224,17 @@ void refuse_place(Fields& fields) {
       v->fail("stands beside `views`, whose calibration and `corners` tell it", "one");
     }
   }
+}
+
+/// Tags that stand still, on no clip.
+void read_fixed(const Value& value, DicFile& dic) {
+  if (!dic.pictures && !dic.views) value.fail("stand in no picture", "`pictures` or `views`");
+  if (dic.labels) {
+    value.fail("stand beside `labels`, by which each picture tells where its camera is", "one");
+  }
+  std::set<int> taken;
+  for (const DicClip& clip : dic.clips) taken.insert(clip.labels.begin(), clip.labels.end());
+  dic.fixed = read_codes(value, taken);
 }
 
 constexpr const char* kTwoLabelled =
@@ -425,6 +436,7 @@ DicFile dic_of(const Document& document) {
   } else {
     read_clips(fields, dic);
   }
+  if (auto v = fields.optional("fixed")) read_fixed(*v, dic);
   fields.finish();
   return dic;
 }

@@ -100,6 +100,7 @@ struct DicFile {
   Lens lens;                                ///< of the camera; a pinhole where none is told
   std::optional<DicReference> labels_file;  ///< pattern/1
   std::optional<DicLabels> labels;          ///< of clips in pictures; they tell scale and origin
+  std::vector<int> fixed;                   ///< codes of tags in pictures that stand still
   std::optional<double> scale;              ///< m of one unit of columns that tell none: of a pixel
   std::optional<Eigen::Vector2d>
       origin;  ///< of the sample's corner of least u and v in the points'

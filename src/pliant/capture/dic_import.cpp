@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/quantity.h"
+#include "pliant/capture/bias_strip.h"
 #include "pliant/capture/frame_moments.h"
 #include "pliant/experiment/contraction/lateral_contraction_type.h"
 #include "pliant/experiment/session/session_type.h"
@@ -216,6 +217,7 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
                      "cannot be read: this program was built without them", "tables of `points`");
   }
   DicSession made = make_dic_session(dic, read_picture, context);
+  if (dic.test == kBiasExtension && made.middle) made.middle->direction = "bias";
   std::vector<FrameDoubt> doubts = frame_doubts(made);
   const std::string name = file.stem().string();
   ImportedStudy study;
@@ -265,6 +267,19 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   }
   study.notes = notes_of(dic, made);
   return {std::move(study), std::move(made), std::move(doubts)};
+}
+
+void make_session_files(const DicImport& imported,
+                        const std::function<void(const std::string&, std::string)>& take) {
+  const auto in_folder = [&](const std::string& name, std::string content) {
+    take(fmt::format("{}/{}", kDicSessionFolder, name), std::move(content));
+  };
+  const Session& session = imported.made.session;
+  if (session.test == kBiasExtension) {
+    make_session_files(in_yarn_axes(session), in_folder);
+  } else {
+    make_session_files(session, in_folder);
+  }
 }
 
 }  // namespace pliant

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "pliant/capture/dic_session.h"
 #include "pliant/capture/frame_doubts.h"
@@ -13,7 +15,7 @@ inline constexpr const char* kDicSessionFolder = "sheet";
 
 /// A study, and what it was made from.
 struct DicImport {
-  ImportedStudy study;  ///< without the files of the session, which `made` has
+  ImportedStudy study;  ///< without the files of the session, see make_session_files
   DicSession made;
   std::vector<FrameDoubt> doubts;
 };
@@ -25,5 +27,10 @@ struct DicImport {
 /// @throws InputError
 DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_picture,
                      const RunContext& context);
+
+/// The files of the session, one after the other; of a bias strip in the axes of its yarns.
+/// @param take  is given the name and the content of each
+void make_session_files(const DicImport& imported,
+                        const std::function<void(const std::string&, std::string)>& take);
 
 }  // namespace pliant

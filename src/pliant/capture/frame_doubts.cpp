@@ -11,6 +11,7 @@ constexpr double kFewest = 0.5;    // of the points, or of a camera's patches
 constexpr double kMostBack = 0.2;  // pixels
 
 std::string doubt_of(const SightQuality& quality, const std::vector<std::string>& cameras) {
+  if (!quality.moved.empty()) return quality.moved;
   if (quality.agreeing < kFewest) {
     return fmt::format(
         "cameras agree on {:.0f} % of the points, as if one had been moved, or pictures were of "

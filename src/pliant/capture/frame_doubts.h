@@ -13,9 +13,9 @@ struct FrameDoubt {
   std::string why;
 };
 
-/// Frames in which cameras disagree as if one had been moved, that hardly show the sample, whose
-/// matches do not hold both ways, whose pictures are blurred or over-exposed, or in which a force
-/// creeps.
+/// Frames whose fixed tags say that a camera was moved, in which cameras disagree as if one had
+/// been moved, that hardly show the sample, whose matches do not hold both ways, whose pictures are
+/// blurred or over-exposed, or in which a force creeps.
 std::vector<FrameDoubt> frame_doubts(const DicSession& made);
 
 }  // namespace pliant

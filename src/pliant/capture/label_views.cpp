@@ -136,9 +136,11 @@ LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic)
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
     for (const int code : dic.clips[clip].labels) {
       const auto count = std::ranges::count(tags, code, &DetectedTag::code);
+      const std::string file = dic.pictures->files.front().string();
+      if (count == 0) require_unmirrored(first, {code}, file);
       if (count != 1) {
         throw InputError(
-            {dic.pictures->files.front().string()},
+            {file},
             fmt::format("shows the label {} of the clip {} {} (labels found: {})", code,
                         dic.clips[clip].name,
                         count == 0 ? "not at all" : fmt::format("{} times", count),

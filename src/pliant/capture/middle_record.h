@@ -9,7 +9,7 @@ namespace pliant {
 
 /// What the middle third of a pulled sample did, frame by frame. Strains are engineering ones.
 struct MiddleRecord {
-  std::string direction;         ///< of the pull: weft or warp
+  std::string direction;         ///< of the pull: weft or warp; of strips cut on the bias: bias
   double length = 0, width = 0;  ///< of the middle third along the pull, and of the sample (m)
   std::vector<double> strain, lateral_strain;  ///< NaN of frames that are left out
 

@@ -27,7 +27,8 @@ struct SightQuality {
   std::optional<double> miss;
   std::vector<double> share;  ///< of the patches of each camera: found, in agreement with others
   MatchQuality matches;
-  std::string doubt = {};  ///< what speaks against one of its pictures; empty: nothing
+  std::string moved = {};  ///< what fixed tags say against one of its cameras; empty: nothing
+  std::string doubt = {};  ///< what speaks against one of its pictures; likewise
 };
 
 /// Where a picture shows some points.

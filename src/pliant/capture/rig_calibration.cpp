@@ -25,7 +25,9 @@ bool leave_out_bad_views(RigCalibration& result) {
   bool any = false;
   for (const CornerView& view : bundle.views) {
     if (2 * view.used() >= std::ssize(view.corners)) continue;
-    result.pictures[view.picture].left_out = "shows corners that do not fit the other pictures";
+    RigPicture& picture = result.pictures[view.picture];
+    picture.left_out = "shows corners that do not fit the other pictures";
+    picture.contradicts = true;
     any = true;
   }
   std::erase_if(bundle.views,
@@ -81,15 +83,19 @@ void warn_of_regions(const RigFile& rig, RigCalibration& result) {
 /// A camera that was moved or refocused meanwhile fits none of its pictures well, or not all.
 void warn_of_contradictions(const RigFile& rig, RigCalibration& result) {
   constexpr double kMostLeftOut = 0.05, kMostMiss = 1;  // of the corners; pixels
+  constexpr std::ptrdiff_t kMostPictures = 1;           // that may be of another moment
   for (int c = 0; c < std::ssize(rig.cameras); ++c) {
     const CameraResiduals& own = result.cameras[c];
+    const auto pictures = std::ranges::count_if(result.pictures, [&](const RigPicture& picture) {
+      return picture.camera == c && picture.contradicts;
+    });
     const double left_out = static_cast<double>(own.left_out) / (own.corners + own.left_out);
-    if (left_out < kMostLeftOut && own.rms < kMostMiss) continue;
+    if (pictures <= kMostPictures && left_out < kMostLeftOut && own.rms < kMostMiss) continue;
     result.warnings.push_back(fmt::format(
-        "{}: its pictures do not go together: {:.0f} % of the corners had to be left out, and the "
-        "others are missed by {:.2g} pixels: was it moved, refocused or stabilised meanwhile, or "
-        "is the board bent?",
-        rig.cameras[c].name, 100 * left_out, own.rms));
+        "{}: its pictures do not go together: {} of them and {:.0f} % of the corners in the others "
+        "had to be left out, and what is left is missed by {:.2g} pixels: was it moved, refocused "
+        "or stabilised meanwhile, are pictures of other moments, or is the board bent?",
+        rig.cameras[c].name, pictures, 100 * left_out, own.rms));
   }
 }
 

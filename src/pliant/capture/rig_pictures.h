@@ -17,7 +17,8 @@ struct RigPicture {
   int shot = 0;  ///< pictures of one shot were taken at the same time
   int columns = 0, rows = 0;
   PictureFindings findings;
-  std::string left_out;  ///< the reason; empty: it is used
+  std::string left_out;      ///< the reason; empty: it is used
+  bool contradicts = false;  ///< left out since other pictures say otherwise
 };
 
 /// Reads all pictures of a rig and looks for its boards, on as many threads as the context says.

@@ -152,6 +152,7 @@ void leave_out_contradicting(const PairStart& pair, const CameraStart& first, Ca
     RigPicture& picture = pictures[second.pictures.at(key)];
     picture.left_out = fmt::format("does not show the board where {} shows it",
                                    pictures[first.pictures.at(key)].file);
+    picture.contradicts = true;
     second.poses.erase(key);
   }
 }

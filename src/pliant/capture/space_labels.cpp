@@ -17,27 +17,15 @@ namespace {
 constexpr double kCornerNoise = 0.03;  // pixels
 constexpr double kOff = 0.5;           // what calibration and corners miss is less (pixels)
 
-/// Tags by their codes, without those that a picture shows twice.
-std::map<int, DetectedTag> single_tags(const GreyPicture& picture) {
-  std::map<int, int> times;
-  std::map<int, DetectedTag> tags;
-  for (const DetectedTag& tag : detect_tags(picture)) {
-    ++times[tag.code];
-    tags.emplace(tag.code, tag);
-  }
-  std::erase_if(tags, [&](const auto& item) { return times[item.first] > 1; });
-  return tags;
-}
-
-std::optional<Eigen::Matrix<double, 3, 4>> corners_of(
-    const std::vector<CameraModel>& cameras, const std::vector<std::map<int, DetectedTag>>& tags,
-    int code) {
+std::optional<Eigen::Matrix<double, 3, 4>> corners_of(const std::vector<CameraModel>& cameras,
+                                                      const std::vector<TagsByCode>& tags,
+                                                      int code) {
   Eigen::Matrix<double, 3, 4> corners;
   for (Eigen::Index k = 0; k < 4; ++k) {
     std::vector<Sighting> sightings;
     for (std::size_t c = 0; c < cameras.size(); ++c) {
-      const auto tag = tags[c].find(code);
-      if (tag == tags[c].end()) continue;
+      const auto tag = tags[c].once.find(code);
+      if (tag == tags[c].once.end()) continue;
       sightings.push_back({&cameras[c], tag->second.corners.col(k), kCornerNoise});
     }
     const auto point = triangulate(sightings);
@@ -50,16 +38,53 @@ std::optional<Eigen::Matrix<double, 3, 4>> corners_of(
 }  // namespace
 
 SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads)
-    : dic_(dic), threads_(threads), first_(corners(tags(first))) {
+    : dic_(dic), threads_(threads) {
+  const SeenTags seen = tags(first);
+  require_labels(first, seen);
+  first_ = corners(seen);
   for (const DicClip& clip : dic_.clips) {
     for (const int code : clip.labels) {
       if (first_.contains(code)) continue;
       throw InputError(
-          {dic_.views->files.front().front().string()},
+          {dic_.file, 0, "views.calibration"},
+          fmt::format("does not fit the first pictures: lines of sight to the label {} of the clip "
+                      "{} do not meet",
+                      code, clip.name),
+          "a calibration of these cameras where they stand now, none exchanged, moved or "
+          "refocused");
+    }
+  }
+}
+
+void SpaceLabels::require_labels(const std::vector<GreyPicture>& first,
+                                 const SeenTags& tags) const {
+  constexpr const char* kOnce =
+      "each label once in a picture, whole, in focus and with some white around it";
+  const auto& files = dic_.views->files;
+  std::vector<int> codes;
+  for (const DicClip& clip : dic_.clips) std::ranges::copy(clip.labels, std::back_inserter(codes));
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    const bool shows_none = tags[c].once.empty() && tags[c].twice.empty();
+    if (shows_none) require_unmirrored(first[c], codes, files[c].front().string());
+  }
+  for (const DicClip& clip : dic_.clips) {
+    for (const int code : clip.labels) {
+      int cameras = 0;
+      for (std::size_t c = 0; c < tags.size(); ++c) {
+        cameras += tags[c].once.contains(code);
+        if (!tags[c].twice.contains(code)) continue;
+        throw InputError(
+            {files[c].front().string()},
+            fmt::format("shows the label {} of the clip {} more than once", code, clip.name),
+            kOnce);
+      }
+      if (cameras >= 2) continue;
+      throw InputError(
+          {files.front().front().string()},
           fmt::format("the label {} of the clip {} is not seen by two cameras in their first "
                       "pictures",
                       code, clip.name),
-          "each label once in a picture, whole, in focus and with some white around it");
+          kOnce);
     }
   }
 }
@@ -67,7 +92,8 @@ SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& fir
 SpaceLabels::SeenTags SpaceLabels::tags(const std::vector<GreyPicture>& pictures) const {
   SeenTags tags(pictures.size());
   parallel_for(static_cast<int>(pictures.size()), threads_, [&](int c) {
-    tags[static_cast<std::size_t>(c)] = single_tags(pictures[static_cast<std::size_t>(c)]);
+    tags[static_cast<std::size_t>(c)] =
+        tags_by_code(detect_tags(pictures[static_cast<std::size_t>(c)]));
   });
   return tags;
 }
@@ -90,7 +116,7 @@ LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) {
     motions.clips.emplace_back();
     if (clip.labels.empty()) continue;
     if (std::ranges::none_of(clip.labels, [&](int code) { return now.contains(code); })) {
-      motions.missing = fmt::format("shows no label of the clip {} to two cameras", clip.name);
+      motions.missing = missing(clip, seen);
       return motions;
     }
     motions.clips.back() = pose_of(clip.labels, now, seen);
@@ -99,6 +125,17 @@ LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) {
     if (motions.clips[i]) note_misses(dic_.clips[i].labels, *motions.clips[i], seen);
   }
   return motions;
+}
+
+std::string SpaceLabels::missing(const DicClip& clip, const SeenTags& tags) const {
+  for (const int code : clip.labels) {
+    for (std::size_t c = 0; c < tags.size(); ++c) {
+      if (!tags[c].twice.contains(code)) continue;
+      return fmt::format("shows the label {} of the clip {} more than once to {}", code, clip.name,
+                         dic_.views->names[c]);
+    }
+  }
+  return fmt::format("shows no label of the clip {} to two cameras", clip.name);
 }
 
 Pose SpaceLabels::pose_of(const std::vector<int>& codes, const std::map<int, Corners>& now,
@@ -117,8 +154,8 @@ Pose SpaceLabels::pose_of(const std::vector<int>& codes, const std::map<int, Cor
   std::vector<BodySighting> sightings;
   for (const int code : codes) {
     for (std::size_t c = 0; c < tags.size(); ++c) {
-      const auto tag = tags[c].find(code);
-      if (tag == tags[c].end()) continue;
+      const auto tag = tags[c].once.find(code);
+      if (tag == tags[c].once.end()) continue;
       for (Eigen::Index k = 0; k < 4; ++k) {
         sightings.push_back(
             {&dic_.views->cameras[c], first_.at(code).col(k), tag->second.corners.col(k)});
@@ -134,8 +171,8 @@ void SpaceLabels::note_misses(const std::vector<int>& codes, const Pose& pose,
     std::vector<LabelSightings>& sightings = sightings_[code];
     sightings.resize(tags.size());
     for (std::size_t c = 0; c < tags.size(); ++c) {
-      const auto tag = tags[c].find(code);
-      if (tag == tags[c].end()) continue;
+      const auto tag = tags[c].once.find(code);
+      if (tag == tags[c].once.end()) continue;
       double miss = 0;
       for (Eigen::Index k = 0; k < 4; ++k) {
         const auto shown = dic_.views->cameras[c].project(pose.apply(first_.at(code).col(k)));

@@ -18,7 +18,7 @@ namespace pliant {
 /// How clips have moved since the first pictures, by their labels, in rig axes.
 struct LabelledMotions {
   std::vector<std::optional<Pose>> clips;  ///< of a dic/1 file; nothing of those without labels
-  std::string missing;  ///< the label that two cameras should see, where they do not
+  std::string missing;  ///< the clip whose labels two cameras should see, where they do not
 };
 
 /// A label in the pictures of a camera.
@@ -37,7 +37,7 @@ class SpaceLabels {
  public:
   /// @param dic    outlives the labels; its clips name their codes
   /// @param first  a picture of each camera
-  /// @throws InputError where two cameras do not see each label
+  /// @throws InputError where two cameras do not see each label, or one sees a label twice
   SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
 
   LabelledMotions motions(const std::vector<GreyPicture>& pictures);
@@ -47,10 +47,12 @@ class SpaceLabels {
 
  private:
   using Corners = Eigen::Matrix<double, 3, 4>;
-  /// Of each camera, by their codes.
-  using SeenTags = std::vector<std::map<int, DetectedTag>>;
+  using SeenTags = std::vector<TagsByCode>;  // of each camera
 
   SeenTags tags(const std::vector<GreyPicture>& pictures) const;
+  void require_labels(const std::vector<GreyPicture>& first, const SeenTags& tags) const;
+  /// Why no label of a clip is seen by two cameras.
+  std::string missing(const DicClip& clip, const SeenTags& tags) const;
   /// Of the codes of the file's clips that two cameras see.
   std::map<int, Corners> corners(const SeenTags& tags) const;
   /// By the corners that two cameras see, and from there by all that any sees.

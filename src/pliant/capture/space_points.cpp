@@ -35,9 +35,6 @@ double mean_side(const std::vector<std::optional<SeenPlace>>& seen, const std::v
 SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context)
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   std::vector<GreyPicture> first = pictures(0);
-  const PatchGrid grid{views().patch / 2, views().step};
-  StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
-  require_sight(rest);
   clips_.resize(dic_.clips.size());
   if (std::ranges::any_of(dic_.clips, [](const DicClip& clip) { return !clip.labels.empty(); })) {
     labels_ = std::make_unique<SpaceLabels>(dic_, first, context_.threads);
@@ -45,6 +42,10 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
       if (!dic_.clips[i].labels.empty()) clips_[i] = Pose();
     }
   }
+  begin_fixed(first);
+  const PatchGrid grid{views().patch / 2, views().step};
+  StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
+  require_sight(rest);
   rest_miss_ = rest.median_miss;
   lost_at_rest_ = rest.places - static_cast<int>(rest.points.size());
   rest_ = std::move(rest.points);
@@ -158,6 +159,25 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
   }
 }
 
+void SpacePoints::begin_fixed(const std::vector<GreyPicture>& pictures) {
+  if (dic_.fixed.empty()) return;
+  for (std::size_t c = 0; c < pictures.size(); ++c) {
+    fixed_.emplace_back(dic_.fixed, pictures[c], views().files[c].front().string());
+  }
+}
+
+std::string SpacePoints::moved_camera(const std::vector<GreyPicture>& pictures) const {
+  std::vector<std::string> doubts(fixed_.size());
+  parallel_for(static_cast<int>(fixed_.size()), context_.threads, [&](int camera) {
+    const auto c = static_cast<std::size_t>(camera);
+    doubts[c] = fixed_[c].doubt(pictures[c]);
+  });
+  for (std::size_t c = 0; c < doubts.size(); ++c) {
+    if (!doubts[c].empty()) return fmt::format("{} {}", views().names[c], doubts[c]);
+  }
+  return {};
+}
+
 void SpacePoints::begin_cords(const std::vector<GreyPicture>& pictures) {
   if (!dic_.forces || dic_.forces->cells.empty()) return;
   cords_ = std::make_unique<SpaceCords>(dic_, placement_.to_sample.inverse(), rest_positions(),
@@ -208,6 +228,7 @@ std::string SpacePoints::follow(int frame) {
   note_agreement(seen);
   note_misses(seen);
   matches_ = {};
+  moved_ = moved_camera(now);
   doubt_.clear();
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     View& view = follow_[c];
@@ -338,6 +359,7 @@ SightQuality SpacePoints::quality() const {
   }
   quality.miss = median(std::move(misses));
   quality.matches = matches_.quality();
+  quality.moved = moved_;
   quality.doubt = doubt_;
   for (std::size_t c = 0; c < used.size(); ++c) {
     quality.share.push_back(used[c] / std::max(follow_[c].tracker->count(), 1));
@@ -384,7 +406,14 @@ std::vector<std::string> SpacePoints::notes() const {
 }
 
 std::vector<std::string> SpacePoints::warnings() const {
+  constexpr double kDoubtfulMiss = 0.2;  // pixels; cheap lenses miss by half of it
   std::vector<std::string> warnings = warnings_;
+  if (rest_miss_ > kDoubtfulMiss) {
+    warnings.push_back(fmt::format(
+        "at rest lines of sight miss each other by {:.2g} pixels: was a camera moved or "
+        "refocused since it was calibrated?",
+        rest_miss_));
+  }
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     for (const std::string& doubt :
          {first_picture_doubt(*follow_[c].tracker), follow_[c].noise.doubt()}) {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "pliant/capture/calibration_error.h"
+#include "pliant/capture/fixed_tags.h"
 #include "pliant/capture/match_noise.h"
 #include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/point_source.h"
@@ -58,10 +59,13 @@ class SpacePoints : public PointSource {
   Eigen::Matrix3Xd rest_positions() const;
   void find_sample();
   void tell_errors();
+  void begin_fixed(const std::vector<GreyPicture>& pictures);
   void begin_cords(const std::vector<GreyPicture>& pictures);
   void begin_views(std::vector<GreyPicture> pictures);
   /// Says what the pictures lack, or nothing.
   std::string follow(int frame);
+  /// What fixed tags say of one of the cameras, or nothing.
+  std::string moved_camera(const std::vector<GreyPicture>& pictures) const;
   std::vector<SeenPlaces> seen_in(const std::vector<GreyPicture>& pictures) const;
   void note_agreement(const std::vector<SeenPlaces>& seen);
   void note_misses(const std::vector<SeenPlaces>& seen);
@@ -89,11 +93,12 @@ class SpacePoints : public PointSource {
   int lost_at_rest_ = 0;
   std::vector<std::string> warnings_;
   std::unique_ptr<SpaceLabels> labels_;          // null without labels
+  std::vector<FixedTags> fixed_;                 // of each camera; empty without such tags
   std::vector<std::optional<AgreedPoint>> now_;  // of each point
   Eigen::VectorXd sides_;                        // of their squares when they were seen (pixels)
   double agreeing_ = 1;                          // as of SightQuality
   MatchMisses matches_;                          // of this frame
-  std::string doubt_;                            // of a picture of it
+  std::string moved_, doubt_;                    // of a picture of it
   std::vector<RegionMisses> misses_;             // of each camera
   std::vector<std::optional<Pose>> clips_;       // in rig axes
   std::unique_ptr<SpaceCords> cords_;            // null without cells

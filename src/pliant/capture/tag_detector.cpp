@@ -8,6 +8,7 @@
 #include <apriltag/tag36h11.h>
 
 #include "pliant/base/assert.h"
+#include "pliant/base/errors.h"
 #include "pliant/capture/tag_edges.h"
 
 namespace pliant {
@@ -72,6 +73,29 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
   for (DetectedTag& tag : tags) tag.corners = corners_by_edges(picture, tag.corners);
   std::ranges::stable_sort(tags, {}, &DetectedTag::code);
   return tags;
+}
+
+std::set<int> mirrored_codes(const GreyPicture& picture) {
+  std::set<int> codes;
+  for (const DetectedTag& tag : detect_tags(picture.rowwise().reverse())) codes.insert(tag.code);
+  return codes;
+}
+
+void require_unmirrored(const GreyPicture& picture, const std::vector<int>& codes,
+                        const std::string& file) {
+  const std::set<int> mirrored = mirrored_codes(picture);
+  if (std::ranges::none_of(codes, [&](int code) { return mirrored.contains(code); })) return;
+  throw InputError({file}, "is mirrored: its labels can be read from behind alone",
+                   "pictures as the sample looks; cameras of a phone's screen side mirror theirs");
+}
+
+TagsByCode tags_by_code(const std::vector<DetectedTag>& tags) {
+  TagsByCode result;
+  for (const DetectedTag& tag : tags) {
+    if (!result.once.emplace(tag.code, tag).second) result.twice.insert(tag.code);
+  }
+  for (const int code : result.twice) result.once.erase(code);
+  return result;
 }
 
 GreyPicture tag_cells(int code) {

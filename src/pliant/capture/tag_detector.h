@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,6 +42,21 @@ struct TagDetectorOptions {
 /// @param picture  brightness, 0 to 1
 std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
                                      const TagDetectorOptions& options = {});
+
+/// The codes that a picture shows in its reflection: several in one that is mirrored, else none.
+std::set<int> mirrored_codes(const GreyPicture& picture);
+
+/// @throws InputError where a picture shows one of some codes in its reflection
+void require_unmirrored(const GreyPicture& picture, const std::vector<int>& codes,
+                        const std::string& file);
+
+/// The tags of a picture by their codes.
+struct TagsByCode {
+  std::map<int, DetectedTag> once;
+  std::set<int> twice;  ///< or more often
+};
+
+TagsByCode tags_by_code(const std::vector<DetectedTag>& tags);
 
 /// The cells of a tag as it is printed, without the white cells around it: 8 x 8, row 0 uppermost,
 /// 1 where white; the outermost cells are black.

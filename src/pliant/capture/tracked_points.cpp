@@ -43,6 +43,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
     first_ = straight_view(*dic_.scale);
   }
   now_ = first_;
+  if (!dic_.fixed.empty()) fixed_.emplace(dic_.fixed, rest, file(0));
   const DicPictures& pictures = *dic_.pictures;
   tracker_ =
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
@@ -187,8 +188,11 @@ std::string TrackedPoints::track(int frame) {
   tracker_->follow(grey);
   matches_ = check_->of(*tracker_, context_.threads);
   noise_.add(*tracker_);
-  const std::string doubt = picture_doubt(*tracker_, grey);
-  doubt_ = doubt.empty() ? "" : "its picture " + doubt;
+  const auto of_picture = [](const std::string& doubt) {
+    return doubt.empty() ? doubt : "its picture " + doubt;
+  };
+  doubt_ = of_picture(picture_doubt(*tracker_, grey));
+  if (fixed_) moved_ = of_picture(fixed_->doubt(grey));
   constexpr int kFewest = 10;
   if (tracker_->seen() < kFewest) return "shows hardly a square of the sample that is found again";
   return "";
@@ -209,6 +213,7 @@ PointFrame TrackedPoints::points() const {
   SightQuality& quality = frame.quality.emplace();
   quality.share = {frame.count() / tracked};
   quality.matches = matches_.quality();
+  quality.moved = moved_;
   quality.doubt = doubt_;
   if (labels_) quality.miss = now_.miss;
   return frame;

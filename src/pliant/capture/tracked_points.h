@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "pliant/capture/fixed_tags.h"
 #include "pliant/capture/label_views.h"
 #include "pliant/capture/match_noise.h"
 #include "pliant/capture/patch_tracker.h"
@@ -47,6 +48,7 @@ class TrackedPoints : public PointSource {
   ReadPicture read_picture_;
   RunContext context_;
   std::unique_ptr<LabelViews> labels_;  // null without labels
+  std::optional<FixedTags> fixed_;
   PlaneView first_, now_;
   double label_squares_ = 0;  // of the misses of all views since the first (pixels)
   int views_ = 0;
@@ -54,7 +56,8 @@ class TrackedPoints : public PointSource {
   std::optional<MatchCheck> check_;
   MatchMisses matches_;  // of this frame
   MatchNoise noise_;
-  std::string doubt_;  // of this frame's picture
+  std::string moved_;  // what fixed tags say of this frame's picture
+  std::string doubt_;  // of it
   int without_texture_ = 0;
   std::vector<std::string> warnings_;
   int frame_ = 0;

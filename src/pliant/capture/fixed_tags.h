@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/capture/spline_picture.h"
+#include "pliant/capture/tag_detector.h"
+
+namespace pliant {
+
+/// Tags that stand still beside the sample, in the pictures of a camera. Where one shows them
+/// elsewhere than the first did, the camera was moved in between, or what it shows was.
+class FixedTags {
+ public:
+  /// @param codes  of those that stand still; a camera need not see all of them
+  /// @param first  brightness, 0 to 1
+  /// @param file   of the first picture
+  /// @throws InputError where it shows none of them
+  FixedTags(const std::vector<int>& codes, const GreyPicture& first, const std::string& file);
+
+  /// What speaks against a picture, e.g. "shows the fixed tag 7 1.5 pixels off where ..."; empty:
+  /// its tags are where they were.
+  std::string doubt(const GreyPicture& picture) const;
+
+ private:
+  std::vector<DetectedTag> first_;
+};
+
+}  // namespace pliant

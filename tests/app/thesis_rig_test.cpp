@@ -28,7 +28,7 @@ namespace {
 using nlohmann::json;
 
 // Without friction, whose laws the bars are of (docs/results.md, "Sheets").
-constexpr const char* kCloth = PLIANT_SOURCE_DIR "/examples/sheet-figures/cloth.json";
+constexpr const char* kElasticCloth = PLIANT_SOURCE_DIR "/examples/sheet-figures/cloth.json";
 
 /// A copy of a lab's study of elastic cloth, with data of its own.
 /// @param data  follows the name of each session
@@ -108,13 +108,13 @@ void expect_bending(const json& result, const Material& cloth) {
 }
 
 /// Fits five of the sessions and compares with the cloth that they are of.
-void expect_law(const std::filesystem::path& study, const std::filesystem::path& out) {
+void expect_law_of_cloth(const std::filesystem::path& study, const std::filesystem::path& out) {
   const ProgramRun fit =
       run_program({"fit", study.string(), "-o", out.string(), "--json", "--quiet"});
   ASSERT_EQ(fit.status, 0) << fit.err;
   fmt::print("{}:\n", study.filename().string());
   const json result = json::parse(fit.out);
-  const Material found = read_material(out / "material.json"), cloth = read_material(kCloth);
+  const Material found = read_material(out / "material.json"), cloth = read_material(kElasticCloth);
   const Session bent = read_session(out / "sheets" / "bend-weft" / "predicted");
   print_control_values(result["parameters"], found, as_hinges(cloth, bent.rest));
   expect_curve("stretch.weft", found, cloth, 0, 0.03);
@@ -173,8 +173,8 @@ void print_coverage(const Session& seen, const Session& truth) {
 TEST(SlowVirtualRig, SeesTheTestsOfTheThesis) {
   if (!makes_figures()) GTEST_SKIP() << "makes a table of docs/results.md: ./dev figures";
   const TemporaryFolder folder;
-  std::string lab =
-      fmt::format("pliant: lab/1\nname: rig\nmaterial: {}\ncameras: {{}}\nexperiments:\n", kCloth);
+  std::string lab = fmt::format(
+      "pliant: lab/1\nname: rig\nmaterial: {}\ncameras: {{}}\nexperiments:\n", kElasticCloth);
   // Five control points of shear are told by ten states of it, there and back.
   const std::vector<std::pair<std::string, std::string>> tests{
       {"stretch-weft", "strain: 8 %, frames: 9, noise: {force: 3 mN}"},
@@ -212,8 +212,8 @@ TEST(SlowVirtualRig, SeesTheTestsOfTheThesis) {
   }
   write_elastic_study(folder.path() / "lab", "seen.yaml", "-seen/made/sheet");
   write_elastic_study(folder.path() / "lab", "drawn.yaml", "");
-  expect_law(folder.path() / "lab" / "seen.yaml", folder.path() / "fit-seen");
-  expect_law(folder.path() / "lab" / "drawn.yaml", folder.path() / "fit-drawn");
+  expect_law_of_cloth(folder.path() / "lab" / "seen.yaml", folder.path() / "fit-seen");
+  expect_law_of_cloth(folder.path() / "lab" / "drawn.yaml", folder.path() / "fit-drawn");
 }
 
 }  // namespace

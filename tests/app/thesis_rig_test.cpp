@@ -175,7 +175,7 @@ TEST(SlowVirtualRig, SeesTheTestsOfTheThesis) {
   const TemporaryFolder folder;
   std::string lab = fmt::format(
       "pliant: lab/1\nname: rig\nmaterial: {}\ncameras: {{}}\nexperiments:\n", kElasticCloth);
-  // Five control points of shear are told by ten states of it, there and back.
+  // Nine frames there and back are five states of shear, which do not tell its curve at rest.
   const std::vector<std::pair<std::string, std::string>> tests{
       {"stretch-weft", "strain: 8 %, frames: 9, noise: {force: 3 mN}"},
       {"stretch-warp", "strain: 8 %, frames: 9, noise: {force: 3 mN}"},

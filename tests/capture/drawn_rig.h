@@ -81,16 +81,19 @@ class DrawnRig {
     return drawn;
   }
 
-  /// Of each pixel a coordinate of the sheet's place that it shows, over the side; 2: none.
-  GreyPicture places(int camera, int frame, Eigen::Index axis) const {
-    DrawnSurface surface = sheet(frame);
-    surface.brightness = [this, axis](const Eigen::Vector2d& place) { return place(axis) / size; };
-    ViewOptions plain;
-    plain.ambient = 1;
-    plain.background = 2;
-    plain.blur = 0;
-    plain.samples = 1;
-    return draw_view(cameras[camera], {surface}, plain);
+  /// As it is drawn, in rig axes.
+  DrawnSurface sheet(int frame) const {
+    const int nodes = static_cast<int>(std::lround(size / 1e-3)) + 1;
+    const TriangleMesh rest = regular_grid(size, size, nodes, nodes);
+    DrawnSurface surface;
+    surface.triangles = rest.triangles;
+    surface.places = rest.positions.topRows<2>();
+    surface.positions.resize(3, rest.vertex_count());
+    for (int v = 0; v < rest.vertex_count(); ++v) {
+      surface.positions.col(v) = to_rig_ * frames[frame](surface.places.col(v));
+    }
+    surface.brightness = [this](const Eigen::Vector2d& place) { return texture_.at(place); };
+    return surface;
   }
 
   ReadPicture reader() const {
@@ -154,20 +157,6 @@ class DrawnRig {
 
   Eigen::Matrix3Xd in_rig(const Eigen::Matrix3Xd& positions) const {
     return (to_rig_.linear() * positions).colwise() + to_rig_.translation();
-  }
-
-  DrawnSurface sheet(int frame) const {
-    const int nodes = static_cast<int>(std::lround(size / 1e-3)) + 1;
-    const TriangleMesh rest = regular_grid(size, size, nodes, nodes);
-    DrawnSurface surface;
-    surface.triangles = rest.triangles;
-    surface.places = rest.positions.topRows<2>();
-    surface.positions.resize(3, rest.vertex_count());
-    for (int v = 0; v < rest.vertex_count(); ++v) {
-      surface.positions.col(v) = to_rig_ * frames[frame](surface.places.col(v));
-    }
-    surface.brightness = [this](const Eigen::Vector2d& place) { return texture_.at(place); };
-    return surface;
   }
 
   Eigen::Isometry3d to_rig_;  // from the axes of the sheet

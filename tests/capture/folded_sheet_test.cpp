@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "pliant/capture/dic_session.h"
 
 #include "capture/drawn_rig.h"
+#include "capture/sight.h"
 
 namespace pliant {
 namespace {
@@ -25,54 +25,6 @@ Eigen::Vector3d folded(const Eigen::Vector2d& place, double turn) {
           place.y(), kRadius * (1 - std::cos(angle)) + beyond * std::sin(angle)};
 }
 
-/// By how much the printed side faces a camera: the cosine of the angle.
-double facing(const test::DrawnRig& rig, const CameraModel& camera, int frame,
-              const Eigen::Vector2d& place) {
-  constexpr double kStep = 1e-5;
-  const auto at = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
-    return rig.to_rig() * rig.frames[static_cast<std::size_t>(frame)](p);
-  };
-  const Eigen::Vector3d along_u = at(place + Eigen::Vector2d(kStep, 0)) - at(place);
-  const Eigen::Vector3d along_v = at(place + Eigen::Vector2d(0, kStep)) - at(place);
-  const Eigen::Vector3d eye = camera.pose.inverse().translation;
-  return along_u.cross(along_v).normalized().dot((eye - at(place)).normalized());
-}
-
-/// Whether two cameras at least see a place from 70 degrees or less off the normal.
-class Sight {
- public:
-  Sight(const test::DrawnRig& rig, int frame) : rig_(rig), frame_(frame) {
-    for (int c = 0; c < std::ssize(rig.cameras); ++c) {
-      pictures_.emplace_back(rig.places(c, frame, 0), rig.places(c, frame, 1));
-    }
-  }
-
-  bool of(const Eigen::Vector2d& place) const {
-    int cameras = 0;
-    for (std::size_t c = 0; c < pictures_.size(); ++c) cameras += shows(c, place);
-    return cameras >= 2;
-  }
-
- private:
-  bool shows(std::size_t c, const Eigen::Vector2d& place) const {
-    constexpr double kNear = 1.5e-3, kFacing = 0.34;
-    const CameraModel& camera = rig_.cameras[c];
-    const auto& motion = rig_.frames[static_cast<std::size_t>(frame_)];
-    const auto pixel = camera.project(rig_.to_rig() * motion(place));
-    if (!pixel) return false;
-    const Eigen::Array2i at = pixel->array().round().cast<int>();
-    if ((at < 0).any() || at.x() >= camera.columns || at.y() >= camera.rows) return false;
-    const Eigen::Vector2d shown(pictures_[c].first(at.y(), at.x()),
-                                pictures_[c].second(at.y(), at.x()));
-    return (shown * rig_.size - place).norm() < kNear &&
-           facing(rig_, camera, frame_, place) > kFacing;
-  }
-
-  const test::DrawnRig& rig_;
-  int frame_;
-  std::vector<std::pair<GreyPicture, GreyPicture>> pictures_;  // u and v of what each pixel shows
-};
-
 /// Of the vertices of a session.
 struct Coverage {
   int visible = 0, found = 0;  // of those that can be seen
@@ -83,7 +35,11 @@ struct Coverage {
 
 Coverage coverage_of(const Session& session, const test::DrawnRig& rig, int frame) {
   constexpr double kWrong = 0.3e-3;  // m
-  const Sight sight(rig, frame);
+  const test::SheetMotion& motion = rig.frames[static_cast<std::size_t>(frame)];
+  const test::Sight sight(
+      rig.cameras, Eigen::Vector2d::Constant(rig.size),
+      [&](const Eigen::Vector2d& place) -> Eigen::Vector3d { return rig.to_rig() * motion(place); },
+      rig.sheet(frame));
   const SessionFrame& seen = session.frames[static_cast<std::size_t>(frame)];
   Coverage coverage;
   for (int v = 0; v < session.rest.vertex_count(); ++v) {
@@ -97,8 +53,7 @@ Coverage coverage_of(const Session& session, const test::DrawnRig& rig, int fram
     }
     if (!is_found) continue;
     ++coverage.all;
-    const Eigen::Vector3d truth = rig.frames[static_cast<std::size_t>(frame)](place);
-    const double miss = (position - truth).norm();
+    const double miss = (position - motion(place)).norm();
     coverage.wrong += miss > kWrong;
     if (can_be_seen) continue;
     ++coverage.beyond;

@@ -92,6 +92,39 @@ TEST(SlowSpacePoints, FollowASheetThatIsStretchedTurnedAndRolled) {
   EXPECT_LT(back.off_plane, 0.006e-3);
 }
 
+/// Stretched, narrowed and turned out of its plane.
+/// @param part  of the whole way, 0 to 1
+Eigen::Vector3d part_of_the_way(const Eigen::Vector2d& place, double part) {
+  const Eigen::AngleAxisd turn(0.1 * part, Eigen::Vector3d(1, 0.5, 0.3).normalized());
+  return turn *
+         Eigen::Vector3d((1 + 0.06 * part) * place.x(), (1 - 0.02 * part) * place.y(), 2e-3 * part);
+}
+
+TEST(SlowSpacePoints, ComeBackToWhereTheyBeganAfterAnyNumberOfFrames) {
+  const int frames = test::makes_figures() ? 200 : 10;
+  test::DrawnRig rig(3, 300, 280, 0.035);
+  for (int f = 0; f <= frames; ++f) {
+    const double part = 1 - std::abs(1 - 2.0 * f / frames);
+    rig.frames.emplace_back(
+        [part](const Eigen::Vector2d& place) { return part_of_the_way(place, part); });
+  }
+  const DicFile dic = rig.dic();
+  SpacePoints points(dic, rig.reader(), with(2));
+  const int all = points.read(0).count();
+  PointFrame last;
+  for (int f = 1; f <= frames; ++f) last = points.read(f);
+  ASSERT_EQ(last.count(), all);
+  const double off = (last.moved - last.rest).norm() / std::sqrt(all);
+  constexpr double kPixel = 0.25e-3;  // m, on the sheet
+  const MatchQuality& matches = last.quality->matches;
+  std::printf(
+      "after %d frames there and back %d points are off their start by %.4f mm RMS; followed from "
+      "picture to picture by %.4f px, %.4f mm (median), %d of %d broken\n",
+      frames, all, 1e3 * off, matches.drift, 1e3 * kPixel * matches.drift, matches.broken,
+      matches.chained);
+  EXPECT_LT(off, 0.01e-3);
+}
+
 /// Draws what a picture shows once.
 ReadPicture kept(const ReadPicture& read) {
   auto known = std::make_shared<std::map<std::filesystem::path, GreyPicture>>();

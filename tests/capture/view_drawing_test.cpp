@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pliant/geometry/regular_grid.h"
+
 namespace pliant {
 namespace {
 
@@ -62,12 +64,64 @@ TEST(ViewDrawing, ShowsWhatIsNearer) {
   EXPECT_NEAR(draw_view(camera, far, options)(row, column), 0.3, 1e-6);
 }
 
+/// Flat, around the origin, of small facets, each of which shines evenly.
+DrawnSurface glossy_sheet(double brightness, double gloss) {
+  constexpr double kSide = 0.3;  // m
+  constexpr int kNodes = 151;
+  const TriangleMesh mesh = regular_grid(kSide, kSide, kNodes, kNodes);
+  DrawnSurface surface;
+  surface.positions = mesh.positions.colwise() - Eigen::Vector3d(kSide / 2, kSide / 2, 0);
+  surface.triangles = mesh.triangles;
+  surface.places = mesh.positions.topRows<2>();
+  surface.brightness = [brightness](const Eigen::Vector2d&) { return brightness; };
+  surface.gloss = gloss;
+  return surface;
+}
+
+TEST(ViewDrawing, ShinesWhereAMirrorWouldShowTheLightWhichEachCameraSeesElsewhere) {
+  constexpr double kBright = 0.2, kGloss = 0.5;
+  ViewOptions options;
+  options.ambient = 1;
+  options.light = {0.13, 0.17, -1};
+  CameraModel other = bent_lens();
+  other.pose.translation.x() += 0.04;
+  for (const CameraModel& camera : {bent_lens(), other}) {
+    const GreyPicture picture = draw_view(camera, {glossy_sheet(kBright, kGloss)}, options);
+    // Seen from the camera's mirror image behind the sheet, towards the light.
+    const Eigen::Vector3d centre = camera.centre();
+    const Eigen::Vector3d mirrored(centre.x(), centre.y(), -centre.z());
+    const Eigen::Vector3d spot = mirrored + centre.z() / options.light.z() * options.light;
+    EXPECT_NEAR(spot.z(), 0, 1e-12);
+    Eigen::Index row = 0, column = 0;
+    EXPECT_NEAR(picture.maxCoeff(&row, &column), kBright + kGloss, 1e-3);
+    const Eigen::Vector2d expected = *camera.project(spot);
+    // A facet is two pixels wide.
+    EXPECT_NEAR(static_cast<double>(column), expected.x(), 3);
+    EXPECT_NEAR(static_cast<double>(row), expected.y(), 3);
+  }
+}
+
+double deviation_of(const GreyPicture& picture) {
+  return std::sqrt((picture - picture.mean()).square().mean());
+}
+
+TEST(ChipNoise, HasAVarianceThatGrowsWithBrightness) {
+  constexpr double kRead = 0.01, kShot = 0.02;
+  for (const float bright : {0.1F, 0.2F, 0.8F}) {
+    GreyPicture picture = GreyPicture::Constant(200, 200, bright);
+    RandomStream random(2);
+    add_chip_noise(picture, {kRead, kShot, 14}, random);
+    const double expected = std::sqrt(kRead * kRead + kShot * kShot * static_cast<double>(bright));
+    // 40,000 pixels tell a deviation to 0.4 %.
+    EXPECT_NEAR(deviation_of(picture), expected, 0.02 * expected) << bright;
+  }
+}
+
 TEST(ChipNoise, HasItsDeviationAndSteps) {
   GreyPicture picture = GreyPicture::Constant(200, 200, 0.5F);
   RandomStream random(1);
   add_chip_noise(picture, {0.01, 0, 8}, random);
-  const double sd = std::sqrt((picture - picture.mean()).square().mean());
-  EXPECT_NEAR(sd, 0.01, 0.0005);
+  EXPECT_NEAR(deviation_of(picture), 0.01, 0.0005);
   const double level = picture(3, 5) * 255;
   EXPECT_NEAR(level, std::round(level), 1e-4);
 }

@@ -161,6 +161,35 @@ TEST(LabFile, ReadsASession) {
   EXPECT_FALSE(strip.nodes.has_value());
 }
 
+TEST(LabFile, ReadsCamerasWithTheirLightAndNoise) {
+  const TemporaryFolder folder;
+  folder.write("cloth.json", test::content_of(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json"));
+  const VirtualLab lab = read_lab(folder.write(
+      "lab.yaml",
+      "pliant: lab/1\nmaterial: cloth.json\n"
+      "cameras: {count: 3, picture: 640x480, pixel: 0.2 mm, distance: 400 mm, angle: 30 deg, blur: "
+      "1.2,\n"
+      "  read_noise: 0.5 %, shot_noise: 2 %, bits: 12, gloss: 30 %, boards: 8, cell_noise: 1 mN,\n"
+      "  log_start: 2.5 s}\n"
+      "experiments: [{name: f, type: session, test: shear}]\n"));
+  ASSERT_TRUE(lab.cameras);
+  const VirtualCameras& cameras = *lab.cameras;
+  EXPECT_EQ(cameras.count, 3);
+  EXPECT_EQ(cameras.columns, 640);
+  EXPECT_EQ(cameras.rows, 480);
+  EXPECT_DOUBLE_EQ(cameras.pixel, 0.2e-3);
+  EXPECT_DOUBLE_EQ(cameras.distance, 0.4);
+  EXPECT_DOUBLE_EQ(cameras.angle, std::numbers::pi / 6);
+  EXPECT_DOUBLE_EQ(cameras.blur, 1.2);
+  EXPECT_DOUBLE_EQ(cameras.read_noise, 0.005);
+  EXPECT_DOUBLE_EQ(cameras.shot_noise, 0.02);
+  EXPECT_EQ(cameras.bits, 12);
+  EXPECT_DOUBLE_EQ(cameras.gloss, 0.3);
+  EXPECT_EQ(cameras.boards, 8);
+  EXPECT_DOUBLE_EQ(cameras.cell_noise, 1e-3);
+  EXPECT_DOUBLE_EQ(cameras.log_start, 2.5);
+}
+
 TEST(LabFile, NeedsAGridForASessionOfSprings) {
   const TemporaryFolder folder;
   std::string cloth = test::content_of(PLIANT_SOURCE_DIR "/examples/assumed-cloth.json");
@@ -303,6 +332,14 @@ const Refusal kRefusals[] = {
      "experiments[0].name", "file"},
     {"SessionOfAStrip", with_experiments("{name: s, type: session, test: shear}"), 4,
      "experiments[0]", "does not have: bend.weft"},
+    {"ShotNoiseThatDrowns",
+     with_experiments("{name: w, type: shear-cycles, peaks: [8 deg]}") +
+         "cameras: {shot_noise: 20 %}\n",
+     5, "cameras.shot_noise", "drowns the picture"},
+    {"GlossBeyondTheLight",
+     with_experiments("{name: w, type: shear-cycles, peaks: [8 deg]}") +
+         "cameras: {gloss: 120 %}\n",
+     5, "cameras.gloss", "more than the light"},
     {"TheSameNameTwice",
      with_experiments("{name: w, type: shear-cycles, peaks: [8 deg]}\n"
                       "  - {name: w, type: shear-cycles, peaks: [9 deg]}"),

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -19,6 +18,7 @@
 #include "pliant/capture/printed_board.h"
 #include "pliant/capture/view_drawing.h"
 #include "pliant/capture/virtual_cords.h"
+#include "pliant/capture/virtual_rig.h"
 #include "pliant/capture/wavelet_noise.h"
 #include "pliant/experiment/session/session_type.h"
 
@@ -27,8 +27,6 @@ namespace {
 
 constexpr double kLabel = 12e-3, kLabelMargin = 2e-3;  // side of a label's tag, white around it (m)
 constexpr double kPlate = 0.8e-3;                      // of a clip above and below the cloth (m)
-
-std::string camera_name(int number) { return fmt::format("camera{}", number + 1); }
 
 /// The board fills half of the picture where the sheet is.
 TagBoard board_for(const VirtualCameras& options) {
@@ -286,15 +284,16 @@ DrawnSurface placed_board(const TagBoard& board, const VirtualCameras& options,
 std::string pictures_yaml(const VirtualCameras& options, const char* folder) {
   std::string text;
   for (int c = 0; c < options.count; ++c) {
-    text += fmt::format("{}{}: \"{}/{}/*.png\"", c == 0 ? "" : ", ", camera_name(c), folder,
-                        camera_name(c));
+    text += fmt::format("{}{}: \"{}/{}/*.png\"", c == 0 ? "" : ", ", virtual_camera_name(c), folder,
+                        virtual_camera_name(c));
   }
   return text;
 }
 
 std::string rig_text(const VirtualCameras& options) {
   std::string text = "pliant: rig/1\ncameras:\n";
-  for (int c = 0; c < options.count; ++c) text += fmt::format("  {}: {{}}\n", camera_name(c));
+  for (int c = 0; c < options.count; ++c)
+    text += fmt::format("  {}: {{}}\n", virtual_camera_name(c));
   return text + fmt::format(
                     "calibration:\n  boards: [board.yaml]\n  pictures:\n    - {{{}}}\n"
                     "  gravity: {{level: boards/camera1/000.png}}\n",
@@ -352,31 +351,6 @@ Eigen::Vector2d middle_of(const Session& session) {
 
 }  // namespace
 
-std::vector<CameraModel> virtual_rig(const VirtualCameras& options, const Eigen::Vector2d& middle) {
-  std::vector<CameraModel> cameras;
-  const double focal = options.distance / options.pixel;
-  for (int c = 0; c < options.count; ++c) {
-    CameraModel camera;
-    camera.columns = options.columns;
-    camera.rows = options.rows;
-    camera.intrinsics << focal * (1 + 0.004 * c), focal * (1.0015 + 0.004 * c),
-        options.columns / 2.0 + 3 * c, options.rows / 2.0 - 2 * c, -0.12 + 0.01 * c, 0.05, 0.0004,
-        -0.0003, 0;
-    const double around = 2 * std::numbers::pi * (c - 0.5) / options.count;
-    const Eigen::Vector3d target(middle.x(), middle.y(), 0);
-    const Eigen::Vector3d out(std::sin(options.angle) * std::cos(around),
-                              std::sin(options.angle) * std::sin(around), std::cos(options.angle));
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear().row(2) = -out;
-    pose.linear().row(0) = Eigen::Vector3d::UnitY().cross(out).normalized();
-    pose.linear().row(1) = pose.linear().row(2).cross(pose.linear().row(0));
-    pose.translation() = -pose.linear() * (target + options.distance * out);
-    camera.pose = RigidMotion::of(pose);
-    cameras.push_back(camera);
-  }
-  return cameras;
-}
-
 void require_seen(const VirtualTest& test) {
   const auto* session = dynamic_cast<const VirtualSessionTest*>(&test);
   if (!session) return;
@@ -401,7 +375,8 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
                         const std::vector<DrawnSurface>& surfaces) {
     context.stop.throw_if_requested();
     for (int c = 0; c < options.count; ++c) {
-      const std::string name = fmt::format("{}/{}/{:03}.png", folder, camera_name(c), number);
+      const std::string name =
+          fmt::format("{}/{}/{:03}.png", folder, virtual_camera_name(c), number);
       GreyPicture picture;
       with_threads(context.threads, [&] {
         picture = draw_view(cameras[static_cast<std::size_t>(c)], surfaces, light);
@@ -429,9 +404,11 @@ void draw_capture(const Session& session, const VirtualCameras& options, const R
   print.kind = board;
   write("board.yaml", pattern_text(print));
   write("rig.yaml", rig_text(options));
+  write("truth.json", true_calibration_text(cameras));
   const VirtualCells cells(session, options, random);
   const auto picture = [](std::size_t camera, int frame) {
-    return fmt::format("pictures/{}/{:03}.png", camera_name(static_cast<int>(camera)), frame + 1);
+    return fmt::format("pictures/{}/{:03}.png", virtual_camera_name(static_cast<int>(camera)),
+                       frame + 1);
   };
   if (!cells.empty()) write("cells.csv", cells.log());
   write("capture.yaml",

@@ -2,20 +2,13 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "pliant/base/run_context.h"
-#include "pliant/capture/camera_model.h"
 #include "pliant/experiment/virtual_test.h"
 #include "pliant/measurement/session.h"
 #include "pliant/study/virtual_cameras.h"
 
 namespace pliant {
-
-/// Cameras on a circle above the middle of a sheet in the plane z = 0, of which the first lies
-/// towards the lower right; their lenses are a little different. Axes are those of the sheet.
-/// @param middle  of the sheet (m)
-std::vector<CameraModel> virtual_rig(const VirtualCameras& options, const Eigen::Vector2d& middle);
 
 /// @throws InputError for a session that cameras cannot be drawn of: they see sheets between clips,
 ///         cut along weft and warp, and sheets over the edge of a table
@@ -28,7 +21,8 @@ using WriteFile = std::function<void(const std::string& name, const std::string&
 /// the table; the sheet at rest, flat, with its clips beside it; and each frame. A print of band-
 /// limited noise is on the cloth, labels on each clip, and cords pull them. Writes with them
 /// rig.yaml, board.yaml, the log of the cords' cells and capture.yaml (dic/1), so that what is
-/// measured in the pictures stands beside the session, which is the truth.
+/// measured in the pictures stands beside the session, which is the truth, and truth.json, the
+/// cameras as they are (calibration/1).
 /// @param session  of a test that `require_seen` lets pass
 /// @throws Interrupted
 void draw_capture(const Session& session, const VirtualCameras& options, const RunContext& context,

@@ -85,7 +85,25 @@ TEST(SlowVerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
     EXPECT_EQ(run.status, touches ? 0 : 1) << run.err;
     EXPECT_THAT(run.err, HasSubstr(touches ? "verified: after no step"
                                            : "triangles pass through each other: "));
+    if (touches) {
+      EXPECT_THAT(run.err, HasSubstr("after no step is a vertex or a face inside an obstacle"));
+    }
   }
+}
+
+// A ball that is smaller than a face passes between its vertices, which alone are kept off it.
+TEST(VerifiedSimulation, TellsHowFarFacesComeIntoObstacles) {
+  const SceneFolder folder;
+  folder.copy_example("drape-sphere", {{"nodes: 121x121", "nodes: 11x11"},
+                                       {"centre: [0, 0, -0.21], radius: 200 mm",
+                                        "centre: [0.05, 0.02, -0.06], radius: 30 mm"},
+                                       {"duration: 800 ms", "duration: 150 ms"}});
+  const ProgramRun run = folder.simulate({"--no-report", "--verify"});
+  if (run.err.find("built with CGAL") != std::string::npos) GTEST_SKIP() << run.err;
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("verified: after no step is a vertex inside an obstacle"));
+  EXPECT_THAT(run.err, ::testing::ContainsRegex("verified: faces come up to [0-9.]+ mm into "
+                                                "\"ball\" between their vertices"));
 }
 
 }  // namespace

@@ -264,6 +264,23 @@ TEST(SceneObstacles, RefuseClothThatBeginsInside) {
   EXPECT_THAT(error.what(), HasSubstr("vertices begin inside \"ball\", the deepest 50 mm below"));
 }
 
+// Of the 1,800 faces, whose vertices all lie outside.
+TEST(SceneObstacles, RefuseClothThatTheyStandInBetweenItsVertices) {
+  for (const char* shape :
+       {"capsule: {from: [0.007, 0.003, -1], to: [0.007, 0.003, 1], radius: 1 mm}",
+        "box: {centre: [0.007, 0.003, -0.499], size: [0.002, 0.002, 1]}"}) {
+    const InputError error = test::input_error_of([&] {
+      simulated(fmt::format(fmt::runtime(kDrape),
+                            fmt::format("obstacles:\n  - {{name: rod, {}}}\n", shape), "5 ms", ""));
+    });
+    EXPECT_THAT(error.where().file, ::testing::EndsWith("scene.yaml")) << shape;
+    EXPECT_EQ(error.where().line, 8) << shape;
+    EXPECT_THAT(error.what(), HasSubstr("\"rod\" begins in the cloth between its vertices: face "
+                                        "930, counted from 0 over all cloth, reaches 1 mm below"))
+        << shape;
+  }
+}
+
 TEST(SceneObstacles, WarnOfWhatIsHeldInsideAndOfWhatBeginsTooNear) {
   const std::string held = fmt::format(
       fmt::runtime(kDrape),

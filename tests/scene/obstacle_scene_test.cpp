@@ -18,6 +18,7 @@ namespace pliant {
 namespace {
 
 using test::simulated;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 /// A sheet of 40 mm that lies on a plane, level in its own axes, under a gravity that slopes. It
@@ -250,7 +251,13 @@ TEST(LedObstacles, AreToldThatTheyLeaveNoRoom) {
     advance_to(pressed, 0.1);
     FAIL() << "the floor passed the ceiling";
   } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("what is led leaves what it meets no room"));
+    EXPECT_THAT(error.what(), HasSubstr("what is led leaves what it meets no room: nearest to the "
+                                        "cloth are "));
+    // Where they stand in the scene, and the vertex that is nearest to each.
+    EXPECT_THAT(error.what(), ContainsRegex("\"floor\" \\([0-9.]+ mm from vertex [0-8]; "
+                                            "[^ ]*scene.yaml:5\\)"));
+    EXPECT_THAT(error.what(), ContainsRegex("\"ceiling\" \\([0-9.]+ mm from vertex [0-8]; "
+                                            "[^ ]*scene.yaml:7\\)"));
   }
 }
 

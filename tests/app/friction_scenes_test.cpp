@@ -155,7 +155,7 @@ double wrinkles_of_drape(int seed, bool friction) {
 }
 
 // How it lies in the end is chance, with friction and without.
-TEST(SlowFrictionScenes, FrictionFoldsADrapeSoonerThanAnySeedDoes) {
+TEST(SlowFrictionScenes, FrictionChangesHowADrapeBeginsToFoldByMoreThanChance) {
   std::vector<double> rough, elastic;
   for (int seed = 1; seed <= 5; ++seed) {
     rough.push_back(wrinkles_of_drape(seed, true));

@@ -1,3 +1,4 @@
+#include <map>
 #include <sys/resource.h>
 
 #include <fmt/format.h>
@@ -8,7 +9,9 @@
 #include "pliant/material/material_file.h"
 #include "pliant/report/simulation_results.h"
 #include "pliant/scene/checkpoint.h"
+#include "pliant/scene/contact_text.h"
 #include "pliant/scene/frame_files.h"
+#include "pliant/scene/obstacle_reach.h"
 #include "pliant/scene/simulation_result.h"
 
 #include "apps/pliant/command.h"
@@ -114,6 +117,26 @@ class SimulationRun {
   }
 
   const Simulation& simulation() const { return simulation_; }
+
+  /// What `verify` found after all steps, a sentence each.
+  std::vector<std::string> verified() const {
+    std::vector<std::string> facts{"after no step do triangles pass through each other"};
+    if (simulation_.built().obstacle_contacts.empty()) return facts;
+    if (deepest_faces_.empty()) {
+      facts.push_back("after no step is a vertex or a face inside an obstacle");
+      return facts;
+    }
+    facts.push_back("after no step is a vertex inside an obstacle");
+    for (const auto& [obstacle, deepest] : deepest_faces_) {
+      facts.push_back(fmt::format(
+          "faces come up to {} into {} between their vertices, which alone are kept out (face {}, "
+          "counted from 0 over all cloth, at {:.6g} s)",
+          millimetres(deepest.face.depth), quoted_value(obstacle), deepest.face.number,
+          deepest.time));
+    }
+    return facts;
+  }
+
   std::string summary() const {
     const RunFacts run = run_facts(context_, scene_.file);
     return simulation_text(simulation_, {.command = run.command,
@@ -125,7 +148,13 @@ class SimulationRun {
   }
 
  private:
-  // By an exact test that knows nothing of contact.
+  // A face that is inside an obstacle between its vertices.
+  struct DeepestFace {
+    DeepPart face;
+    double time = 0;  // s
+  };
+
+  // By exact tests that know nothing of contact.
   void verify() {
     const auto crossings = scene_crossings(simulation_.now().state.configuration.positions,
                                            simulation_.built().faces, simulation_.built().bodies);
@@ -133,11 +162,28 @@ class SimulationRun {
       throw InputError({"--verify"}, "was left out when this program was built",
                        "a program that was built with CGAL");
     }
-    if (crossings->count() == 0) return;
+    if (crossings->count() > 0) fail("triangles pass through each other: " + crossings->text());
+    for (const ObstacleReach& reach :
+         obstacle_reaches(scene_, simulation_.built(), simulation_.now().state)) {
+      verify(reach);
+    }
+  }
+
+  void verify(const ObstacleReach& reach) {
+    if (reach.vertex) {
+      fail(fmt::format("vertex {}, counted from 0 over all cloth, is {} inside {}",
+                       reach.vertex->number, millimetres(reach.vertex->depth),
+                       quoted_value(reach.obstacle)));
+    }
+    if (!reach.face) return;
+    DeepestFace& deepest = deepest_faces_[reach.obstacle];
+    if (reach.face->depth <= deepest.face.depth) return;
+    deepest = {*reach.face, simulation_.now().state.time};
+  }
+
+  [[noreturn]] void fail(const std::string& why) {
     stop();
-    throw std::runtime_error(
-        fmt::format("triangles pass through each other: {}, in the state of {}", crossings->text(),
-                    last_state()));
+    throw std::runtime_error(fmt::format("{}, in the state of {}", why, last_state()));
   }
 
   void write_report() {
@@ -234,6 +280,7 @@ class SimulationRun {
   ResultDirectory results_;
   std::optional<Pc2Writer> pc2_;
   int steps_per_checkpoint_ = 0;
+  std::map<std::string, DeepestFace> deepest_faces_;  // by obstacle; of verified steps
 };
 
 void run_simulate(const CommandContext& context, const SimulateArguments& arguments) {
@@ -246,7 +293,7 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
   context.say(report::limits_text(report::read_simulation_results(arguments.output)));
   if (arguments.verify) {
-    context.say("verified: after no step do triangles pass through each other");
+    for (const std::string& fact : run.verified()) context.say("verified: " + fact);
   }
   if (!arguments.no_report) {
     context.say(fmt::format("report: {}",
@@ -278,8 +325,9 @@ void add_simulate(CommandRegistry& registry) {
   command.add_flag("--no-friction", arguments->no_friction,
                    "Leave out the internal friction of the materials, as `friction: none` does");
   command.add_flag("--verify", arguments->verify,
-                   "After each step test exactly that no triangles pass through each other, and "
-                   "stop where some do");
+                   "After each step test exactly that no triangles pass through each other and no "
+                   "vertex is inside an obstacle, and stop where some do; tell how far faces come "
+                   "into obstacles between their vertices");
   command.footer(
       "Writes frames/, energy.csv, simulation.json and report.html; docs/formats/scene.md tells\n"
       "what a scene may say. `pliant info SCENE` checks one without simulating it.\n"

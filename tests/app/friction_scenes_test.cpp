@@ -1,6 +1,9 @@
 // The examples that show what internal friction does ([T] 5.5), at reduced size, with it and
 // without: the measured quantity tells the two apart, and nothing passes through anything.
 
+#include <algorithm>
+#include <iostream>
+
 #include <gtest/gtest.h>
 
 #include "app/reduced_example.h"
@@ -84,14 +87,89 @@ TEST(SlowFrictionScenes, WrinklesSettleByFriction) {
   EXPECT_GT(late_motion(pair.elastic), 5 * late_motion(pair.rough));
 }
 
-// [T] Fig. 5.15: pushed from the top at 1.1 s and from the bottom at 1.7 s, and so again at an
-// angle.
-TEST(SlowFrictionScenes, AStretchedPlaceWrinklesFromWhicheverSideItIsPushed) {
-  const Pair pair("preferred-wrinkle");
-  for (const auto& [frame, with] : {std::pair(17, 11), std::pair(29, 23)}) {
-    const double rough = difference(pair.rough, frame, with)["curvature"];
-    EXPECT_GT(difference(pair.elastic, frame, with)["curvature"], 5 * rough) << frame;
+/// Where the sheet of preferred-wrinkle is highest on its way from bottom to top, at rest: the mean
+/// of its columns (mm).
+double place_of_ridge(const ReducedExample& run, size_t frame) {
+  constexpr int kColumns = 15, kRows = 29;
+  const Eigen::Matrix3Xd at = run.frame(frame);
+  double sum = 0;
+  for (int i = 0; i < kColumns; ++i) {
+    Eigen::Index highest = 0;
+    at.row(2)(Eigen::seqN(i, kRows, kColumns)).maxCoeff(&highest);
+    sum += 200 * static_cast<double>(highest) / (kRows - 1);
   }
+  return sum / kColumns;
+}
+
+/// A third time, at an angle of 14 degrees to the other side: from the top at 3.5 s, from the
+/// bottom at 4.1 s.
+const std::vector<TextEdit> kOnceMore{
+    {"translate: [0.01, -0.02, 0]}\n        - {time: 2.6 s}",
+     "translate: [0.01, -0.02, 0]}\n        - {time: 2.6 s}\n        - {time: 3.2 s}\n"
+     "        - {time: 3.5 s, translate: [-0.005, -0.02, 0]}\n        - {time: 3.8 s}"},
+    {"translate: [-0.01, 0.02, 0]}\n        - {time: 3.2 s}",
+     "translate: [-0.01, 0.02, 0]}\n        - {time: 3.2 s}\n        - {time: 3.8 s}\n"
+     "        - {time: 4.1 s, translate: [0.005, 0.02, 0]}"},
+    {"duration: 3.2 s", "duration: 4.1 s"}};
+
+// [T] Fig. 5.15: pushed from the top at 1.1 s and from the bottom at 1.7 s, and so again at two
+// angles. The rod stretched its middle.
+TEST(SlowFrictionScenes, AStretchedPlaceWrinklesFromWhicheverSideItIsPushed) {
+  for (int seed = 1; seed <= (makes_figures() ? 5 : 1); ++seed) {
+    std::vector<TextEdit> edits = kOnceMore;
+    edits.emplace_back("seed: 1", fmt::format("seed: {}", seed));
+    const Pair pair("preferred-wrinkle", edits);
+    for (const auto& [from_bottom, from_top] : {std::pair(17, 11), {29, 23}, {41, 35}}) {
+      const double rough = difference(pair.rough, from_bottom, from_top)["curvature"];
+      EXPECT_GT(difference(pair.elastic, from_bottom, from_top)["curvature"], 5 * rough)
+          << from_bottom;
+      const double places[] = {place_of_ridge(pair.rough, size_t(from_top)),
+                               place_of_ridge(pair.rough, size_t(from_bottom)),
+                               place_of_ridge(pair.elastic, size_t(from_top)),
+                               place_of_ridge(pair.elastic, size_t(from_bottom))};
+      if (makes_figures()) {
+        std::cout << fmt::format(
+            "preferred-wrinkle, seed {}, frames {} and {}, ridge at {:.1f} and "
+            "{:.1f} mm with friction, {:.1f} and {:.1f} mm without\n",
+            seed, from_top, from_bottom, places[0], places[1], places[2], places[3]);
+      }
+      EXPECT_NEAR(places[0], 100, 5) << from_top;
+      EXPECT_NEAR(places[1], 100, 5) << from_bottom;
+      EXPECT_GT(places[2], 150) << from_top;
+      EXPECT_LT(places[3], 50) << from_bottom;
+    }
+  }
+}
+
+/// How wrinkled the cloth of drape-sphere is when it begins to hang down (1/m).
+double wrinkles_of_drape(int seed, bool friction) {
+  std::vector<std::string> arguments{"--verify", "--no-report"};
+  if (!friction) arguments.emplace_back("--no-friction");
+  const ReducedExample run(
+      "drape-sphere",
+      {{"    place: {",
+        fmt::format("    noise: {{amplitude: 1 um, seed: {}}}\n    place: {{", seed)},
+       {"duration: 800 ms", "duration: 150 ms"}},
+      arguments);
+  return difference(run, 3, 0)["curvature"];
+}
+
+// How it lies in the end is chance, with friction and without.
+TEST(SlowFrictionScenes, FrictionChangesHowADrapeBeginsToFoldByMoreThanChance) {
+  std::vector<double> rough, elastic;
+  for (int seed = 1; seed <= 5; ++seed) {
+    rough.push_back(wrinkles_of_drape(seed, true));
+    elastic.push_back(wrinkles_of_drape(seed, false));
+  }
+  const auto [least, most] = std::ranges::minmax(rough);
+  const auto [least_elastic, most_elastic] = std::ranges::minmax(elastic);
+  if (makes_figures()) {
+    std::cout << fmt::format(
+        "drape-sphere at 150 ms: {:.2f} to {:.2f} 1/m with friction, {:.2f} to "
+        "{:.2f} without\n",
+        least, most, least_elastic, most_elastic);
+  }
+  EXPECT_GT(least - most_elastic, 2 * std::max(most - least, most_elastic - least_elastic));
 }
 
 }  // namespace

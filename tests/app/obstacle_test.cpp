@@ -14,6 +14,7 @@ namespace pliant::test {
 namespace {
 
 using nlohmann::json;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -67,6 +68,35 @@ TEST(SlowSimulatedObstacles, AreGoneOnWithToTheSameBits) {
             summary_in(folder.results("whole"))["min_contact_distance"]);
 }
 
+// A floor rises to a ceiling with cloth between them.
+TEST(SimulatedObstacles, ThatBlockAStepAreNamedAndLeaveACheckpoint) {
+  const SceneFolder folder;
+  folder.copy_example("drape-sphere",
+                      {{"grid: 1 m x 1 m, nodes: 121x121", "grid: 40 mm x 40 mm, nodes: 3x3"},
+                       {"place: {translate: [-0.5, -0.5, 0]}", "place: {translate: [0, 0, 0.01]}"},
+                       {"sphere: {centre: [0, 0, -0.21], radius: 200 mm}, friction: 0.3",
+                        "plane: {point: [0, 0, 0], normal: [0, 0, 1]}, motion: {keyframes: "
+                        "[{time: 0 s}, {time: 100 ms, translate: [0, 0, 0.1]}]}}\n"
+                        "  - {name: lid, plane: {point: [0, 0, 0.04], normal: [0, 0, -1]}"}});
+  const ProgramRun run = folder.simulate({"--no-report"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.last_line(),
+              HasSubstr("leaves what it meets no room: nearest to the cloth are "));
+  for (const char* blocking : {"\"ball\" ", "\"lid\" "}) {
+    EXPECT_THAT(
+        run.last_line(),
+        ContainsRegex(std::string(blocking) + "\\([0-9.]+ mm from vertex [0-8]; [^ ]*scene.yaml:"));
+  }
+  EXPECT_THAT(run.last_line(), HasSubstr("the last good state is that of "));
+  EXPECT_EQ(summary_in(folder.results())["finished"], false);
+  const int steps = summary_in(folder.results())["steps"];
+  EXPECT_GT(steps, 0);
+  // It goes on from there, to where it was stopped.
+  const ProgramRun again = folder.simulate({"--no-report", "--resume"});
+  EXPECT_EQ(again.last_line(), run.last_line());
+  EXPECT_EQ(summary_in(folder.results())["steps"], steps);
+}
+
 // Upright cloth falls through itself where it is not told of itself.
 TEST(SlowVerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
   const SceneFolder folder;
@@ -85,7 +115,25 @@ TEST(SlowVerifiedSimulation, StopsWhereTrianglesPassThroughEachOther) {
     EXPECT_EQ(run.status, touches ? 0 : 1) << run.err;
     EXPECT_THAT(run.err, HasSubstr(touches ? "verified: after no step"
                                            : "triangles pass through each other: "));
+    if (touches) {
+      EXPECT_THAT(run.err, HasSubstr("after no step is a vertex or a face inside an obstacle"));
+    }
   }
+}
+
+// A ball that is smaller than a face passes between its vertices, which alone are kept off it.
+TEST(VerifiedSimulation, TellsHowFarFacesComeIntoObstacles) {
+  const SceneFolder folder;
+  folder.copy_example("drape-sphere", {{"nodes: 121x121", "nodes: 11x11"},
+                                       {"centre: [0, 0, -0.21], radius: 200 mm",
+                                        "centre: [0.05, 0.02, -0.06], radius: 30 mm"},
+                                       {"duration: 800 ms", "duration: 150 ms"}});
+  const ProgramRun run = folder.simulate({"--no-report", "--verify"});
+  if (run.err.find("built with CGAL") != std::string::npos) GTEST_SKIP() << run.err;
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("verified: after no step is a vertex inside an obstacle"));
+  EXPECT_THAT(run.err, ContainsRegex("verified: faces come up to [0-9.]+ mm into "
+                                     "\"ball\" between their vertices"));
 }
 
 }  // namespace

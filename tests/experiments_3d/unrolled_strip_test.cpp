@@ -23,9 +23,14 @@ namespace {
 constexpr int kColumns = 41, kRows = 11;  // of vertices, along and across
 constexpr double kLength = 0.1, kCell = kLength / (kColumns - 1);
 
-Scene reduced_scene(const std::string& name, bool friction) {
+const std::vector<test::TextEdit> kReduced{{"nodes: 81x21", "nodes: 41x11"}};
+const std::vector<test::TextEdit> kShort{{"nodes: 81x21", "nodes: 41x6"},
+                                         {"duration: 1 s", "duration: 120 ms"}};
+
+Scene reduced_scene(const std::string& name, bool friction,
+                    const std::vector<test::TextEdit>& edits) {
   const test::SceneFolder folder;
-  folder.copy_example(name, {{"nodes: 81x21", "nodes: 41x11"}});
+  folder.copy_example(name, edits);
   Scene scene = read_scene(folder.file("scene.yaml"));
   if (!friction) scene.time.friction.reset();
   return scene;
@@ -119,16 +124,21 @@ struct Unrolled {
   Eigen::Matrix2Xd line;
 };
 
-Unrolled unroll(const std::string& name, bool friction) {
-  const Scene scene = reduced_scene(name, friction);
-  Simulation strip(scene, std::nullopt);
-  Unrolled result;
+/// Steps to the end; after each, no triangles cross.
+void let_go(Simulation& strip) {
   while (!strip.is_finished()) {
     strip.advance();
     const auto crossings =
         crossing_triangles(strip.now().state.configuration.positions, strip.built().faces);
     EXPECT_TRUE(!crossings || crossings->empty()) << strip.now().state.time;
   }
+}
+
+Unrolled unroll(const std::string& name, bool friction) {
+  const Scene scene = reduced_scene(name, friction, kReduced);
+  Simulation strip(scene, std::nullopt);
+  Unrolled result;
+  let_go(strip);
   result.line = middle_line(strip);
   const ElasticaOfStrip elastica(scene);
   const auto profile = elastica.next_to(result.line);
@@ -151,10 +161,14 @@ void PrintTo(const Strip& strip, std::ostream* out) {
   *out << strip.material << " " << strip.radius;
 }
 
+std::string example_of(const Strip& strip) {
+  return fmt::format("unroll-{}-{}", strip.material, strip.radius);
+}
+
 class SlowUnrolledStrip : public ::testing::TestWithParam<Strip> {};
 
 TEST_P(SlowUnrolledStrip, HangsElsewhereWithFriction) {
-  const std::string name = fmt::format("unroll-{}-{}", GetParam().material, GetParam().radius);
+  const std::string name = example_of(GetParam());
   const Unrolled curled = unroll(name, true), straight = unroll(name, false);
   const double apart = std::sqrt((curled.line - straight.line).colwise().squaredNorm().mean());
   std::cout << fmt::format(
@@ -168,9 +182,13 @@ TEST_P(SlowUnrolledStrip, HangsElsewhereWithFriction) {
   }
 }
 
-/// One that rests on itself and one that does not, and each material at all radii for the table.
-std::vector<Strip> strips() {
-  if (!test::makes_figures()) return {{"doublecloth", "7.5"}, {"paper", "4"}};
+std::string name_of_strip(const ::testing::TestParamInfo<Strip>& strip) {
+  const std::string radius = strip.param.radius;
+  return std::string(strip.param.material) + radius.substr(0, 1) +
+         (radius.size() > 2 ? "_5" : radius.substr(1));
+}
+
+std::vector<Strip> all_strips() {
   std::vector<Strip> strips;
   for (const char* material : {"doublecloth", "felt", "paper"}) {
     for (const char* radius : {"4", "7.5", "23"}) strips.push_back({material, radius});
@@ -178,12 +196,27 @@ std::vector<Strip> strips() {
   return strips;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, SlowUnrolledStrip, ::testing::ValuesIn(strips()),
-                         [](const auto& strip) {
-                           const std::string radius = strip.param.radius;
-                           return std::string(strip.param.material) + radius.substr(0, 1) +
-                                  (radius.size() > 2 ? "_5" : radius.substr(1));
-                         });
+/// One that rests on itself and one that does not, and each material at all radii for the table.
+std::vector<Strip> strips() {
+  if (test::makes_figures()) return all_strips();
+  return {{"doublecloth", "7.5"}, {"paper", "4"}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SlowUnrolledStrip, ::testing::ValuesIn(strips()), name_of_strip);
+
+class SlowUnrollingStrip : public ::testing::TestWithParam<Strip> {};
+
+TEST_P(SlowUnrollingStrip, LeavesTheWayOfOneWithoutFriction) {
+  Eigen::Matrix3Xd ends[2];
+  for (const bool friction : {false, true}) {
+    Simulation strip(reduced_scene(example_of(GetParam()), friction, kShort), std::nullopt);
+    let_go(strip);
+    ends[friction] = strip.now().state.configuration.positions;
+  }
+  EXPECT_GT(std::sqrt((ends[1] - ends[0]).colwise().squaredNorm().mean()), 3e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SlowUnrollingStrip, ::testing::ValuesIn(all_strips()), name_of_strip);
 
 }  // namespace
 }  // namespace pliant

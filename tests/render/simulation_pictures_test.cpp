@@ -247,6 +247,38 @@ TEST(ScaleBar, IsAsLongInThePictureAsItSays) {
   EXPECT_NEAR(dark, 100, 2);  // the ends are round
 }
 
+// Two plates beside the square, of which each stands in one frame.
+TEST(Pictures, ShowObstaclesWhereTheyAreInEachFrame) {
+  const SimulationFolder folder(2);
+  for (const int frame : {0, 1}) {
+    folder.write(fmt::format("sim/obstacles/{:06}.obj", frame),
+                 fmt::format("v {0} 0 0\nv {1} 0 0\nv {1} 0 1\nv {0} 0 1\nf 1 2 3\nf 1 3 4\n",
+                             2 + frame, 3 + frame));
+  }
+  const auto told_of = [&](const char* obstacles) {
+    folder.write("sim/simulation.json",
+                 fmt::format("{{\"pliant\": \"simulation/1\", \"obstacles\": {},\n \"frames\": "
+                             "[{{\"index\": 0, \"time\": 0}}, {{\"index\": 1, \"time\": 1}}]}}\n",
+                             obstacles));
+    return read_simulation_frames(folder.path() / "sim");
+  };
+  const PictureOptions options = small_pictures();
+  const SimulationFrames with = told_of("\"obstacles\""), without = told_of("null");
+  const PictureSetting setting = setting_of(with, options, LegendPlace::in_picture, {});
+  const auto pixel = [&](const SimulationFrames& simulation, size_t frame, double x) {
+    const Image picture = frame_picture(simulation, simulation.frames[frame], setting, options, {});
+    const Eigen::Vector2d place = project(setting.camera, options.size.aspect(), {x, 0, 0.5});
+    EXPECT_TRUE((place.array() > 0).all() && (place.array() < 1).all()) << "it is in the picture";
+    return picture.at(static_cast<int>(place.x() * picture.width()),
+                      static_cast<int>(place.y() * picture.height()));
+  };
+  for (const double x : {2.5, 3.5}) {
+    const size_t stands = x < 3 ? 0 : 1, is_gone = 1 - stands;
+    EXPECT_NE(pixel(with, stands, x), pixel(without, stands, x)) << x;
+    EXPECT_EQ(pixel(with, is_gone, x), pixel(without, is_gone, x)) << x;
+  }
+}
+
 TEST(Pictures, HaveTheSizeAskedForAndASheetHasRoomForAll) {
   const SimulationFolder folder(4);
   const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");

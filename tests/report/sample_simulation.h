@@ -21,6 +21,7 @@ struct SampleSimulation {
  "linear_tolerance": null, "adaptive": false, "friction": "variational"})";
   int most_substeps = 1;
   std::string crossing_pairs = "null";
+  std::string contacts = "null";
   double drag = 0;  ///< J, in the last frame
 };
 
@@ -53,9 +54,9 @@ inline void write_sample_simulation(const std::filesystem::path& directory,
  "finished": {}, "triangles": 4800, "vertices": 2501, "steps": 40, "time_step": 0.005,
  "method": {}, "frames": [{}], "seconds_per_step": {}, "seconds_by_phase": {},
  "substeps": {{"min": 1, "median": 1, "mean": 1.5, "max": {}}}, "newton_iterations": {}, "linear_iterations": {},
- "peak_memory_MB": 96, "not_modelled": ["contact", "drag of the air"], "crossing_pairs": {}, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
+ "peak_memory_MB": 96, "not_modelled": ["contact", "drag of the air"], "crossing_pairs": {}, "contacts": {}, "min_contact_distance": null, "energy": {}, "warnings": [{}]}})",
                  sample.name, sample.finished, sample.method, frames, seconds, phases,
-                 sample.most_substeps, numbers, numbers, sample.crossing_pairs,
+                 sample.most_substeps, numbers, numbers, sample.crossing_pairs, sample.contacts,
                  sample.energy ? "\"energy.csv\"" : "null",
                  sample.warning.empty() ? "" : "\"" + sample.warning + "\""));
   if (sample.energy) write_text(directory / "energy.csv", energy);

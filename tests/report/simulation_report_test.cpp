@@ -116,6 +116,13 @@ TEST(SimulationReport, TellsThatStepsWereHalved) {
   EXPECT_THAT(report_of({}), Not(HasSubstr("Parts that a step")));
 }
 
+TEST(SimulationReport, TellsHowMuchTouches) {
+  EXPECT_THAT(report_of({.contacts = R"({"min": 0, "median": 140, "mean": 182.5, "max": 651})"}),
+              HasSubstr("<td>Vertices and pairs that touch at its end</td>"
+                        "<td class=\"number\">0</td><td class=\"number\">140</td>"));
+  EXPECT_THAT(report_of({}), Not(HasSubstr("that touch at its end")));
+}
+
 TEST(SimulationReport, LeavesOutWhatIsNotThere) {
   const std::string html =
       own_text(report_of({.energy = false, .statistics = false, .method = "null"}));

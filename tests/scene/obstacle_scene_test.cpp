@@ -18,6 +18,7 @@ namespace pliant {
 namespace {
 
 using test::simulated;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 /// A sheet of 40 mm that lies on a plane, level in its own axes, under a gravity that slopes. It
@@ -250,7 +251,13 @@ TEST(LedObstacles, AreToldThatTheyLeaveNoRoom) {
     advance_to(pressed, 0.1);
     FAIL() << "the floor passed the ceiling";
   } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("what is led leaves what it meets no room"));
+    EXPECT_THAT(error.what(), HasSubstr("what is led leaves what it meets no room: nearest to the "
+                                        "cloth are "));
+    // Where they stand in the scene, and the vertex that is nearest to each.
+    EXPECT_THAT(error.what(), ContainsRegex("\"floor\" \\([0-9.]+ mm from vertex [0-8]; "
+                                            "[^ ]*scene.yaml:5\\)"));
+    EXPECT_THAT(error.what(), ContainsRegex("\"ceiling\" \\([0-9.]+ mm from vertex [0-8]; "
+                                            "[^ ]*scene.yaml:7\\)"));
   }
 }
 
@@ -262,6 +269,23 @@ TEST(SceneObstacles, RefuseClothThatBeginsInside) {
   });
   EXPECT_THAT(error.what(), HasSubstr("obstacles[0]"));
   EXPECT_THAT(error.what(), HasSubstr("vertices begin inside \"ball\", the deepest 50 mm below"));
+}
+
+// Of the 1,800 faces, whose vertices all lie outside.
+TEST(SceneObstacles, RefuseClothThatTheyStandInBetweenItsVertices) {
+  for (const char* shape :
+       {"capsule: {from: [0.007, 0.003, -1], to: [0.007, 0.003, 1], radius: 1 mm}",
+        "box: {centre: [0.007, 0.003, -0.499], size: [0.002, 0.002, 1]}"}) {
+    const InputError error = test::input_error_of([&] {
+      simulated(fmt::format(fmt::runtime(kDrape),
+                            fmt::format("obstacles:\n  - {{name: rod, {}}}\n", shape), "5 ms", ""));
+    });
+    EXPECT_THAT(error.where().file, ::testing::EndsWith("scene.yaml")) << shape;
+    EXPECT_EQ(error.where().line, 8) << shape;
+    EXPECT_THAT(error.what(), HasSubstr("\"rod\" begins in the cloth between its vertices: face "
+                                        "930, counted from 0 over all cloth, reaches 1 mm below"))
+        << shape;
+  }
 }
 
 TEST(SceneObstacles, WarnOfWhatIsHeldInsideAndOfWhatBeginsTooNear) {

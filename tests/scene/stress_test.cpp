@@ -12,6 +12,7 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/geometry/crossings.h"
+#include "pliant/scene/obstacle_reach.h"
 #include "pliant/scene/scene_crossings.h"
 
 #include "scene/random_scene.h"
@@ -55,6 +56,17 @@ std::optional<std::string> crossing_of(const Simulation& simulation) {
   return crosses ? std::optional(found->text()) : std::nullopt;
 }
 
+// By the same test as faces, between whose vertices obstacles may come.
+std::optional<std::string> vertex_in_obstacle(const Simulation& simulation) {
+  for (const ObstacleReach& reach :
+       obstacle_reaches(simulation.scene(), simulation.built(), simulation.now().state)) {
+    if (!reach.vertex) continue;
+    return fmt::format("vertex {} is {:.3g} m inside {}", reach.vertex->number, reach.vertex->depth,
+                       reach.obstacle);
+  }
+  return std::nullopt;
+}
+
 double total_energy(Simulation& simulation) {
   simulation.record_frame();
   const EnergyRow& row = simulation.now().energies.back();
@@ -64,6 +76,7 @@ double total_energy(Simulation& simulation) {
 std::optional<std::string> fault_of(const Simulation& simulation, double gained, double before) {
   if (!simulation.now().state.configuration.positions.allFinite()) return "is not finite";
   if (auto crossing = crossing_of(simulation)) return crossing;
+  if (auto vertex = vertex_in_obstacle(simulation)) return vertex;
   if (gained <= 1e-9) return std::nullopt;
   return fmt::format("gained {:.3g} J of {:.3g} J", gained, before);
 }

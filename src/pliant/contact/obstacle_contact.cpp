@@ -250,11 +250,15 @@ Touching ObstacleContact::touching(const Eigen::Matrix3Xd& positions,
                                    const Controls& controls) const {
   const Pose body = controls.body(body_);
   Touching touching;
+  int nearest = -1;
   for (const int point : points_) {
     const double distance = distance_to(shape_, body.local(positions.col(point)));
     touching.count += distance < thickness_ ? 1 : 0;
-    touching.least_distance = std::min(touching.least_distance, distance);
+    if (distance >= touching.least_distance) continue;
+    touching.least_distance = distance;
+    nearest = point;
   }
+  if (nearest >= 0) touching.nearest = {{nearest}};
   return touching;
 }
 

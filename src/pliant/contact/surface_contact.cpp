@@ -87,6 +87,12 @@ std::vector<Found> found_of(const std::vector<SurfacePair>& pairs, const Find& f
   return all;
 }
 
+std::vector<std::vector<int>> parts_of(const SurfacePair& pair) {
+  const auto& [a, b, c, d] = pair.points;
+  if (pair.kind == SurfacePair::Kind::vertex_face) return {{a}, {b, c, d}};
+  return {{a, b}, {c, d}};
+}
+
 double length(const Eigen::Matrix3Xd& positions, int from, int to) {
   return (positions.col(to) - positions.col(from)).norm();
 }
@@ -318,13 +324,20 @@ Energy SurfaceContact::advance(const Evaluation& at, double* next) const {
 
 std::vector<Touching> SurfaceContact::touching(const Eigen::Matrix3Xd& positions) const {
   std::vector<Touching> all(1 + law_.bodies.size());
+  std::vector<const SurfacePair*> nearest(all.size());
   const NearPairs::Pairs near = near_.at(positions);
   for (const SurfacePair& pair : *near) {
     const double distance = gap_between(pair.kind, points_of(pair, positions)).distance();
     if (distance >= law_.thickness) continue;
-    Touching& touching = all[met_by(pair)];
+    const size_t met = met_by(pair);
+    Touching& touching = all[met];
     ++touching.count;
-    touching.least_distance = std::min(touching.least_distance, distance);
+    if (distance >= touching.least_distance) continue;
+    touching.least_distance = distance;
+    nearest[met] = &pair;
+  }
+  for (size_t met = 0; met < all.size(); ++met) {
+    if (nearest[met]) all[met].nearest = parts_of(*nearest[met]);
   }
   return all;
 }

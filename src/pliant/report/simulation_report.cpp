@@ -149,6 +149,7 @@ std::string step_section(const SimulationResults& results) {
   }
   row("Newton iterations", results.newton_iterations, number_text);
   row("Iterations of the linear solver, all together", results.linear_iterations, number_text);
+  row("Vertices and pairs that touch at its end", results.contacts, number_text);
   if (table.empty()) return {};
   return "<section id=\"steps\"><h2>Steps</h2>\n" + table.html() +
          "<p class=\"small\">A direct linear solver counts no iterations.</p></section>\n";

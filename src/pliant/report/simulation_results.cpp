@@ -133,6 +133,7 @@ SimulationResults read_simulation_results(const std::filesystem::path& directory
   r.seconds = read_statistics(json, "seconds_per_step");
   read_phases(json, r);
   r.substeps = read_statistics(json, "substeps");
+  r.contacts = read_statistics(json, "contacts");
   r.newton_iterations = read_statistics(json, "newton_iterations");
   r.linear_iterations = read_statistics(json, "linear_iterations");
   r.peak_memory = json.number("peak_memory_MB");

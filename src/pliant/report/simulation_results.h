@@ -54,6 +54,7 @@ struct SimulationResults {
   std::size_t frames = 0;
   double last_time = 0;  ///< s, of the last frame
   StepStatistics seconds, substeps, newton_iterations, linear_iterations;
+  StepStatistics contacts;  ///< what touches at the end of a step; nothing without contact
   std::vector<std::pair<std::string, StepStatistics>> phases;  ///< of the seconds, in words
   std::optional<double> peak_memory;                           ///< MB
   std::optional<double> min_contact_distance;                  ///< m

@@ -7,6 +7,7 @@
 
 #include "pliant/scene/contact_stiffness.h"
 #include "pliant/scene/contact_text.h"
+#include "pliant/scene/obstacle_reach.h"
 
 namespace pliant {
 namespace {
@@ -35,6 +36,19 @@ void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
       fmt::format("{} of the cloth's vertices begin inside {}, the deepest {} below its "
                   "surface",
                   inside, quoted_value(obstacle.name), millimetres(-deepest)),
+      "cloth that begins outside");
+}
+
+// A rod or a corner between the vertices, which contact would not push out again.
+void refuse_crossed_faces(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
+  const auto is_led = [&](int point) { return std::ranges::binary_search(cloth.led, point); };
+  const auto reach = reach_into(*obstacle.shape(), {}, cloth.positions, cloth.faces, is_led);
+  if (!reach.face) return;
+  throw InputError(
+      obstacle.where,
+      fmt::format("{} begins in the cloth between its vertices: face {}, counted from "
+                  "0 over all cloth, reaches {} below its surface",
+                  quoted_value(obstacle.name), reach.face->number, millimetres(reach.face->depth)),
       "cloth that begins outside");
 }
 
@@ -82,6 +96,7 @@ std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(
   for (const SceneObstacle& obstacle : scene.obstacles) {
     if (!obstacle.shape()) continue;
     refuse_overlap(obstacle, cloth);
+    refuse_crossed_faces(obstacle, cloth);
     warn_of_deep_starts(obstacle, scene.contact.thickness, cloth, warnings);
     warn_of_led_points(obstacle, cloth, warnings);
     warn_of_long_edges(obstacle, scene, cloth, warnings);

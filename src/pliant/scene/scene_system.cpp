@@ -283,7 +283,7 @@ class SceneBuilder {
   }
 
   void add_obstacles() {
-    TouchingCloth cloth{{}, {}, positions_, masses_};
+    TouchingCloth cloth{{}, {}, positions_, result_.faces, masses_};
     for (const int point : outer_points()) {
       const bool led = system().coordinates().is_led(point);
       (led ? cloth.led : cloth.points).push_back(point);

@@ -97,19 +97,13 @@ class Simulation::TimeSteps : public Simulation::Stepper {
 
   StepResult advance(State& state) override {
     StepResult result;
-    if (!adaptive_) {
-      advance(state, step_, 0, result);
-      return result;
-    }
-    State moved = state;
-    advance(moved, step_, 0, result);
-    state = std::move(moved);
+    advance(state, step_, 0, result);
     return result;
   }
 
  private:
   // With `adaptive`, a step that fails is taken as two of half its size, and always one that gains
-  // energy from nowhere, down to a sixteenth.
+  // energy from nowhere, down to a sixteenth. Where a half fails, the state is as it was.
   void advance(State& state, double step, int halvings, StepResult& result) {
     constexpr int kMostHalvings = 8, kMostOfGain = 4;
     const StepSummary summary = attempt(state, step);
@@ -127,25 +121,34 @@ class Simulation::TimeSteps : public Simulation::Stepper {
       return;
     }
     if (!halved && (!adaptive_ || halvings == kMostHalvings)) {
-      throw SolverError(failure_of(state, step, summary.has_room), summary.newton_iterations,
+      throw SolverError(failure_of(state.time + step, summary.has_room), summary.newton_iterations,
                         summary.residual);
     }
-    for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
+    const State begun = state;
+    try {
+      for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
+    } catch (const SolverError&) {
+      state = begun;
+      throw;
+    }
   }
 
-  std::string failure_of(const State& state, double step, bool has_room) const {
-    std::string text = fmt::format("the step to {:.6g} s", state.time + step);
-    const std::string nearest = nearest_text(met_bodies(scene_, built_, state));
+  // By what is nearest to the cloth where the step came to.
+  std::string failure_of(double time, bool has_room) const {
+    std::string text = fmt::format("the step to {:.6g} s", time);
+    const size_t at_least = has_room ? 0 : 2;  // it takes two to leave no room
+    const std::string nearest = nearest_text(met_bodies(scene_, built_, next_), at_least);
     if (!has_room) text += ", in which what is led leaves what it meets no room";
-    if (!nearest.empty()) text += (has_room ? ", before which " : ": ") + nearest;
+    if (!nearest.empty()) text += (has_room ? ", where " : ": ") + nearest;
     return has_room && nearest.empty() ? text : text + ",";
   }
 
-  // Takes `next_` where a step leads.
+  // Takes `next_` where a step leads, or where it came to.
   StepSummary attempt(const State& state, double step) {
     try {
       return stepper_.advance(state, step, next_);
     } catch (const SolverError& error) {
+      next_ = state;
       return {.converged = false,
               .newton_iterations = error.iterations(),
               .residual = error.best_residual()};

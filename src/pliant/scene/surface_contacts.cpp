@@ -82,9 +82,9 @@ std::shared_ptr<SurfaceContact> surface_contact(const Scene& scene, const SceneS
                                              surfaces.moves),
       surfaces.positions, stiffness_of(scene, surfaces), law);
   Touching touching;
-  for (const auto& [count, least] : contact->touching(surfaces.positions)) {
-    touching.count += count;
-    touching.least_distance = std::min(touching.least_distance, least);
+  for (const Touching& met : contact->touching(surfaces.positions)) {
+    touching.count += met.count;
+    touching.least_distance = std::min(touching.least_distance, met.least_distance);
   }
   if (touching.count > 0) {
     warnings.push_back(fmt::format(

@@ -206,7 +206,10 @@ StepSummary TimeStepper::searched(const Trial& trial, LedMotion led, Configurati
                                            : INFINITY;
   StepSummary summary = searched_from(trial, guess.each, most_energy, at);
   for (int times = 1; !led.has_arrived(); ++times) {
-    if (times == kMostTimes) return {.converged = false, .has_room = false, .residual = INFINITY};
+    if (times == kMostTimes) {
+      to.configuration = std::move(at);
+      return {.converged = false, .has_room = false, .residual = INFINITY};
+    }
     led.go(free_change(trial.objective, at, no_change(system_), led.way_left()).led, at);
     go_on(searched_at(trial, at), summary);
   }
@@ -270,6 +273,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     begin = beginning(objective, end);
   }
   if (!begin) {
+    to = from;
     return {.converged = false, .has_room = false, .residual = INFINITY, .seconds = seconds};
   }
   auto& [at, way] = *begin;
@@ -286,6 +290,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     summary = searched(trial, led, std::move(at), to);
   }
   summary.seconds = seconds;
+  to.time = time;
   if (!summary.has_room) return summary;
   if (!to.configuration.positions.allFinite() || !std::isfinite(summary.residual)) {
     throw SolverError("the time step that ends at " + std::to_string(time) + " s",
@@ -296,7 +301,6 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
     summary.outside =
         outside_work(objective, reached, objective.gradient(reached), options_.schedule(from.time));
   }
-  to.time = time;
   to.last_step = step;
   to.last_positions = from.configuration.positions;
   to.last_velocities = from.velocities;

@@ -25,7 +25,7 @@ struct TimeStepOptions {
 /// How a time step went.
 struct StepSummary {
   bool converged = true;  ///< the linear solve, the search for less energy, or Newton's method
-  bool has_room = true;   ///< false: bodies that are led meet where points are; no step was taken
+  bool has_room = true;   ///< false: bodies that are led meet where points are
   bool gained = false;  ///< backward Euler only: what meets something has more energy, nothing led
   int newton_iterations = 1;
   int linear_iterations = 0;
@@ -53,7 +53,8 @@ class TimeStepper {
   StepSummary advance(State& state) { return advance(state, options_.step); }
   StepSummary advance(State& state, double step);
   /// The same from one state to another, whose memory is used again.
-  /// @param to  not `from`; without meaning after a SolverError
+  /// @param to  not `from`; where the step came to, also where it does not converge: its places and
+  ///            time tell what is in its way. Without meaning after a SolverError
   StepSummary advance(const State& from, double step, State& to);
 
  private:

@@ -167,6 +167,16 @@ TEST(StudyFit, RefusesModelsOfSheetsForStripsInOneDimension) {
       "model.components.stretch.warp.stiffness");
 }
 
+TEST(StudyFit, RefusesAPlanForStripsInOneDimension) {
+  VirtualStudy study(lab_of(published_fabric("polyester"), hung_weights()));
+  study.add("fit: {plan: [{components: [stretch.warp], experiments: [weights]}]}");
+  const InputError error = test::input_error_of([&] { study.fit(); });
+  EXPECT_EQ(error.where().file, (study.folder() / "study.yaml").string());
+  EXPECT_GT(error.where().line, 0);
+  EXPECT_EQ(error.where().field, "fit.plan[0]");
+  EXPECT_THAT(error.expected(), HasSubstr("strips: sheet"));
+}
+
 TEST(Evaluation, GivesTheErrorsOfTheFit) {
   auto weights = hung_weights();
   weights.instrument.length_noise = 0.2e-3;

@@ -37,8 +37,8 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
     const bool known =
         std::any_of(result.profiles.begin(), result.profiles.end(),
                     [&](const Profile& profile) { return matches(pattern, profile.parameter); });
-    if (!known)
-      result.warnings.push_back("no free parameter is called " + pattern + ": no profile");
+    if (known) continue;
+    result.warnings.push_back("no free parameter of strips is called " + pattern + ": no profile");
   }
 }
 
@@ -77,9 +77,18 @@ void refuse_models_of_sheets(const Study& study) {
   if (study.model.samples) refuse("model.samples", "is of whole sheets");
 }
 
+/// Each component of strips is fitted for itself, at once.
+void refuse_plan(const Study& study) {
+  if (study.fit.plan.empty()) return;
+  throw InputError(study.fit.plan.front().where,
+                   "is a stage of sheets or solids, and strips in one dimension have none",
+                   "sessions to fit, `model: {strips: sheet}`, or no plan");
+}
+
 StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
                        const RunContext& context) {
   refuse_models_of_sheets(study);
+  refuse_plan(study);
   if (study.model.isotropic) {
     throw InputError({study.file, 0, "model.variant"},
                      "components are fitted one by one: weft and warp have nothing to share",
@@ -106,7 +115,6 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   }
   warn_of_bounds(works, result);
   tell_of_shear(works, result);
-  warn_of_unknown_profiles(options, result);
   warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
@@ -129,6 +137,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
+  warn_of_unknown_profiles(options, result);
   warn_of_whole_sheets(study, result);
   conclude_fit(study, result);
   return result;

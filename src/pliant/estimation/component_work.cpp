@@ -59,7 +59,8 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const int first = work.problem->first_nuisance(e);
     ExperimentResult row = compare(experiment, fit.fit.law, fit.fit.nuisance.segment(first, count));
-    take_noise(fit.uncertainty, e, row, result.warnings);
+    take_noise(fit.uncertainty, e, row, result);
+    doubt_rows(fit.uncertainty, e, row, result.warnings);
     if (fit.elastic) {
       add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
     }
@@ -109,13 +110,6 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
         fmt::format("{} of {} branches of friction of {} (a further one explains no more than "
                     "chance does)",
                     work.plan.branches - added - 1, work.plan.branches, work.component));
-  }
-  const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
-  if (rows.rows > 1.5 * rows.effective) {
-    result.assumptions.push_back(fmt::format(
-        "{}: neighbouring residuals go together; its {:.0f} rows count as {:.0f} in its fit and "
-        "standard errors",
-        work.component, rows.rows, rows.effective));
   }
 }
 

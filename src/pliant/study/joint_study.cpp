@@ -58,16 +58,6 @@ std::vector<Unknown> found_unknowns(const LawFit& fit, Eigen::Index first, Eigen
   return unknowns;
 }
 
-std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan) {
-  std::vector<const SheetTest*> tests;
-  for (const SheetStage& stage : plan) {
-    for (const SheetTest* test : stage.tests) {
-      if (std::ranges::find(tests, test) == tests.end()) tests.push_back(test);
-    }
-  }
-  return tests;
-}
-
 /// No elastic stress of a law falls, whose control values are the unknowns from `first` on.
 void keep_monotone(const ComponentLaw& law, Eigen::Index first, double largest_strain,
                    JointProblem& problem) {

@@ -260,6 +260,14 @@ bool may_differ(const FitSettings& settings, const ComponentGroup& group) {
          });
 }
 
+std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan) {
+  std::vector<const SheetTest*> tests;
+  for (const SheetStage& stage : plan) {
+    for (const SheetTest* test : stage.tests) add_once(test, tests);
+  }
+  return tests;
+}
+
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan) {
   std::vector<ComponentGroup> groups;
   for (const SheetStage& stage : plan) {

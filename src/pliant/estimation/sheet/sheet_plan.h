@@ -51,6 +51,9 @@ std::vector<SheetStage> sheet_plan(const FitSettings& settings,
 /// Whether the model lets a group of components differ from place to place.
 bool may_differ(const FitSettings& settings, const ComponentGroup& group);
 
+/// The tests of a plan, each once, in its order: those of the parts of a fit of everything.
+std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan);
+
 /// The components that a plan fits.
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);
 

@@ -97,6 +97,15 @@ TEST(StudyFit, NamesAllParametersAtTheirBoundsInOneWarning) {
                   .Times(1));
 }
 
+TEST(StudyFit, NamesANumberOfAnExperimentAtItsBound) {
+  VirtualStudy study(both_directions());
+  study.add("fit: {bounds: {cycles.force_offset: [0.05, 0.1]}}");  // there is none
+  const StudyResult result = study.fit();
+  EXPECT_TRUE(estimate_named(result, "cycles.force_offset").at_bound);
+  EXPECT_THAT(result.warnings,
+              Contains(AllOf(HasSubstr("at their bounds"), HasSubstr("cycles.force_offset"))));
+}
+
 TEST(StudyFit, DoesNotDependOnTheOrderOfExperimentsInThePredictionOfEach) {
   VirtualLab lab = both_directions();
   const StudyResult one = VirtualStudy(lab).fit();

@@ -193,20 +193,6 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
 }
 
-void warn_of_bounds(const std::vector<ComponentWork>& works, StudyResult& result) {
-  std::vector<std::string> at_bound;
-  for (const ComponentWork& work : works) {
-    if (!work.problem) continue;
-    for (std::size_t i = 0; i < work.fit.fit.unknowns.size(); ++i) {
-      const Unknown& unknown = work.fit.fit.unknowns[i];
-      if (work.fit.uncertainty.at_bound[i] && !unknown.fixed) at_bound.push_back(unknown.name);
-    }
-  }
-  if (at_bound.empty()) return;
-  result.warnings.push_back(
-      fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
-}
-
 void add_figures(const ComponentWork& work, const Material& material, StudyResult& result) {
   std::ranges::move(lab_figures(material, work.component, errors_of_law(work.fit.uncertainty, 0)),
                     std::back_inserter(result.figures));

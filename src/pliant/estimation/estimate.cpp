@@ -112,4 +112,10 @@ void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
   warn_of_outliers(row, warnings);
 }
 
+void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result) {
+  if (names.empty()) return;
+  result.warnings.push_back(
+      fmt::format("at their bounds, to where the data push them: {}", fmt::join(names, ", ")));
+}
+
 }  // namespace pliant

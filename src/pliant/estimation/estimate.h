@@ -23,4 +23,7 @@ void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
 void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& experiment,
                 std::vector<std::string>& warnings);
 
+/// Names unknowns at their bounds in one warning.
+void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result);
+
 }  // namespace pliant

@@ -340,7 +340,6 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& component : works) {
     if (component.problem) add_component(component, result);
   }
-  warn_of_bounds(works, result);
   add_sheets(sheets, uncertainty, data, std::move(predictions), result);
   for (const ComponentWork& component : works) {
     if (component.problem) add_figures(component, result.material, result);

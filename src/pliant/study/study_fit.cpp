@@ -9,6 +9,7 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"
+#include "pliant/estimation/estimate.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/material/sheet_metric.h"
@@ -40,6 +41,17 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
     if (known) continue;
     result.warnings.push_back("no free parameter of strips is called " + pattern + ": no profile");
   }
+}
+
+/// Numbers of the material, then those of experiments.
+std::vector<std::string> names_at_bounds(const StudyResult& result) {
+  std::vector<std::string> names;
+  for (const auto* estimates : {&result.parameters, &result.nuisance}) {
+    for (const ParameterEstimate& estimate : *estimates) {
+      if (estimate.at_bound && !estimate.fixed) names.push_back(estimate.name);
+    }
+  }
+  return names;
 }
 
 void warn_of_sheets(const Study& study, StudyResult& result) {
@@ -113,7 +125,6 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& work : works) {
     if (work.problem) add_component(work, result);
   }
-  warn_of_bounds(works, result);
   tell_of_shear(works, result);
   warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);
@@ -137,6 +148,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
+  warn_of_bounds(names_at_bounds(result), result);
   warn_of_unknown_profiles(options, result);
   warn_of_whole_sheets(study, result);
   conclude_fit(study, result);

@@ -218,5 +218,22 @@ TEST(LoopMetrics, OfTheFitAreThoseOfTheData) {
               experiment.measured_loop->hysteresis_ratio, 1e-6);
 }
 
+// A load cell whose zero is off shifts all forces, and no loop is wider for it.
+TEST(LoopMetrics, AreFreeOfAnOffsetOfTheForce) {
+  VirtualStudy study(lab_of(published_fabric("spandex"), strip_cycles({0.1, 0.2, 0.3})));
+  study.set_model("stiffness: affine");
+  const ExperimentResult before = study.fit().experiments.front();
+  study.edit_rows("cycles.csv", [](VirtualStudy::Rows& rows) {
+    for (std::vector<double>& row : rows) row[0] += 0.03;
+  });
+  const ExperimentResult shifted = study.fit().experiments.front();
+  ASSERT_TRUE(before.measured_loop && shifted.measured_loop && shifted.predicted_loop);
+  for (const auto& loop : {shifted.measured_loop, shifted.predicted_loop}) {
+    // Noise-free: the offset is found to 1e-6.
+    EXPECT_NEAR(loop->loop_loss, before.measured_loop->loop_loss, 1e-6);
+    EXPECT_NEAR(loop->hysteresis_ratio, before.measured_loop->hysteresis_ratio, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace pliant

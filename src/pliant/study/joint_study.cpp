@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -125,9 +126,8 @@ void take(const JointFit& joint, const Share& share, ComponentFit& component) {
   fit.nuisance = fit.solution.parameters.tail(fit.nuisance.size());
   component.uncertainty = part_of(joint.uncertainty, share.unknowns, share.parts);
   raise_errors(component);
-  for (std::size_t i = 0; i < component.limits.size(); ++i) {
-    if (!component.uncertainty.at_bound[i]) component.limits[i].reset();
-  }
+  // Those are of the strips alone, and profiles of everything would take long.
+  component.limits.assign(component.limits.size(), std::nullopt);
 }
 
 /// Names the experiments of a component that scatter more about what everything together says than

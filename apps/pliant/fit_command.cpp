@@ -6,7 +6,9 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/report/report.h"
+#include "pliant/study/joint_study.h"
 #include "pliant/study/sheet_models.h"
+#include "pliant/study/sheet_study.h"
 #include "pliant/study/solid_study.h"
 #include "pliant/study/study_fit.h"
 
@@ -76,6 +78,24 @@ std::vector<std::string> and_all(std::vector<std::string> names) {
   return names;
 }
 
+/// Options that would change nothing in the fit of this study.
+void refuse_without_effect(const FitArguments& arguments, const Study& study) {
+  const auto refuse = [](const char* option, const char* why) {
+    throw InputError({option, 0, ""}, why, "the same command without it");
+  };
+  const bool solids = measures_solids(study);
+  if (arguments.resume && solids) {
+    refuse("--resume", "fits of solids keep no progress to go on from");
+  }
+  if (!solids && (fits_strips(study) || !fits_sheets(study))) return;
+  if (!arguments.profiles.empty()) {
+    refuse("--profile", "is of the laws of strips, and the study fits none");
+  }
+  if (!arguments.compare.empty()) {
+    refuse("--compare", "ranks the laws of strips, and the study fits none");
+  }
+}
+
 /// Files the results of a fit, and a report on them.
 /// @return the text of fit.json, or of summary.json where models are compared
 std::string fit_into(ResultDirectory& results, const CommandContext& context,
@@ -85,10 +105,7 @@ std::string fit_into(ResultDirectory& results, const CommandContext& context,
   if (arguments.estimator == "anchor") study.fit.estimator = EstimatorKind::anchor;
   if (arguments.estimator == "path") study.fit.estimator = EstimatorKind::path;
 
-  if (arguments.resume && measures_solids(study)) {
-    throw InputError({"--resume", 0, ""}, "fits of solids keep no progress to go on from",
-                     "the same command without it");
-  }
+  refuse_without_effect(arguments, study);
 
   if (compares_models(arguments)) {
     std::string summary =

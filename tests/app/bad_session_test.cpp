@@ -163,6 +163,18 @@ TEST(SheetStudyInfo, SaysWhatWillBeCompared) {
                     Not(HasSubstr("friction taken"))));
 }
 
+TEST(SheetStudyFit, RefusesWhatOnlyFitsOfStripsHeed) {
+  const SheetStudy study;
+  study.write("pull", pulled_sheet());
+  for (const auto& [option, value] :
+       {std::pair{"--profile", "*"}, std::pair{"--compare", "laws"}}) {
+    const ProgramRun run = study.run({"fit", "-o", study.output(), option, value});
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_THAT(run.last_line(), StartsWith(std::string("error: ") + option + ": "));
+    EXPECT_THAT(run.last_line(), HasSubstr("the laws of strips, and the study fits none"));
+  }
+}
+
 /// Two clips side by side in the sheet, which come to lie on each other in one frame of six: the
 /// triangles between them have no shape left, and no equilibrium.
 Session crushed_sheet() {

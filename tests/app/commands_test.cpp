@@ -229,6 +229,20 @@ TEST(Fit, AProfileThatMatchesNoParameterIsAnError) {
   EXPECT_THAT(run.last_line(), AllOf(StartsWith("error: "), HasSubstr("stretch.warp.t")));
 }
 
+TEST(Fit, OfASolidRefusesWhatItWouldNotHeed) {
+  const TemporaryFolder folder;
+  const std::string made = (folder.path() / "rubber").string();
+  ASSERT_EQ(run_program({"init", "homogeneous", "-o", made}).status, 0);
+  const auto refused = [&](const std::string& option, const std::string& value) {
+    const ProgramRun run =
+        run_program({"fit", made, "-o", (folder.path() / "fit").string(), option, value});
+    EXPECT_EQ(run.status, 2) << run.err;
+    return run.last_line();
+  };
+  EXPECT_THAT(refused("--profile", "*"), StartsWith("error: --profile: "));
+  EXPECT_THAT(refused("--compare", "friction"), StartsWith("error: --compare: "));
+}
+
 TEST(Version, IsPrinted) {
   const ProgramRun run = run_program({"--version"});
   EXPECT_EQ(run.status, 0);

@@ -49,6 +49,7 @@ TEST(ControlPoints, OneIsEnoughForAConstantStiffness) {
     EXPECT_EQ(grown.fit.law.stiffness.size(), 1) << "noise " << noise;
     EXPECT_TRUE(grown.stages.front().accepted);
     for (size_t i = 1; i < grown.stages.size(); ++i) EXPECT_FALSE(grown.stages[i].accepted) << i;
+    EXPECT_EQ(grown.end, noise > 0 ? GrowthEnd::not_worth_it : GrowthEnd::accurate);
   }
 }
 
@@ -80,12 +81,27 @@ TEST(ControlPoints, StandWhereAStiffWeaveBends) {
   EXPECT_LT(one.percent_of_peak(grown.fit), 0.5 * one.percent_of_peak(equidistant));
 }
 
+TEST(ControlPoints, HoldACurveOfFivePointsBetweenThem) {
+  const ScalarCurve truth = ScalarCurve::hermite({0, 0.05, 0.1, 0.15, 0.2}, {60, 45, 40, 60, 100});
+  const Material material =
+      made_up_material("stretch.warp", {truth, FrictionLaw::dahl, {0.5, 1, 0.01}});
+  const VirtualStudy study(lab_of(material, noisy_cycles({0.05, 0.1, 0.1832}, 1e-3)));
+  const OneExperiment one(study.study());
+  const ScalarCurve found =
+      grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {5}, {}).fit.law.stiffness;
+  EXPECT_EQ(found.size(), 5);
+  // At rest friction hides the stiffness.
+  for (double strain = 0.01; strain < 0.2; strain += 0.005) {
+    EXPECT_NEAR(found.value(strain), truth.value(strain), 0.02 * truth.value(strain)) << strain;
+  }
+}
+
 TEST(ControlPoints, StayWithinTheNumberThatTheStudyAllows) {
   const VirtualStudy study(lab_of(long_toe(), noisy_cycles({0.1, 0.15, 0.1832}, 2e-3)));
   const OneExperiment one(study.study());
-  EXPECT_LE(grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {3}, {})
-                .fit.law.stiffness.size(),
-            3);
+  const GrownFit grown = grow_law(one.problem, {ScalarCurve::none(), FrictionLaw::dahl}, {3}, {});
+  EXPECT_EQ(grown.fit.law.stiffness.size(), 3);
+  EXPECT_EQ(grown.end, GrowthEnd::most);
 }
 
 // The sheet is sheared both ways and its law is even: knots stand on one side.

@@ -1,5 +1,6 @@
 #include "pliant/estimation/friction_comparison.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -52,6 +53,28 @@ TEST(FrictionComparison, RanksByBicAndCountsFreeParameters) {
     EXPECT_NEAR(rank.bic - rank.aic, (std::log(144) - 2) * rank.parameters, 1e-9)
         << rank.name << ": 144 rows with independent noise";
   }
+}
+
+// Each rival's curve grows anew: one that follows the loops needs more points than one that cannot.
+TEST(FrictionComparison, GrowsTheCurveOfEachRival) {
+  const ScalarCurve curve = ScalarCurve::hermite({0, 0.1, 0.2, 0.3, 0.45}, {60, 45, 40, 60, 100});
+  auto cycles = test::strip_cycles({0.05, 0.1, 0.2, 0.35});
+  cycles.instrument.force_noise = 5e-3;
+  const std::vector<ModelRank> ranks =
+      VirtualStudy(
+          lab_of(made_up_material("stretch.warp", {curve, FrictionLaw::dahl, {1.2, 2, 0.01}}),
+                 cycles))
+          .fit({.compare_friction = true, .profiles = {}})
+          .models;
+  // Beside its control points a rival has the numbers of friction and the offset of the force.
+  const auto points = [&](const char* name, int friction) {
+    const auto rank = std::ranges::find(ranks, name, &ModelRank::name);
+    return rank == ranks.end() ? 0 : rank->parameters - friction - 1;
+  };
+  const int rubbing = points("linear maximum, constant tau", 3), elastic = points("no friction", 0);
+  EXPECT_GT(elastic, 1);
+  EXPECT_GT(rubbing, elastic);
+  EXPECT_EQ(ranks.front().name, "linear maximum, constant tau");
 }
 
 TEST(FrictionComparison, IsLeftOutWithoutFriction) {

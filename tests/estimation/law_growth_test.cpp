@@ -62,6 +62,7 @@ TEST(LawGrowth, ChoosesBetweenPointsAndBranches) {
   std::vector<std::string> tried;
   for (const FitStage& stage : two.stages) tried.push_back(stage.name);
   EXPECT_THAT(tried, Contains("1 control point, 2 branches"));
+  EXPECT_NE(two.stages.back().ended, "");
 }
 
 TEST(LawGrowth, TakesFewerBranchesThanAskedForWhereOneIsEnough) {

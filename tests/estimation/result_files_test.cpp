@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -198,6 +199,32 @@ TEST_F(ResultFiles, WhatIsUnknownIsNull) {
   const json fit = json::parse(summary_text(result, kFacts, true));
   EXPECT_TRUE(fit["parameters"][0]["std_error"].is_null());
   EXPECT_TRUE(fit["parameters"][0]["value"].is_null());
+}
+
+TEST(FitFiles, GiveALimitInPlaceOfTheIntervalOfWhatIsAtItsBound) {
+  auto cycles = strip_cycles({0.05, 0.1, 0.2});
+  cycles.instrument.force_noise = 8e-3;
+  const VirtualLab lab = lab_of(published_fabric("polyester"), cycles);
+  const auto friction_a = [&](const std::string& options) {
+    VirtualStudy study(lab);
+    study.set_model("stiffness: affine");
+    if (!options.empty()) study.add(options);
+    const json fit = json::parse(summary_text(study.fit(), kFacts, true));
+    for (const json& p : fit["parameters"]) {
+      if (p["name"] == "stretch.warp.friction.a") return p;
+    }
+    return json();
+  };
+  const json free = friction_a("");
+  EXPECT_TRUE(free["limit"].is_null());
+  const double value = free["value"], sd = free["std_error"];
+  // A bound next to it: the profile is that of the free fit.
+  const json bounded = friction_a(
+      fmt::format("fit: {{bounds: {{stretch.warp.friction.a: [{}, 1000]}}}}", value + 0.01 * sd));
+  EXPECT_EQ(bounded["at_bound"], true);
+  EXPECT_TRUE(bounded["std_error"].is_null());
+  // Student's one-sided quantile; the problem is nearly linear.
+  EXPECT_NEAR((bounded["limit"].get<double>() - value) / sd, 1.66, 0.1);
 }
 
 TEST(EvaluationFiles, SayWhichMaterialPredicted) {

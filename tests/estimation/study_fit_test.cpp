@@ -97,6 +97,15 @@ TEST(StudyFit, NamesAllParametersAtTheirBoundsInOneWarning) {
                   .Times(1));
 }
 
+TEST(StudyFit, NamesANumberOfAnExperimentAtItsBound) {
+  VirtualStudy study(both_directions());
+  study.add("fit: {bounds: {cycles.force_offset: [0.05, 0.1]}}");  // there is none
+  const StudyResult result = study.fit();
+  EXPECT_TRUE(estimate_named(result, "cycles.force_offset").at_bound);
+  EXPECT_THAT(result.warnings,
+              Contains(AllOf(HasSubstr("at their bounds"), HasSubstr("cycles.force_offset"))));
+}
+
 TEST(StudyFit, DoesNotDependOnTheOrderOfExperimentsInThePredictionOfEach) {
   VirtualLab lab = both_directions();
   const StudyResult one = VirtualStudy(lab).fit();
@@ -167,6 +176,16 @@ TEST(StudyFit, RefusesModelsOfSheetsForStripsInOneDimension) {
       "model.components.stretch.warp.stiffness");
 }
 
+TEST(StudyFit, RefusesAPlanForStripsInOneDimension) {
+  VirtualStudy study(lab_of(published_fabric("polyester"), hung_weights()));
+  study.add("fit: {plan: [{components: [stretch.warp], experiments: [weights]}]}");
+  const InputError error = test::input_error_of([&] { study.fit(); });
+  EXPECT_EQ(error.where().file, (study.folder() / "study.yaml").string());
+  EXPECT_GT(error.where().line, 0);
+  EXPECT_EQ(error.where().field, "fit.plan[0]");
+  EXPECT_THAT(error.expected(), HasSubstr("strips: sheet"));
+}
+
 TEST(Evaluation, GivesTheErrorsOfTheFit) {
   auto weights = hung_weights();
   weights.instrument.length_noise = 0.2e-3;
@@ -197,6 +216,23 @@ TEST(LoopMetrics, OfTheFitAreThoseOfTheData) {
   EXPECT_NEAR(experiment.predicted_loop->loop_loss, experiment.measured_loop->loop_loss, 1e-6);
   EXPECT_NEAR(experiment.predicted_loop->hysteresis_ratio,
               experiment.measured_loop->hysteresis_ratio, 1e-6);
+}
+
+// A load cell whose zero is off shifts all forces, and no loop is wider for it.
+TEST(LoopMetrics, AreFreeOfAnOffsetOfTheForce) {
+  VirtualStudy study(lab_of(published_fabric("spandex"), strip_cycles({0.1, 0.2, 0.3})));
+  study.set_model("stiffness: affine");
+  const ExperimentResult before = study.fit().experiments.front();
+  study.edit_rows("cycles.csv", [](VirtualStudy::Rows& rows) {
+    for (std::vector<double>& row : rows) row[0] += 0.03;
+  });
+  const ExperimentResult shifted = study.fit().experiments.front();
+  ASSERT_TRUE(before.measured_loop && shifted.measured_loop && shifted.predicted_loop);
+  for (const auto& loop : {shifted.measured_loop, shifted.predicted_loop}) {
+    // Noise-free: the offset is found to 1e-6.
+    EXPECT_NEAR(loop->loop_loss, before.measured_loop->loop_loss, 1e-6);
+    EXPECT_NEAR(loop->hysteresis_ratio, before.measured_loop->hysteresis_ratio, 1e-6);
+  }
 }
 
 }  // namespace

@@ -151,11 +151,17 @@ void expect_one_covariance_and_one_material(const StudyResult& result) {
 
 TEST(SlowJointFit, LeavesFrictionOutThatStripsDoNotShow) {
   const StudyResult result =
-      JointStudy().fit(std::string(kExperiments) + kSessions + "model: {mesh: measured}\n");
+      JointStudy().fit(std::string(kExperiments) + kSessions +
+                       "model: {mesh: measured}\n"
+                       "fit: {bounds: {stretch.warp.friction.b: [2.5, 60]}}\n");
   EXPECT_FALSE(result.material.components.at("bend.warp").friction);
   EXPECT_TRUE(result.material.components.at("stretch.warp").friction);
   EXPECT_THAT(result.undetermined,
               ::testing::Contains(::testing::HasSubstr("friction of bend.warp")));
+  // The strips alone have a limit of it, which says nothing of what all tell together.
+  const ParameterEstimate& b = named(result, "stretch.warp.friction.b");
+  EXPECT_TRUE(b.at_bound);
+  EXPECT_FALSE(b.limit);
 }
 
 /// A cloth whose threads rub where it bends, rolled along warp and pushed over an edge.

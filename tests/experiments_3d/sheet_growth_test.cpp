@@ -7,6 +7,7 @@
 
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/stage_search.h"
+#include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/study/sheet_predictions.h"
 
 #include "support/virtual_sheets.h"
@@ -60,6 +61,7 @@ TEST(SheetGrowth, EndsAtTheNoiseThatASessionStates) {
   const SheetFit grown = fit_of({&silent}), ended = fit_of({&rough});
   EXPECT_GT(points_of(grown, "stretch.weft"), 1);
   EXPECT_EQ(points_of(ended, "stretch.weft"), 1);
+  EXPECT_EQ(ended.stages.back().ended, name_of(GrowthEnd::accurate));
 }
 
 // A fit that leaves more than the noise says so.

@@ -172,6 +172,14 @@ TEST(Report, ShowsTheStrainOverWhichFrictionBuildsUpInPercentWithItsExtension) {
                                        "<td>Green strain; 1.2 % extension</td>"));
 }
 
+TEST(Report, SaysWhyGrowthEnded) {
+  const std::string html = report_of({});
+  const std::size_t last = html.find("4 control points");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_THAT(html.substr(last, html.find("</tr>", last) - last),
+              HasSubstr("more is not worth it"));
+}
+
 TEST(Report, SaysHowManyPointsItDraws) {
   EXPECT_THAT(report_of({.rows = 4'000, .rich = false}), HasSubstr(" of 4000 points drawn)"));
 }

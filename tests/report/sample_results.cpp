@@ -351,7 +351,8 @@ json results_json(const SampleOptions& options) {
                   {"name", "4 control points"},
                   {"rms", 0.0211},
                   {"unit", "N"},
-                  {"accepted", false}}};
+                  {"accepted", false},
+                  {"ended", "more is not worth it"}}};
   j["starts"] = {{{"component", "stretch.warp"}, {"tried", 8}, {"reached_best", 7}}};
   j["judgement"] = {{"fitness", "fit"},
                     {"headline", "Fit for use within the range of the data."},

@@ -392,6 +392,14 @@ TEST(SolidStudy, RefusesBadInputWhereItStands) {
                                   "constant}}}")
                               .what()),
               HasSubstr("changes in no experiment"));
+  folder.write("strip.csv", "length_mm,force_N\n80,0\n90,12\n85,3\n");
+  const InputError cloth = refused(
+      good +
+          "\n  - {name: strip, type: tensile-cycles, direction: warp, data: strip.csv, length: "
+          "80 mm, width: 40 mm}",
+      "{kind: solid}");
+  EXPECT_EQ(cloth.where().line, 5);
+  EXPECT_THAT(cloth.problem(), HasSubstr("\"strip\" is of cloth"));
   // What a fit of a solid would not heed.
   for (const auto& [option, line] :
        {std::pair<std::string, std::string>{"monotone_stress", "monotone_stress: true"},

@@ -295,6 +295,7 @@ FormFit fit_form(const ComponentProblem& problem, const ComponentPlan& plan) {
     result.stages.push_back({component, stage_name(plan, stage), unit_of_residuals(problem),
                              stage.rms, stage.accepted});
   }
+  if (points_grow || plan.branches > 1) result.stages.back().ended = name_of(grown.end);
   result.fit = std::move(grown.fit);
   return result;
 }

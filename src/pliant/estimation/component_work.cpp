@@ -59,7 +59,8 @@ void add_experiments(const ComponentWork& work, StudyResult& result) {
     const auto count = static_cast<Eigen::Index>(experiment.nuisance().size());
     const int first = work.problem->first_nuisance(e);
     ExperimentResult row = compare(experiment, fit.fit.law, fit.fit.nuisance.segment(first, count));
-    take_noise(fit.uncertainty, e, row, result.warnings);
+    take_noise(fit.uncertainty, e, row, result);
+    doubt_rows(fit.uncertainty, e, row, result.warnings);
     if (fit.elastic) {
       add_elastic(row, experiment, fit.elastic->law, fit.elastic->nuisance.segment(first, count));
     }
@@ -109,13 +110,6 @@ void add_warnings(const ComponentWork& work, StudyResult& result) {
         fmt::format("{} of {} branches of friction of {} (a further one explains no more than "
                     "chance does)",
                     work.plan.branches - added - 1, work.plan.branches, work.component));
-  }
-  const EffectiveRows rows = effective_rows(fit.uncertainty.noise.of);
-  if (rows.rows > 1.5 * rows.effective) {
-    result.assumptions.push_back(fmt::format(
-        "{}: neighbouring residuals go together; its {:.0f} rows count as {:.0f} in its fit and "
-        "standard errors",
-        work.component, rows.rows, rows.effective));
   }
 }
 
@@ -197,20 +191,6 @@ void add_component(const ComponentWork& work, StudyResult& result) {
   result.models.insert(result.models.end(), work.models.begin(), work.models.end());
   std::ranges::move(law_advice(work.models), std::back_inserter(result.warnings));
   result.profiles.insert(result.profiles.end(), work.profiles.begin(), work.profiles.end());
-}
-
-void warn_of_bounds(const std::vector<ComponentWork>& works, StudyResult& result) {
-  std::vector<std::string> at_bound;
-  for (const ComponentWork& work : works) {
-    if (!work.problem) continue;
-    for (std::size_t i = 0; i < work.fit.fit.unknowns.size(); ++i) {
-      const Unknown& unknown = work.fit.fit.unknowns[i];
-      if (work.fit.uncertainty.at_bound[i] && !unknown.fixed) at_bound.push_back(unknown.name);
-    }
-  }
-  if (at_bound.empty()) return;
-  result.warnings.push_back(
-      fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
 }
 
 void add_figures(const ComponentWork& work, const Material& material, StudyResult& result) {

@@ -29,9 +29,6 @@ struct ComponentWork {
 /// curve, warnings.
 void add_component(const ComponentWork& work, StudyResult& result);
 
-/// Names all unknowns at their bounds in one warning.
-void warn_of_bounds(const std::vector<ComponentWork>& works, StudyResult& result);
-
 /// Adds the figures of a component of the material that the study determined.
 void add_figures(const ComponentWork& work, const Material& material, StudyResult& result);
 

@@ -9,6 +9,8 @@
 namespace pliant {
 namespace {
 
+constexpr double kTogether = 1.5;  // rows for each that counts: fewer are not worth a sentence
+
 std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
@@ -82,23 +84,38 @@ ParameterEstimate estimate_of(const std::vector<Unknown>& unknowns, const Eigen:
   return estimate;
 }
 
-void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& result,
-                std::vector<std::string>& warnings) {
+void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& row,
+                StudyResult& result) {
   const ExperimentNoise& noise = uncertainty.noise.of[part];
   const Eigen::ArrayXd sd = uncertainty.noise.row_sd[part].array();
   const Eigen::ArrayXd counts = (uncertainty.noise.weight[part].array() > 0).cast<double>();
-  result.noise = std::sqrt((counts * sd.square()).sum() / std::max(counts.sum(), 1.0));
-  result.noise_source = source_text(noise.source);
-  result.effective_rows = noise.effective_rows;
-  result.outliers = uncertainty.outliers[part];
+  row.noise = std::sqrt((counts * sd.square()).sum() / std::max(counts.sum(), 1.0));
+  row.noise_source = source_text(noise.source);
+  row.effective_rows = noise.effective_rows;
+  if (noise.rows < kTogether * noise.effective_rows) return;
+  result.assumptions.push_back(
+      fmt::format("{}: neighbouring residuals go together; its {:.0f} rows count as {:.0f}",
+                  row.name, noise.rows, noise.effective_rows));
+}
+
+void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& row,
+                std::vector<std::string>& warnings) {
+  const ExperimentNoise& noise = uncertainty.noise.of[part];
+  row.outliers = uncertainty.outliers[part];
   if (noise.is_assumed()) {
     warnings.push_back(fmt::format(
         "the {:.0f} rows of {} cannot tell its noise: it is {} ({:.3g} {}); state it under `noise`",
-        noise.rows, result.name, source_text(noise.source), noise.sd * result.quantity.per_si,
-        result.quantity.unit));
+        noise.rows, row.name, source_text(noise.source), noise.sd * row.quantity.per_si,
+        row.quantity.unit));
   }
-  if (result.stated_noise) warn_of_stated_noise(result, *result.stated_noise, warnings);
-  warn_of_outliers(result, warnings);
+  if (row.stated_noise) warn_of_stated_noise(row, *row.stated_noise, warnings);
+  warn_of_outliers(row, warnings);
+}
+
+void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result) {
+  if (names.empty()) return;
+  result.warnings.push_back(
+      fmt::format("at their bounds, to where the data push them: {}", fmt::join(names, ", ")));
 }
 
 }  // namespace pliant

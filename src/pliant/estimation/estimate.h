@@ -12,10 +12,18 @@ namespace pliant {
 ParameterEstimate estimate_of(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& values,
                               const Uncertainty& uncertainty, Eigen::Index unknown);
 
-/// Gives the result of an experiment the noise that it was weighed by and the rows that the fit
-/// leaves by far, and warns where the noise was assumed, exceeds what is stated, or rows stand out.
+/// Gives an experiment of a result the noise that it was weighed by, and says where neighbouring
+/// residuals go together.
 /// @param part  of the problem
-void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& result,
+void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& experiment,
+                StudyResult& result);
+
+/// Gives an experiment the rows that the fit leaves by far, and warns of those and where its noise
+/// was assumed or exceeds what is stated.
+void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& experiment,
                 std::vector<std::string>& warnings);
+
+/// Names unknowns at their bounds in one warning.
+void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result);
 
 }  // namespace pliant

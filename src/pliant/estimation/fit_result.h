@@ -106,6 +106,7 @@ struct FitStage {
   std::string component, name, unit;
   double rms = 0;
   bool accepted = true;
+  std::string ended = {};  ///< of the last step of a growth: why it ended (`name_of(GrowthEnd)`)
 };
 
 /// One friction model of a comparison ([T] Fig. 5.3).

@@ -8,7 +8,6 @@
 #include "pliant/estimation/addend_starts.h"
 #include "pliant/estimation/growth_measure.h"
 #include "pliant/estimation/linear_start.h"
-#include "pliant/estimation/statistics/model_growth.h"
 #include "pliant/material/addend/dahl_branch.h"
 
 namespace pliant {
@@ -42,9 +41,17 @@ class LawGrowth {
     GrownLaw accepted = first();
     note(accepted, true);
     GrownLaw front = accepted;
-    for (int idle = 0; idle < kPatience && accepted.model.rms > kExact;) {
+    GrowthEnd end = GrowthEnd::not_worth_it;
+    for (int idle = 0; idle < kPatience;) {
+      if (!(accepted.model.rms > kExact)) {
+        end = GrowthEnd::accurate;
+        break;
+      }
       std::vector<GrownLaw> richer = steps_from(front.fit);
-      if (richer.empty()) break;
+      if (richer.empty()) {
+        if (idle == 0) end = GrowthEnd::most;
+        break;
+      }
       const auto best = std::ranges::max_element(
           richer, {}, [&](const GrownLaw& law) { return growth_gain(accepted.model, law.model); });
       front = *best;
@@ -53,7 +60,7 @@ class LawGrowth {
       idle = worth ? 0 : idle + 1;
       if (worth) accepted = front;
     }
-    return {in_order(accepted.fit), std::move(stages_)};
+    return {in_order(accepted.fit), std::move(stages_), end};
   }
 
  private:

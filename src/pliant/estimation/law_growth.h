@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pliant/estimation/law_fit.h"
+#include "pliant/estimation/statistics/model_growth.h"
 
 namespace pliant {
 
@@ -17,6 +18,7 @@ struct GrowthStage {
 struct GrownFit {
   LawFit fit;
   std::vector<GrowthStage> stages;
+  GrowthEnd end = GrowthEnd::not_worth_it;
 };
 
 /// How far a law may grow.

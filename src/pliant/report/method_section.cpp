@@ -45,7 +45,12 @@ std::string starts(const Results& results) {
 
 std::string stages(const Results& results) {
   if (results.stages.empty()) return {};
-  HtmlTable table({{"Component"}, {"Stage"}, {"RMS error", Align::number}, {"Unit"}, {"Kept"}});
+  HtmlTable table({{"Component"},
+                   {"Stage"},
+                   {"RMS error", Align::number},
+                   {"Unit"},
+                   {"Kept"},
+                   {"Growth ended"}});
   for (const FitStage& stage : results.stages) {
     table.begin_row();
     table.cell(stage.component);
@@ -53,6 +58,7 @@ std::string stages(const Results& results) {
     table.cell(format_significant(stage.rms, 3));
     table.cell(shown_unit(stage.unit));
     table.cell(stage.accepted ? "yes" : "no");
+    table.cell(stage.ended);
   }
   return "<h3>Stages</h3>\n" + table.html();
 }

@@ -183,8 +183,9 @@ ResultWholeSheet read_whole_sheet(const JsonReader& json) {
 }
 
 FitStage read_stage(const JsonReader& json) {
-  return {json.text_or("component", ""), json.text_or("name", ""), json.text_or("unit", ""),
-          json.number("rms"), json.flag_or("accepted", true)};
+  return {json.text_or("component", ""),  json.text_or("name", ""),
+          json.text_or("unit", ""),       json.number("rms"),
+          json.flag_or("accepted", true), json.text_or("ended", "")};
 }
 
 std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {

@@ -90,6 +90,7 @@ struct FitStage {
   std::string component, name, unit;
   std::optional<double> rms;
   bool accepted = true;
+  std::string ended = {};  ///< why growth ended with it
 };
 
 struct MultiStart {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,16 +57,6 @@ std::vector<Unknown> found_unknowns(const LawFit& fit, Eigen::Index first, Eigen
     unknowns.back().start = fit.solution.parameters(i);
   }
   return unknowns;
-}
-
-std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan) {
-  std::vector<const SheetTest*> tests;
-  for (const SheetStage& stage : plan) {
-    for (const SheetTest* test : stage.tests) {
-      if (std::ranges::find(tests, test) == tests.end()) tests.push_back(test);
-    }
-  }
-  return tests;
 }
 
 /// No elastic stress of a law falls, whose control values are the unknowns from `first` on.
@@ -135,9 +126,8 @@ void take(const JointFit& joint, const Share& share, ComponentFit& component) {
   fit.nuisance = fit.solution.parameters.tail(fit.nuisance.size());
   component.uncertainty = part_of(joint.uncertainty, share.unknowns, share.parts);
   raise_errors(component);
-  for (std::size_t i = 0; i < component.limits.size(); ++i) {
-    if (!component.uncertainty.at_bound[i]) component.limits[i].reset();
-  }
+  // Those are of the strips alone, and profiles of everything would take long.
+  component.limits.assign(component.limits.size(), std::nullopt);
 }
 
 /// Names the experiments of a component that scatter more about what everything together says than
@@ -350,7 +340,6 @@ StudyResult fit_joint_study(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& component : works) {
     if (component.problem) add_component(component, result);
   }
-  warn_of_bounds(works, result);
   add_sheets(sheets, uncertainty, data, std::move(predictions), result);
   for (const ComponentWork& component : works) {
     if (component.problem) add_figures(component, result.material, result);

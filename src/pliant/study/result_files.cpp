@@ -207,7 +207,8 @@ void add_searches(const StudyResult& result, Json& json) {
                               {"name", s.name},
                               {"rms", number(s.rms)},
                               {"unit", s.unit},
-                              {"accepted", s.accepted}});
+                              {"accepted", s.accepted},
+                              {"ended", s.ended.empty() ? Json(nullptr) : Json(s.ended)}});
   }
   json["starts"] = Json::array();
   for (const StartRecord& s : result.starts) {

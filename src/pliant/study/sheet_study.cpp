@@ -118,6 +118,16 @@ std::string sheet_bending(const SheetFit& fit, const TriangleMesh& mesh) {
       sheet(kAlongWeft), sheet(kAlongWarp), sheet(kAlongRising), sheet(kAlongFalling));
 }
 
+/// The noise of fitted sheets, which weighs them in standard errors.
+void take_sheet_noise(const SheetFit& fit, const SheetUncertainty& uncertainty,
+                      std::vector<ExperimentResult>& predictions, StudyResult& result) {
+  const std::vector<const SheetTest*> tests = tests_of(fit.plan);
+  for (std::size_t part = 0; part < tests.size(); ++part) {
+    const auto row = std::ranges::find(predictions, tests[part]->name(), &ExperimentResult::name);
+    if (row != predictions.end()) take_noise(uncertainty.uncertainty, part, *row, result);
+  }
+}
+
 void warn_of_left_out(const Study& study, StudyResult& result) {
   std::vector<std::string> names;
   for (const ExperimentSpec& spec : study.experiments) {
@@ -321,6 +331,7 @@ void add_sheets(const SheetFit& fit, const SheetUncertainty& uncertainty,
   result.material = fit.material;
   warn_of_missing_frames(predictions, result);
   warn_of_misfit(experiments, predictions, result);
+  take_sheet_noise(fit, uncertainty, predictions, result);
   std::ranges::move(predictions, std::back_inserter(result.experiments));
   add_curves_and_figures(fit, uncertainty, result);
   for (const auto& [name, component] : fit.material.components) {

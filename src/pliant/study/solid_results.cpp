@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "pliant/base/errors.h"
 #include "pliant/base/number_text.h"
@@ -60,9 +59,7 @@ void warn_of_undetermined(const SolidFit& fit, StudyResult& result) {
                                                              : " (the data leaves it free)"));
     }
   }
-  if (at_bound.empty()) return;
-  result.warnings.push_back(
-      fmt::format("at their bounds, to where the data push them: {}", fmt::join(at_bound, ", ")));
+  warn_of_bounds(at_bound, result);
 }
 
 }  // namespace

@@ -206,7 +206,8 @@ StudyResult fit_solid_study(const Study& study, const RunContext& context) {
   for (const auto& experiment : experiments) {
     ExperimentResult row = compare_solid(*experiment, fit.material);
     if (row.role == ExperimentRole::fit) {
-      take_noise(fit.uncertainty, part++, row, result.warnings);
+      take_noise(fit.uncertainty, part, row, result);
+      doubt_rows(fit.uncertainty, part++, row, result.warnings);
     } else {
       row.handled.emplace_back("predicted, the material not fitted to it");
       add_band(fit, *experiment, context, row);

@@ -9,6 +9,7 @@
 #include "pliant/base/name_pattern.h"
 #include "pliant/base/stopwatch.h"
 #include "pliant/estimation/component_work.h"
+#include "pliant/estimation/estimate.h"
 #include "pliant/estimation/stated_options.h"
 #include "pliant/experiment/registry.h"
 #include "pliant/material/sheet_metric.h"
@@ -37,9 +38,20 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
     const bool known =
         std::any_of(result.profiles.begin(), result.profiles.end(),
                     [&](const Profile& profile) { return matches(pattern, profile.parameter); });
-    if (!known)
-      result.warnings.push_back("no free parameter is called " + pattern + ": no profile");
+    if (known) continue;
+    result.warnings.push_back("no free parameter of strips is called " + pattern + ": no profile");
   }
+}
+
+/// Numbers of the material, then those of experiments.
+std::vector<std::string> names_at_bounds(const StudyResult& result) {
+  std::vector<std::string> names;
+  for (const auto* estimates : {&result.parameters, &result.nuisance}) {
+    for (const ParameterEstimate& estimate : *estimates) {
+      if (estimate.at_bound && !estimate.fixed) names.push_back(estimate.name);
+    }
+  }
+  return names;
 }
 
 void warn_of_sheets(const Study& study, StudyResult& result) {
@@ -77,9 +89,18 @@ void refuse_models_of_sheets(const Study& study) {
   if (study.model.samples) refuse("model.samples", "is of whole sheets");
 }
 
+/// Each component of strips is fitted for itself, at once.
+void refuse_plan(const Study& study) {
+  if (study.fit.plan.empty()) return;
+  throw InputError(study.fit.plan.front().where,
+                   "is a stage of sheets or solids, and strips in one dimension have none",
+                   "sessions to fit, `model: {strips: sheet}`, or no plan");
+}
+
 StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
                        const RunContext& context) {
   refuse_models_of_sheets(study);
+  refuse_plan(study);
   if (study.model.isotropic) {
     throw InputError({study.file, 0, "model.variant"},
                      "components are fitted one by one: weft and warp have nothing to share",
@@ -104,9 +125,7 @@ StudyResult fit_strips(const Study& study, const StudyFitOptions& options,
   for (const ComponentWork& work : works) {
     if (work.problem) add_component(work, result);
   }
-  warn_of_bounds(works, result);
   tell_of_shear(works, result);
-  warn_of_unknown_profiles(options, result);
   warn_of_unmatched_options(study.fit, result);
   result.covariance = joint_covariance(works);
   result.material = material_of(study, works);
@@ -129,6 +148,8 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
+  warn_of_bounds(names_at_bounds(result), result);
+  warn_of_unknown_profiles(options, result);
   warn_of_whole_sheets(study, result);
   conclude_fit(study, result);
   return result;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/input_error_of.h"
 #include "support/session_sheets.h"
 
 namespace pliant {
@@ -121,6 +122,42 @@ TEST(SheetPlan, TakesABiasExtensionForShearWhereThereIsNone) {
   EXPECT_THAT(in_words(Tests({"bias-extension", "stretch-warp"}).plan()),
               ElementsAre("stretch.warp: stretch-warp", "shear: bias-extension"));
   EXPECT_THAT(in_words(Tests({"bias-extension", "shear"}).plan()), ElementsAre("shear: shear"));
+}
+
+/// Settings whose plan has one stage.
+FitSettings planned(std::vector<std::string> components, std::vector<std::string> experiments) {
+  FitSettings study;
+  study.fit.plan.push_back(
+      {std::move(components), std::move(experiments), {"study.yaml", 7, "fit.plan[0]"}});
+  return study;
+}
+
+TEST(SheetPlan, IsThatOfTheStudyWhereItStatesOne) {
+  FitSettings study = planned({"stretch.weft"}, {"stretch-*"});
+  study.fit.plan.push_back({{"shear", "stretch.weft"}, {"shear", "stretch-warp"}, {}});
+  const std::vector<SheetStage> plan = Tests(kFiveTests).plan(study);
+  EXPECT_THAT(in_words(plan), ElementsAre("stretch.weft: stretch-warp stretch-weft",
+                                          "shear stretch.weft: shear stretch-warp"));
+  EXPECT_THAT(kinds_of(plan), ElementsAre(StageKind::grow, StageKind::again));
+}
+
+TEST(SheetPlan, RefusesAStageThatNamesAWrongTestBesideARightOne) {
+  const InputError error = test::input_error_of([] {
+    Tests(kFiveTests).plan(planned({"stretch.weft"}, {"stretch-weft", "strech-warp"}));
+  });
+  EXPECT_EQ(error.where().line, 7);
+  EXPECT_EQ(error.where().field, "fit.plan[0]");
+  EXPECT_EQ(error.problem(), "\"strech-warp\" matches no session that is fitted");
+}
+
+TEST(SheetPlan, RefusesAStageWithATermThatTheModelLacks) {
+  FitSettings study = planned({"stretch.weft", "stretch.weft*shear"}, {"stretch-weft"});
+  const Tests tests(kFiveTests);
+  const InputError error = test::input_error_of([&] { tests.plan(study); });
+  EXPECT_EQ(error.where().field, "fit.plan[0]");
+  EXPECT_EQ(error.problem(), "\"stretch.weft*shear\" is no component of the model");
+  study.model.components["stretch.weft*shear"] = {};
+  EXPECT_THAT(tests.plan(study), SizeIs(1));
 }
 
 }  // namespace

@@ -87,6 +87,15 @@ TEST(GrowModel, EndsAtTheMostPointsAndWhereNoFitIs) {
   EXPECT_EQ(grow_by({NAN}).points, 0);
 }
 
+TEST(GrowModel, SaysWhyItEnded) {
+  EXPECT_EQ(grow_by({10, 5, 4.99, 4.98, 1}).end, GrowthEnd::not_worth_it);
+  EXPECT_EQ(grow_by({10, 5, 4.99}).end, GrowthEnd::not_worth_it);  // the most, but worth nothing
+  EXPECT_EQ(grow_by({10, 5, 1}).end, GrowthEnd::most);
+  EXPECT_EQ(grow_by({10, 5, NAN, 1}).end, GrowthEnd::no_fit);
+  EXPECT_EQ(grow_by({NAN}).end, GrowthEnd::no_fit);
+  EXPECT_EQ(grow_by({10, 5, 0, 0}).end, GrowthEnd::accurate);
+}
+
 /// A strip's cycles with friction, fitted with Hermite curves whose points are placed where they
 /// help most. All is linear: friction's strain is known.
 class StripGrowth {

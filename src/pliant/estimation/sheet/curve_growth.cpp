@@ -3,8 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/estimation/statistics/model_growth.h"
-
 namespace pliant {
 namespace {
 
@@ -41,6 +39,8 @@ double add_points(SheetFitting& fitting, const SheetStage& stage, const Componen
     fitting.restore(states[static_cast<std::size_t>(step.points - first)]);
     if (step.points > first) fitting.record(stage, step.fit.rms, step.accepted);
   }
+  // A stage of several groups was recorded before any of them grew.
+  if (growth.steps.size() > 1 || stage.groups.size() == 1) fitting.record_end(growth.end);
   fitting.restore(states[static_cast<std::size_t>(growth.points - first)]);
   return growth.steps[static_cast<std::size_t>(growth.points - first)].fit.rms;
 }

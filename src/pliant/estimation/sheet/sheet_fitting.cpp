@@ -9,7 +9,6 @@
 #include "pliant/base/errors.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
 #include "pliant/estimation/sheet/sheet_options.h"
-#include "pliant/estimation/statistics/model_growth.h"
 
 namespace pliant {
 
@@ -83,6 +82,8 @@ void SheetFitting::record(const SheetStage& stage, double rms, bool accepted) {
   fit_.stages.push_back(
       {names_of(stage.groups), what, unit_of(stage), in_unit(stage, rms), accepted});
 }
+
+void SheetFitting::record_end(GrowthEnd end) { fit_.stages.back().ended = name_of(end); }
 
 bool SheetFitting::is_fitted(const ComponentGroup& group) const {
   return std::ranges::find(fitted_, group) != fitted_.end();

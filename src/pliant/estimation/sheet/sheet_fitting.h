@@ -8,6 +8,7 @@
 #include "pliant/estimation/sheet/sheet_fit.h"
 #include "pliant/estimation/sheet/stage_search.h"
 #include "pliant/estimation/start_search.h"
+#include "pliant/estimation/statistics/model_growth.h"
 
 namespace pliant {
 
@@ -44,6 +45,8 @@ class SheetFitting {
   /// Tells of a stage where its search has ended.
   /// @param rms  N or m
   void record(const SheetStage& stage, double rms, bool accepted);
+  /// Tells why a growth has ended, whose last step was recorded last.
+  void record_end(GrowthEnd end);
 
   bool is_fitted(const ComponentGroup& group) const;
   void mark_fitted(const ComponentGroup& group);

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "pliant/base/add_once.h"
 #include "pliant/base/errors.h"
 #include "pliant/base/name_pattern.h"
@@ -176,24 +173,42 @@ void add_bending_friction(const FitSettings& settings, std::vector<SheetStage>& 
   if (!friction.tests.empty()) plan.push_back(std::move(friction));
 }
 
+/// The tests that a stage of a study names.
+Tests tests_of(const PlanStage& stage, const Tests& tests) {
+  const auto is_called = [](const SheetTest* test, const std::string& pattern) {
+    return matches(pattern, test->name());
+  };
+  for (const std::string& pattern : stage.experiments) {
+    if (std::ranges::any_of(tests, [&](const auto* test) { return is_called(test, pattern); })) {
+      continue;
+    }
+    throw InputError(stage.where, quoted_value(pattern) + " matches no session that is fitted",
+                     "a name or a pattern with *");
+  }
+  Tests own;
+  for (const SheetTest* test : tests) {
+    const auto names_it = [&](const std::string& pattern) { return is_called(test, pattern); };
+    if (std::ranges::any_of(stage.experiments, names_it)) own.push_back(test);
+  }
+  return own;
+}
+
+/// Terms of two strains are named by the model; other components every sheet may have.
+void require_pairs(const PlanStage& stage, const ModelOptions& model) {
+  for (const std::string& component : stage.components) {
+    if (!is_sheet_pair(component) || model.components.contains(component)) continue;
+    throw InputError(stage.where, quoted_value(component) + " is no component of the model",
+                     "a term under `model.components`");
+  }
+}
+
 std::vector<SheetStage> plan_of_study(const FitSettings& settings, const Tests& tests,
                                       bool isotropic) {
   std::vector<SheetStage> plan;
   std::vector<std::string> seen;
   for (const PlanStage& asked : settings.fit.plan) {
-    Tests data;
-    for (const SheetTest* test : tests) {
-      const bool wanted = std::ranges::any_of(asked.experiments, [&](const std::string& pattern) {
-        return matches(pattern, test->name());
-      });
-      if (wanted) data.push_back(test);
-    }
-    if (data.empty()) {
-      throw InputError(
-          asked.where,
-          fmt::format("no session to be fitted is called {}", fmt::join(asked.experiments, " or ")),
-          "names or patterns of experiments of the type session");
-    }
+    require_pairs(asked, settings.model);
+    const Tests data = tests_of(asked, tests);
     const bool again = std::ranges::all_of(asked.components, [&](const std::string& component) {
       return std::ranges::find(seen, component) != seen.end();
     });
@@ -243,6 +258,14 @@ bool may_differ(const FitSettings& settings, const ComponentGroup& group) {
   return settings.model.samples && std::ranges::any_of(group, [&](const std::string& component) {
            return settings.model.samples->differ_in(component);
          });
+}
+
+std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan) {
+  std::vector<const SheetTest*> tests;
+  for (const SheetStage& stage : plan) {
+    for (const SheetTest* test : stage.tests) add_once(test, tests);
+  }
+  return tests;
 }
 
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan) {

@@ -43,13 +43,16 @@ struct SheetStage {
 ///
 /// In isotropic variants weft and warp share a curve, which is fitted to the tests of both.
 /// @param known  components that other experiments have told: stages leave them as they are
-/// @throws InputError where a stage of the study names no test, or a test that is not there
+/// @throws InputError where a stage of the study names a test or a term that is not there
 std::vector<SheetStage> sheet_plan(const FitSettings& settings,
                                    const std::vector<const SheetTest*>& tests,
                                    const std::vector<std::string>& known = {});
 
 /// Whether the model lets a group of components differ from place to place.
 bool may_differ(const FitSettings& settings, const ComponentGroup& group);
+
+/// The tests of a plan, each once, in its order: those of the parts of a fit of everything.
+std::vector<const SheetTest*> tests_of(const std::vector<SheetStage>& plan);
 
 /// The components that a plan fits.
 std::vector<ComponentGroup> groups_of(const std::vector<SheetStage>& plan);

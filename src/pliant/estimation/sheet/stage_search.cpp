@@ -13,6 +13,7 @@
 #include "pliant/estimation/limit_energies.h"
 #include "pliant/estimation/sheet/independent_rows.h"
 #include "pliant/estimation/sheet/sheet_journal.h"
+#include "pliant/estimation/statistics/correlation_length.h"
 #include "pliant/experiment/session/loop_evidence.h"
 
 namespace pliant {
@@ -80,6 +81,26 @@ double independent_rows_of(const SheetStage& stage, const SheetProblem& problem)
   return count;
 }
 
+/// How many rows count as one because their differences go together.
+double rows_together(const SheetProblem& problem, const Eigen::VectorXd& values) {
+  std::vector<ResidualSeries> series;
+  const std::vector<ProblemPart>& parts = problem.rows().parts();
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    const auto rows = problem.rows().predict(t, values, /*derivatives=*/false);
+    if (!rows) return 1;
+    // Tests of several kinds share one length: their differences are told in their noise.
+    const Experiment& test = *parts[t].experiment;
+    const Eigen::VectorXd missed = parts[t].weight.cwiseProduct(rows->value - test.measured());
+    for (const std::vector<int>& channel : test.series()) {
+      ResidualSeries& own = series.emplace_back();
+      for (const int row : channel) {
+        if (parts[t].weight(row) > 0) own.push_back(missed(row));
+      }
+    }
+  }
+  return correlation_length(series, free_count(problem.unknowns()));
+}
+
 }  // namespace
 
 bool is_about_positions(const SheetStage& stage) {
@@ -126,8 +147,9 @@ StageSearch::Numbers StageSearch::search(const SheetStage& stage, SheetProblem& 
     summary.parameters = Eigen::VectorXd::Map(reached.data(), std::ssize(reached));
   }
   double noise = accuracy_of(stage), rms = 0;
-  // Priors are weighed against the noise, which the residuals tell.
-  for (int round = 0; round < (!problem.rows().priors().empty() ? kNoiseRounds : 1); ++round) {
+  // Priors are weighed against the noise, which the residuals tell, as in the standard errors.
+  const int rounds = problem.rows().priors().empty() ? 1 : kNoiseRounds;
+  for (int round = 0; round < rounds; ++round) {
     problem.set_noise(noise);
     summary = solve_least_squares(with_journal(problem.least_squares(), context_.journal),
                                   summary.parameters, kStageSearch, context_.stop);
@@ -137,7 +159,10 @@ StageSearch::Numbers StageSearch::search(const SheetStage& stage, SheetProblem& 
                         0, 0);
     }
     rms = problem.rms(summary);
-    const double before = std::exchange(noise, std::max(rms, accuracy_of(stage)));
+    if (round + 1 == rounds) break;
+    const double together = rows_together(problem, summary.parameters);
+    const double before =
+        std::exchange(noise, std::max(rms, accuracy_of(stage)) * std::sqrt(together));
     if (std::abs(noise - before) < kNoiseSettled * before) break;
   }
   keep_shapes(problem);

@@ -196,6 +196,7 @@ GrownSolid with_samples(SolidProblem& problem, const SampleOptions& options,
   for (const GrowthStep& step : chosen.steps) {
     grown.stages.push_back({step.points, step.fit.rms, step.accepted});
   }
+  grown.stages.back().end = chosen.end;
   std::tie(grown.material, grown.solution) = fits.at(chosen.points);
   return grown;
 }

@@ -118,7 +118,8 @@ void append_stages(const std::vector<SolidGrowthStage>& stages, const char* what
   for (const SolidGrowthStage& stage : stages) {
     fit.stages.push_back({"solid",
                           fmt::format("{} {}{}", stage.size, what, stage.size == 1 ? "" : "s"),
-                          kDifferenceUnit, stage.rms, stage.accepted});
+                          kDifferenceUnit, stage.rms, stage.accepted,
+                          std::string(stage.end ? name_of(*stage.end) : "")});
   }
 }
 

@@ -196,6 +196,7 @@ GrownSolid grow_points(SolidProblem& problem, const GrownSolid& from, int first,
   for (const GrowthStep& step : chosen.steps) {
     result.stages.push_back({step.points, step.fit.rms, step.accepted});
   }
+  if (!chosen.steps.empty()) result.stages.back().end = chosen.end;
   const auto best = fits.find(chosen.points);
   if (best == fits.end()) return result;
   std::tie(result.material, result.solution) = best->second;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/estimation/solid/solid_problem.h"
+#include "pliant/estimation/statistics/model_growth.h"
 
 namespace pliant {
 
@@ -14,6 +15,7 @@ struct SolidGrowthStage {
   int size = 0;    ///< control points of all components together, or samples
   double rms = 0;  ///< of the weighted differences
   bool accepted = false;
+  std::optional<GrowthEnd> end = {};  ///< of the last step: why it went no further
 };
 
 struct GrownSolid {

@@ -27,6 +27,20 @@ double growth_gain(const FittedModel& simple, const FittedModel& rich) {
   return 2 * spare * std::log(simple.rms / rich.rms) - std::log(rows) * cost;
 }
 
+std::string_view name_of(GrowthEnd end) {
+  switch (end) {
+    case GrowthEnd::not_worth_it:
+      return "more is not worth it";
+    case GrowthEnd::most:
+      return "as many as there may be";
+    case GrowthEnd::accurate:
+      return "accurate enough";
+    case GrowthEnd::no_fit:
+      return "no richer fit";
+  }
+  return "";
+}
+
 Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accuracy, int patience) {
   Growth growth;
   const auto start = fit_of(first);
@@ -39,13 +53,15 @@ Growth grow_model(int first, int most, const FitOfPoints& fit_of, double accurac
   };
   for (int points = first + 1; goes_on(points); ++points) {
     const auto fit = fit_of(points);
-    if (!fit) break;
+    if (!fit) return growth;
     const bool worth = is_worth(accepted, *fit, accuracy);
     growth.steps.push_back({points, *fit, worth});
     if (!worth) continue;
     accepted = *fit;
     growth.points = points;
   }
+  growth.end = growth.points >= most ? GrowthEnd::most : GrowthEnd::not_worth_it;
+  if (accepted.rms <= accuracy) growth.end = GrowthEnd::accurate;
   return growth;
 }
 

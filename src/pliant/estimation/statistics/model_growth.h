@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace pliant {
@@ -45,9 +46,19 @@ struct GrowthStep {
   bool accepted = false;
 };
 
+/// Why a growth has ended.
+enum class GrowthEnd {
+  not_worth_it,  ///< what was tried beyond it explains no more than chance does
+  most,          ///< there may be no more, or there is no place for them
+  accurate,      ///< its residuals are below the accuracy asked for
+  no_fit,        ///< a richer model could not be fitted
+};
+std::string_view name_of(GrowthEnd end);
+
 /// A model that has grown.
 struct Growth {
-  int points = 0;                 ///< of the last accepted model; 0: not even the first was fitted
+  int points = 0;  ///< of the last accepted model; 0: not even the first was fitted
+  GrowthEnd end = GrowthEnd::no_fit;
   std::vector<GrowthStep> steps;  ///< in the order they were fitted
 };
 

@@ -57,6 +57,11 @@ bool is_heic(std::string_view bytes) {
          std::ranges::find(kBrands, bytes.substr(8, 4)) != kBrands.end();
 }
 
+bool begins_as_picture(std::string_view bytes) {
+  constexpr std::array kBeginnings{"\xff\xd8"sv, "\x89PNG"sv, "II*\0"sv, "MM\0*"sv, "BM"sv};
+  return std::ranges::any_of(kBeginnings, [&](auto begin) { return bytes.starts_with(begin); });
+}
+
 bool is_cut(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8"sv)) return jpeg_is_cut(bytes);
   return bytes.starts_with("BM"sv) && bmp_is_cut(bytes);

@@ -47,14 +47,14 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 [[noreturn]] void refuse_unread(const std::filesystem::path& file, const GError& error) {
-  if (error.domain == GDK_PIXBUF_ERROR && is_heic(bytes_of(file))) {
+  const bool is_decoders = error.domain == GDK_PIXBUF_ERROR;  // not of the file system
+  const std::string bytes = is_decoders ? bytes_of(file) : "";
+  if (is_heic(bytes)) {
     throw InputError({file.string()}, "is a HEIC picture, which has to be converted first",
                      "JPEG or PNG: set the phone's camera to `most compatible`, or convert it, "
                      "e.g. `heif-convert 1.heic 1.png`");
   }
-  if (error.domain == GDK_PIXBUF_ERROR && error.code != GDK_PIXBUF_ERROR_UNKNOWN_TYPE) {
-    refuse_cut(file);
-  }
+  if (begins_as_picture(bytes)) refuse_cut(file);
   throw InputError({file.string()}, "is no picture that can be read",
                    "a photograph: JPEG, PNG, TIFF or BMP");
 }

@@ -102,7 +102,7 @@ FileInfo describe_file(const fs::path& path, const CsvOptions& reading) {
   if (is_volume_file(path)) return volume_info(path);
   if (is_checkpoint(path)) return checkpoint_info(path);
   if (is_journal(path)) return progress_info(path);
-  if (AnswerFile::is(path)) return answers_info(path);
+  if (is_answer_file(path)) return answers_info(path);
   if (is_u3m(path)) return u3m_file_info(path);
   switch (syntax_of(path)) {
     case Syntax::yaml:

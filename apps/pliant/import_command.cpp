@@ -192,8 +192,7 @@ void add_import(CommandRegistry& registry) {
   command.add_flag("--dic", arguments->dic,
                    "FILE is a dic/1 file: tables of points from image correlation, and forces");
   command.add_flag("--resume", arguments->resume,
-                   "--dic: go on from the progress.bin that a stopped run left in DIR; what was "
-                   "found in its pictures holds as long as these are the same");
+                   "--dic: go on from the progress.bin that a stopped or refused run left in DIR");
   command.add_flag(
       "--no-pauses", arguments->without_pauses,
       "U3M: half cycles follow each other at once; rows get times by its sampling rate");

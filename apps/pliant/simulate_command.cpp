@@ -123,10 +123,11 @@ class SimulationRun {
     std::vector<std::string> facts{"after no step do triangles pass through each other"};
     if (simulation_.built().obstacle_contacts.empty()) return facts;
     if (deepest_faces_.empty()) {
-      facts.push_back("after no step is a vertex or a face inside an obstacle");
+      facts.push_back(
+          "after no step is a vertex or a face inside an obstacle, but for what is led");
       return facts;
     }
-    facts.push_back("after no step is a vertex inside an obstacle");
+    facts.push_back("after no step is a vertex inside an obstacle, but for what is led");
     for (const auto& [obstacle, deepest] : deepest_faces_) {
       facts.push_back(fmt::format(
           "faces come up to {} into {} between their vertices, which alone are kept out (face {}, "

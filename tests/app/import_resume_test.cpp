@@ -59,9 +59,9 @@ class SeenFolder : public TemporaryFolder {
 
 bool is_begun(const std::filesystem::path& file, pid_t child) {
   while (!std::filesystem::exists(file)) {
-    if (waitid(P_PID, static_cast<id_t>(child), nullptr, WEXITED | WNOHANG | WNOWAIT) != 0) {
-      return false;
-    }
+    siginfo_t ended{};
+    const int error = waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+    if (error != 0 || ended.si_pid != 0) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return true;

@@ -41,7 +41,13 @@ TEST(FrameMoments, AreNotCountedByTimesOfDay) {
   EXPECT_EQ(moments_by_names(pictures(seconds)).back(), 119);
   EXPECT_THAT(moments_by_names(pictures({120000, 120020, 120040, 120100})),
               ElementsAre(0, 1, 2, 3));
-  EXPECT_THAT(gap_doubt(pictures(seconds)), IsEmpty());
+  EXPECT_THAT(gap_doubt(pictures(seconds)),
+              HasSubstr("of 120 pictures lack 80: they are no count of frames"));
+}
+
+TEST(FrameMoments, TellWhichPictureIsOfAnotherMoment) {
+  EXPECT_EQ(other_moment(pictures({1, 3, 4}), pictures({1, 2, 4})), 1);
+  EXPECT_EQ(other_moment(pictures({1, 2, 4}), pictures({11, 12, 14})), std::nullopt);
 }
 
 TEST(FrameMoments, AreOneAfterTheOtherWhereNamesTellNone) {

@@ -48,7 +48,8 @@ void expect_sums_of_rows(const Problem& summing, const Problem& storing) {
 
 TEST(PredictedSums, AreThoseOfTheStoredRowsOfAStrip) {
   const Material fabric = published_fabric("polyester");
-  const Study study = VirtualStudy(lab_of(fabric, strip_cycles({0.05, 0.1, 0.2}))).study();
+  const VirtualStudy measured(lab_of(fabric, strip_cycles({0.05, 0.1, 0.2})));
+  const Study study = measured.study();
   const auto experiment = read_experiment(study.experiments.front(), study);
   const ComponentProblem problem({experiment.get()});
   const ComponentLaw law = *law_of(fabric, "stretch.warp");

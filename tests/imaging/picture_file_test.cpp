@@ -68,7 +68,7 @@ TEST(PictureFile, OfAPhoneIsSaidToBeHeic) {
   for (const char* brand : {"heic", "mif1", "avif"}) {
     const std::string start = std::string("\0\0\0\x18", 4) + "ftyp" + brand;
     EXPECT_THAT(refused("1.heic", start),
-                AllOf(HasSubstr("1.heic: is a HEIC picture"), HasSubstr("heif-convert")));
+                AllOf(HasSubstr("1.heic: is a HEIC or AVIF picture"), HasSubstr("heif-convert")));
   }
   EXPECT_THAT(refused("1.mp4", std::string("\0\0\0\x18", 4) + "ftypisom"),
               HasSubstr("is no picture that can be read"));

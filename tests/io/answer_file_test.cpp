@@ -57,7 +57,7 @@ TEST_F(AnswerFileInFolder, GivesEveryAnswerBack) {
   write_some();
   EXPECT_EQ(worked_out(*resumed()), 0);
   EXPECT_EQ(AnswerFile::count(file()), 3);
-  EXPECT_TRUE(AnswerFile::is(file()));
+  EXPECT_TRUE(is_answer_file(file()));
 }
 
 TEST_F(AnswerFileInFolder, GoesOnBeforeAnAnswerThatWasCutOff) {
@@ -84,10 +84,11 @@ TEST_F(AnswerFileInFolder, RefusesOtherQuestionsAndOtherFiles) {
   const auto answers = resumed();
   const InputError other =
       input_error_of([&] { answers->answer("second", [] { return Numbers{}; }); });
-  EXPECT_EQ(other.problem(), "is the progress of something else: \"first\"");
+  EXPECT_EQ(other.problem(), "is the progress of a run with other data, settings or version");
+  EXPECT_FALSE(answers->is_begun());
   folder_.write("progress.bin", "pliant: progress/1\n");
   EXPECT_EQ(input_error_of([&] { resumed(); }).problem(), "is no progress of such a run");
-  EXPECT_FALSE(AnswerFile::is(file()));
+  EXPECT_FALSE(is_answer_file(file()));
   std::filesystem::remove(file());
   EXPECT_EQ(input_error_of([&] { resumed(); }).problem(),
             "is not there: nothing was stopped that could go on");

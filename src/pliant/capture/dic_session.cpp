@@ -88,7 +88,6 @@ class SheetFollower {
 
  private:
   PointFrame read(int f) {
-    constexpr int kFewestPoints = 10;
     PointFrame points = points_->read(f);
     if (!points.left_out.empty() || points.count() >= kFewestPoints) return points;
     throw InputError({points_->file(f)},

@@ -32,15 +32,14 @@ Quadrilateral read_corners(const Value& value) {
 constexpr const char* kTogether =
     "pictures that all cameras have taken together: one of each for every frame";
 
-/// Of the camera that was read last: where each camera lost a picture, there are as many of them.
+/// Refuses the camera that was read last where names tell other moments than those of the first:
+/// their counts are equal where each lost another picture.
 void require_same_moments(const Value& value, const DicViews& views) {
   const auto &own = views.files.back(), &first = views.files.front();
-  const std::vector<int> moments = moments_by_names(own), others = moments_by_names(first);
-  const auto differ = std::ranges::mismatch(moments, others).in1 - moments.begin();
-  if (differ == std::ssize(moments)) return;
-  const auto frame = static_cast<std::size_t>(differ);
+  const auto frame = other_moment(own, first);
+  if (!frame) return;
   value.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
-                         own[frame].filename().string(), first[frame].filename().string()),
+                         own[*frame].filename().string(), first[*frame].filename().string()),
              kTogether);
 }
 

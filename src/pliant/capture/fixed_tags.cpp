@@ -31,6 +31,7 @@ FixedTags::FixedTags(const std::vector<int>& codes, const GreyPicture& first,
     }
   }
   if (!first_.empty()) return;
+  require_unmirrored(first, codes, file);
   throw InputError({file}, fmt::format("shows none of the fixed tags {}", fmt::join(codes, ", ")),
                    "one of them at least, whole, in focus and with some white around it");
 }

@@ -45,41 +45,70 @@ std::vector<long long> numbers_of(const std::vector<std::filesystem::path>& file
   return numbers;
 }
 
-}  // namespace
-
-std::vector<int> moments_by_names(const std::vector<std::filesystem::path>& files) {
-  std::vector<int> one_by_one(files.size());
-  std::iota(one_by_one.begin(), one_by_one.end(), 0);
-  const std::vector<long long> numbers = numbers_of(files);
-  if (numbers.size() < 2) return one_by_one;
-  long long step = numbers[1] - numbers[0];
+/// Of each picture, counted from the first by the smallest difference between two; none where
+/// numbers do not count them.
+std::vector<long long> steps_of(const std::vector<std::filesystem::path>& files) {
+  std::vector<long long> numbers = numbers_of(files);
+  if (numbers.size() < 2) return {};
+  const long long first = numbers.front();
+  long long step = numbers[1] - first;
   for (std::size_t i = 2; i < numbers.size(); ++i) {
     step = std::min(step, numbers[i] - numbers[i - 1]);
   }
-  const auto count = static_cast<long long>(numbers.size());
-  const long long missing = (numbers.back() - numbers.front()) / step - (count - 1);
-  if (missing > std::max(1LL, count / 4)) return one_by_one;
-  std::vector<int> moments;
-  for (const long long number : numbers) {
-    const long long from_first = number - numbers.front();
-    if (from_first % step != 0) return one_by_one;
-    moments.push_back(static_cast<int>(from_first / step));
+  for (long long& number : numbers) {
+    if ((number - first) % step != 0) return {};
+    number = (number - first) / step;
   }
+  return numbers;
+}
+
+/// Of pictures that were counted.
+long long missing_of(const std::vector<long long>& steps) {
+  return steps.back() + 1 - std::ssize(steps);
+}
+
+/// Whether as many are missing as a rig may lose.
+bool are_lost(const std::vector<long long>& steps) {
+  return missing_of(steps) <= std::max<long long>(1, std::ssize(steps) / 4);
+}
+
+}  // namespace
+
+std::vector<int> moments_by_names(const std::vector<std::filesystem::path>& files) {
+  const std::vector<long long> steps = steps_of(files);
+  std::vector<int> moments(files.size());
+  std::iota(moments.begin(), moments.end(), 0);
+  if (steps.empty() || !are_lost(steps)) return moments;
+  std::ranges::transform(steps, moments.begin(),
+                         [](long long step) { return static_cast<int>(step); });
   return moments;
 }
 
+std::optional<std::size_t> other_moment(const std::vector<std::filesystem::path>& one,
+                                        const std::vector<std::filesystem::path>& other) {
+  const std::vector<int> moments = moments_by_names(one), others = moments_by_names(other);
+  const auto differ = std::ranges::mismatch(moments, others).in1;
+  if (differ == moments.end()) return std::nullopt;
+  return static_cast<std::size_t>(differ - moments.begin());
+}
+
 std::string gap_doubt(const std::vector<std::filesystem::path>& files) {
-  const std::vector<int> moments = moments_by_names(files);
-  const auto gap =
-      std::ranges::adjacent_find(moments, [](int one, int next) { return next != one + 1; });
-  if (gap == moments.end()) return {};
-  const auto before = files.begin() + (gap - moments.begin());
+  const std::vector<long long> steps = steps_of(files);
+  if (steps.empty() || missing_of(steps) == 0) return {};
+  if (!are_lost(steps)) {
+    return fmt::format(
+        "the numbers in the names of {} pictures lack {}: they are no count of frames, and frames "
+        "are taken for one after the other (`rate`)",
+        files.size(), missing_of(steps));
+  }
+  const auto gap = std::ranges::adjacent_find(
+      steps, [](long long one, long long next) { return next != one + 1; });
+  const auto before = files.begin() + (gap - steps.begin());
   return fmt::format(
       "{} comes after {}: by the numbers in their names {} of the frames are missing, and those "
       "after a gap count as taken so much later (`rate`); where none was lost, number them without "
       "a gap",
-      (before + 1)->string(), before->filename().string(),
-      moments.back() + 1 - std::ssize(moments));
+      (before + 1)->string(), before->filename().string(), missing_of(steps));
 }
 
 }  // namespace pliant

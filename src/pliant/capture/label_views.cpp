@@ -132,12 +132,16 @@ double depth_ratio(const PlaneView& view, const Eigen::Vector2d& place,
 
 LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic), lens_(dic.lens) {
   const std::vector<DetectedTag> tags = detect_tags(first);
+  const std::string file = dic.pictures->files.front().string();
+  std::vector<int> codes;
+  for (const DicClip& clip : dic.clips) {
+    codes.insert(codes.end(), clip.labels.begin(), clip.labels.end());
+  }
   std::vector<LabelSighting> sightings;
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
     for (const int code : dic.clips[clip].labels) {
       const auto count = std::ranges::count(tags, code, &DetectedTag::code);
-      const std::string file = dic.pictures->files.front().string();
-      if (count == 0) require_unmirrored(first, {code}, file);
+      if (count == 0) require_unmirrored(first, codes, file);
       if (count != 1) {
         throw InputError(
             {file},

@@ -10,6 +10,8 @@ LinePiece line_at(const std::vector<double>& at, const std::vector<double>& valu
   const auto row = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(after - at.begin(), 1, std::ssize(at) - 1));
   const double slope = (values[row] - values[row - 1]) / (at[row] - at[row - 1]);
+  if (place == at[row - 1]) return {values[row - 1], slope};  // though the next one be NaN
+  if (place == at[row]) return {values[row], slope};
   return {values[row - 1] + slope * (place - at[row - 1]), slope};
 }
 

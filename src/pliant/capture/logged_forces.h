@@ -37,7 +37,7 @@ class LoggedForces : public FrameForces {
   bool is_beyond(std::size_t frame, const std::vector<double>& times) const;
 
   const DicForces& forces() const { return *dic_.forces; }
-  /// Of the frames.
+  /// When the frames were taken, see moments_by_names.
   const std::vector<int>& moments() const { return moments_; }
   const DicFile& dic() const { return dic_; }
 

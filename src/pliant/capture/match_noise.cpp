@@ -12,7 +12,7 @@ namespace pliant {
 void MatchNoise::add(const PatchTracker& tracker) {
   std::vector<double> deviations;
   for (const TrackedPatch& patch : tracker.patches()) {
-    if (patch.is_seen) deviations.push_back(std::sqrt(patch.covariance.trace() / 2));
+    if (patch.is_seen) deviations.push_back(patch.noise());
   }
   if (!deviations.empty()) medians_.push_back(median(std::move(deviations)));
 }

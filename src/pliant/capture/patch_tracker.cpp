@@ -188,10 +188,11 @@ std::string PatchTracker::digest() const {
                    fmt::format("{} {}", radius_, step_));
 }
 
-void PatchTracker::recall_or(const GreyPicture& picture, const std::function<void()>& find) {
+void PatchTracker::recall_or(const GreyPicture& picture, const std::string& starts,
+                             const std::function<void()>& find) {
   if (digest_.empty()) digest_ = digest();
-  const std::string question =
-      fmt::format("where patches {} are in the picture {}", digest_, sha256_of(as_bytes(picture)));
+  const std::string question = fmt::format("where patches {} are in the picture {}{}", digest_,
+                                           sha256_of(as_bytes(picture)), starts);
   const std::vector<double> found = context_.journal.answer(question, [&] {
     find();
     std::vector<double> numbers;
@@ -205,7 +206,7 @@ void PatchTracker::recall_or(const GreyPicture& picture, const std::function<voi
 
 void PatchTracker::follow(const GreyPicture& grey) {
   now_.emplace(grey, kMatchSmoothing);
-  recall_or(grey, [&] {
+  recall_or(grey, "", [&] {
     if (has_jumped(*now_)) {
       search_around(grey, *now_);
     } else {
@@ -226,7 +227,14 @@ void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& 
     }
     return likely;
   };
-  recall_or(grey, [&] {
+  std::string starts;
+  for (const int number : scattered(count(), kSeeds)) {
+    for (const PatchMotion& motion : candidates(tracked_[static_cast<std::size_t>(number)].place)) {
+      starts += as_bytes(motion.shift);
+      starts += as_bytes(motion.slope);
+    }
+  }
+  recall_or(grey, " from " + sha256_of(starts), [&] {
     const SplinePicture now(grey, kMatchSmoothing);
     search(grey, now, likely_of);
     spread(now);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct TrackedPatch {
   bool by_core = false;  ///< it was the middle alone that was seen then
 
   Eigen::Vector2d now() const { return place + motion.shift; }
+  /// Standard deviation of a coordinate of it (pixels).
+  double noise() const { return std::sqrt(covariance.trace() / 2); }
 };
 
 /// The patches that were found in a picture.
@@ -87,7 +90,9 @@ class PatchTracker {
   /// Of the patches as they were added, and of how they are followed.
   std::string digest() const;
   /// Takes what the journal knows of a picture, else what `find` finds there.
-  void recall_or(const GreyPicture& picture, const std::function<void()>& find);
+  /// @param starts  digest of where it is told to look
+  void recall_or(const GreyPicture& picture, const std::string& starts,
+                 const std::function<void()>& find);
   void look_for(TrackedPatch& point, const SplinePicture& now, PatchMotion start) const;
   /// The middle alone; whether it is there, and alike by `least` or more.
   bool look_for_core(TrackedPatch& point, const SplinePicture& now, PatchMotion start,

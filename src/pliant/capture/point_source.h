@@ -58,6 +58,9 @@ struct PointFrame {
   int count() const { return static_cast<int>(rest.cols()); }
 };
 
+/// Of a frame: fewer tell nothing.
+inline constexpr int kFewestPoints = 10;
+
 /// Where the points of each frame come from. The first frame is at rest.
 class PointSource {
  public:

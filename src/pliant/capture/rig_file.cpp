@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pliant/capture/chessboard_corners.h"
+#include "pliant/capture/frame_moments.h"
 #include "pliant/capture/pixel_fields.h"
 #include "pliant/io/fields.h"
 #include "pliant/io/result_name.h"
@@ -107,7 +108,11 @@ RigPictureSet read_picture_set(const Value& value, const RigFile& rig) {
   RigPictureSet set{std::vector<std::vector<std::filesystem::path>>(rig.cameras.size()),
                     value.location()};
   Fields fields = value.fields();
-  std::optional<std::pair<std::string, std::size_t>> first;
+  constexpr const char* kTogether =
+      "as many of each camera: those of one number show the boards at the same time; pictures that "
+      "a camera took alone are a set of their own";
+  std::optional<std::string> first;
+  std::size_t first_camera = 0;
   for (const auto& [name, files] : fields.all()) {
     if (files.is_null()) continue;
     const int camera = rig.camera(name);
@@ -116,12 +121,19 @@ RigPictureSet read_picture_set(const Value& value, const RigFile& rig) {
     }
     auto& own = set.files[camera];
     own = read_data_source(files).files;
-    if (!first) first = {name, own.size()};
-    if (own.size() != first->second) {
-      files.fail(
-          fmt::format("are {} pictures, and {} has {}", own.size(), first->first, first->second),
-          "as many of each camera: those of one number show the boards at the same time; "
-          "pictures that a camera took alone are a set of their own");
+    if (!first) {
+      first = name;
+      first_camera = static_cast<std::size_t>(camera);
+    }
+    const auto& others = set.files[first_camera];
+    if (own.size() != others.size()) {
+      files.fail(fmt::format("are {} pictures, and {} has {}", own.size(), *first, others.size()),
+                 kTogether);
+    }
+    if (const auto shot = other_moment(own, others)) {
+      files.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
+                             own[*shot].filename().string(), others[*shot].filename().string()),
+                 kTogether);
     }
   }
   if (!first) value.fail("names no pictures", "pictures of one or several cameras");

@@ -37,7 +37,8 @@ class SpaceLabels {
  public:
   /// @param dic    outlives the labels; its clips name their codes
   /// @param first  a picture of each camera
-  /// @throws InputError where two cameras do not see each label, or one sees a label twice
+  /// @throws InputError where two cameras do not see each label, one sees a label twice or
+  ///         mirrored, or their lines of sight do not meet
   SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
 
   LabelledMotions motions(const std::vector<GreyPicture>& pictures);

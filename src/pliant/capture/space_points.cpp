@@ -252,7 +252,7 @@ std::vector<SpacePoints::SeenPlaces> SpacePoints::seen_in(
       const TrackedPatch& patch = view.tracker->patches()[i];
       if (!patch.is_seen) continue;
       const auto point = static_cast<std::size_t>(view.points[i]);
-      const double noise = std::sqrt(patch.covariance.trace() / 2);
+      const double noise = patch.noise();
       seen[point][c] = SeenPlace{patch.now(), std::hypot(noise, rest_[point].seen[c]->noise),
                                  view.tracker->side(patch)};
     }
@@ -342,8 +342,8 @@ PointFrame SpacePoints::read(int frame) {
   points.deviations = deviations(seen, points);
   points.quality = quality();
   points.lost = static_cast<int>(rest_.size() - seen.size()) + lost_at_rest_;
-  constexpr std::size_t kFewest = 10;
-  if (seen.size() < kFewest) points.left_out = "shows hardly a point on which two cameras agree";
+  if (points.count() < kFewestPoints)
+    points.left_out = "shows hardly a point on which two cameras agree";
   return points;
 }
 

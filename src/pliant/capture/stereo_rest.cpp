@@ -97,8 +97,7 @@ StereoRest match_rest(const std::vector<CameraModel>& cameras,
       const TrackedPatch& patch = patches.patches()[i];
       // What is partly hidden at rest would be looked for together with what hides it.
       if (!patch.is_seen || patch.by_core) continue;
-      const double noise = std::sqrt(patch.covariance.trace() / 2);
-      seen[i][c] = SeenPlace{patch.now(), std::hypot(noise, kLeastNoise)};
+      seen[i][c] = SeenPlace{patch.now(), std::hypot(patch.noise(), kLeastNoise)};
     }
   }
   std::vector<double> misses;

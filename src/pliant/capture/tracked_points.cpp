@@ -193,9 +193,8 @@ std::string TrackedPoints::track(int frame) {
   };
   doubt_ = of_picture(picture_doubt(*tracker_, grey));
   if (fixed_) moved_ = of_picture(fixed_->doubt(grey));
-  constexpr int kFewest = 10;
-  if (tracker_->seen() < kFewest) return "shows hardly a square of the sample that is found again";
-  return "";
+  const bool is_seen = tracker_->seen() >= kFewestPoints;
+  return is_seen ? "" : "shows hardly a square of the sample that is found again";
 }
 
 PointFrame TrackedPoints::points() const {

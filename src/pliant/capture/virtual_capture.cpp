@@ -13,6 +13,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
 #include "pliant/base/quantity.h"
+#include "pliant/capture/bias_strip.h"
 #include "pliant/capture/grey_png.h"
 #include "pliant/capture/pattern.h"
 #include "pliant/capture/printed_board.h"
@@ -355,7 +356,7 @@ void require_seen(const VirtualTest& test) {
   const auto* session = dynamic_cast<const VirtualSessionTest*>(&test);
   if (!session) return;
   const std::string& name = session->session.test;
-  const bool has_clips = session_test_kind(name).clip_mass > 0 && name != "bias-extension";
+  const bool has_clips = session_test_kind(name).clip_mass > 0 && name != kBiasExtension;
   if (has_clips || name.starts_with("bend-")) return;
   throw InputError(test.where, quoted_value(name) + " is not a test that cameras are drawn of yet",
                    "sheets between clips, cut along weft and warp, or over the edge of a table; or "

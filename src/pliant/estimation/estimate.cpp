@@ -92,7 +92,7 @@ void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
   row.noise = std::sqrt((counts * sd.square()).sum() / std::max(counts.sum(), 1.0));
   row.noise_source = source_text(noise.source);
   row.effective_rows = noise.effective_rows;
-  if (noise.rows < kTogether * noise.effective_rows) return;
+  if (noise.rows <= kTogether * noise.effective_rows) return;
   result.assumptions.push_back(
       fmt::format("{}: neighbouring residuals go together; its {:.0f} rows count as {:.0f}",
                   row.name, noise.rows, noise.effective_rows));
@@ -110,6 +110,16 @@ void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
   }
   if (row.stated_noise) warn_of_stated_noise(row, *row.stated_noise, warnings);
   warn_of_outliers(row, warnings);
+}
+
+std::vector<std::string> names_at_bounds(const StudyResult& result) {
+  std::vector<std::string> names;
+  for (const auto* estimates : {&result.parameters, &result.nuisance}) {
+    for (const ParameterEstimate& estimate : *estimates) {
+      if (estimate.at_bound && !estimate.fixed) names.push_back(estimate.name);
+    }
+  }
+  return names;
 }
 
 void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result) {

@@ -15,13 +15,16 @@ ParameterEstimate estimate_of(const std::vector<Unknown>& unknowns, const Eigen:
 /// Gives an experiment of a result the noise that it was weighed by, and says where neighbouring
 /// residuals go together.
 /// @param part  of the problem
-void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& experiment,
+void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& row,
                 StudyResult& result);
 
 /// Gives an experiment the rows that the fit leaves by far, and warns of those and where its noise
 /// was assumed or exceeds what is stated.
-void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& experiment,
+void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& row,
                 std::vector<std::string>& warnings);
+
+/// Of unknowns of the material, then of those of experiments.
+std::vector<std::string> names_at_bounds(const StudyResult& result);
 
 /// Names unknowns at their bounds in one warning.
 void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result);

@@ -43,7 +43,7 @@ class LawGrowth {
     GrownLaw front = accepted;
     GrowthEnd end = GrowthEnd::not_worth_it;
     for (int idle = 0; idle < kPatience;) {
-      if (!(accepted.model.rms > kExact)) {
+      if (accepted.model.rms <= kExact) {
         end = GrowthEnd::accurate;
         break;
       }

@@ -50,7 +50,7 @@ std::string bytes_of(const std::filesystem::path& file) {
   const bool is_decoders = error.domain == GDK_PIXBUF_ERROR;  // not of the file system
   const std::string bytes = is_decoders ? bytes_of(file) : "";
   if (is_heic(bytes)) {
-    throw InputError({file.string()}, "is a HEIC picture, which has to be converted first",
+    throw InputError({file.string()}, "is a HEIC or AVIF picture, which has to be converted first",
                      "JPEG or PNG: set the phone's camera to `most compatible`, or convert it, "
                      "e.g. `heif-convert 1.heic 1.png`");
   }

@@ -43,11 +43,6 @@ AnswerFile::AnswerFile(std::filesystem::path file, std::function<void()> begin)
 
 std::string AnswerFile::heading() { return "pliant: answers/1\n"; }
 
-bool AnswerFile::is(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return read_heading(in);
-}
-
 void AnswerFile::resume() {
   known_.open(file_, std::ios::binary);
   if (!known_) {
@@ -79,8 +74,10 @@ AnswerFile::Record AnswerFile::read_record() {
   std::istringstream lengths(line);
   if (!(lengths >> characters >> numbers >> digest)) return {};
   std::error_code error;
-  const std::size_t content = characters + sizeof(double) * numbers;
-  if (content > std::filesystem::file_size(file_, error) - whole_ || error) return {};
+  const std::uintmax_t size = std::filesystem::file_size(file_, error);
+  if (error || whole_ > size) return {};
+  const std::uintmax_t left = size - whole_;
+  if (characters > left || numbers > (left - characters) / sizeof(double)) return {};
   Record record{std::string(characters, '\0'), Numbers(numbers)};
   known_.read(record.question.data(), static_cast<std::streamsize>(characters));
   known_.read(reinterpret_cast<char*>(record.answer.data()),
@@ -94,10 +91,11 @@ Journal::Numbers AnswerFile::answer(const std::string& question,
                                     const std::function<Numbers()>& work) {
   if (known_.is_open()) {
     Record record = read_record();
-    if (record.bytes > 0 && record.question != question) {
+    is_of_another_ = record.bytes > 0 && record.question != question;
+    if (is_of_another_) {
       throw InputError({file_.string()},
-                       "is the progress of something else: " + quoted_value(record.question),
-                       quoted_value(question) + ", with the same data, settings and version");
+                       "is the progress of a run with other data, settings or version",
+                       "those that it began with, or the command without --resume");
     }
     whole_ += record.bytes;
     if (record.bytes > 0) return std::move(record.answer);
@@ -112,7 +110,10 @@ Journal::Numbers AnswerFile::answer(const std::string& question,
 
 bool AnswerFile::save() {
   if (!unwritten_.empty()) {
-    if (whole_ == 0) begin_();
+    if (whole_ == 0) {
+      begin_();
+      whole_ = heading().size();
+    }
     std::ofstream out(file_, std::ios::binary | std::ios::app);
     out << unwritten_ << std::flush;
     if (!out) throw OutputError(file_.string(), std::strerror(errno));
@@ -121,6 +122,11 @@ bool AnswerFile::save() {
     since_saved_ = {};
   }
   return whole_ > 0;
+}
+
+bool is_answer_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return read_heading(in);
 }
 
 }  // namespace pliant

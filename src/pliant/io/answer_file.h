@@ -37,12 +37,11 @@ class AnswerFile : public Journal {
   /// @throws OutputError
   bool save();
 
-  /// Whether answers were written: short computations end before any are.
-  bool is_begun() const { return whole_ > 0; }
+  /// Whether answers were written, or read that are those of this computation: a short one ends
+  /// before any are.
+  bool is_begun() const { return whole_ > 0 && !is_of_another_; }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Whether a file begins as these do.
-  static bool is(const std::filesystem::path& file);
   /// How many a file has.
   /// @throws InputError as `resume`
   static int count(const std::filesystem::path& file);
@@ -54,10 +53,14 @@ class AnswerFile : public Journal {
 
   std::filesystem::path file_;
   std::function<void()> begin_;
-  std::ifstream known_;    // open while it may hold the next answer
-  std::size_t whole_ = 0;  // bytes of the file up to the last whole answer
+  std::ifstream known_;         // open while it may hold the next answer
+  std::size_t whole_ = 0;       // bytes of the file up to the last whole answer
+  bool is_of_another_ = false;  // computation
   std::string unwritten_;
   Stopwatch since_saved_;
 };
+
+/// Whether a file begins as these do.
+bool is_answer_file(const std::filesystem::path& file);
 
 }  // namespace pliant

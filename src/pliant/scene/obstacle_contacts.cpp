@@ -39,11 +39,24 @@ void refuse_overlap(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
       "cloth that begins outside");
 }
 
-// A rod or a corner between the vertices, which contact would not push out again.
+// Half of a body's least extent: what goes deeper is a rod or a corner that stands in a face.
+double half_thickness(const ObstacleShape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius / 2;
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius / 2;
+  if (const auto* box = std::get_if<Box>(&shape)) return box->half.minCoeff() / 2;
+  return INFINITY;
+}
+
+// A rod or a corner between the vertices, which contact would not push out again; not what cloth
+// comes nearer where it lies over a body, as an earlier run may have left it.
 void refuse_crossed_faces(const SceneObstacle& obstacle, const TouchingCloth& cloth) {
+  constexpr double kRounding = 1e-9;                                 // m
+  if (std::holds_alternative<HalfSpace>(*obstacle.shape())) return;  // its vertices tell all
   const auto is_led = [&](int point) { return std::ranges::binary_search(cloth.led, point); };
   const auto reach = reach_into(*obstacle.shape(), {}, cloth.positions, cloth.faces, is_led);
-  if (!reach.face) return;
+  const double draped =
+      std::min(sag_over(*obstacle.shape(), cloth.longest_edge), half_thickness(*obstacle.shape()));
+  if (!reach.face || reach.face->depth <= draped + kRounding) return;
   throw InputError(
       obstacle.where,
       fmt::format("{} begins in the cloth between its vertices: face {}, counted from "

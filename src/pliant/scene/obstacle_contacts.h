@@ -23,7 +23,8 @@ struct TouchingCloth {
 /// barrier of a point is as stiff as would stop its mass within a few time steps: 4 m / step^2.
 /// Those that are led have the numbers of bodies in the order in which they stand.
 /// @param warnings  gets what faces may do between their vertices
-/// @throws InputError where cloth begins inside an obstacle, be it with a vertex or between some
+/// @throws InputError where cloth begins inside an obstacle, with a vertex, or between some deeper
+/// than where it lies over one
 std::vector<std::shared_ptr<ObstacleContact>> obstacle_contacts(const Scene& scene,
                                                                 const TouchingCloth& cloth,
                                                                 std::vector<std::string>& warnings);

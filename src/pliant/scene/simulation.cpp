@@ -127,7 +127,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     const State begun = state;
     try {
       for (int half = 0; half < 2; ++half) advance(state, step / 2, halvings + 1, result);
-    } catch (const SolverError&) {
+    } catch (...) {
       state = begun;
       throw;
     }

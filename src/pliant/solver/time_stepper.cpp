@@ -310,7 +310,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
 StepSummary TimeStepper::advance(State& state, double step) {
   State next;
   const StepSummary summary = advance(state, step, next);
-  state = std::move(next);
+  if (summary.has_room) state = std::move(next);
   return summary;
 }
 

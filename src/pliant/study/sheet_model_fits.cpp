@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
+#include "pliant/estimation/estimate.h"
 #include "pliant/study/conclusion.h"
 #include "pliant/study/sheet_study.h"
 
@@ -84,6 +85,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
+      warn_of_bounds(names_at_bounds(fit.result), fit.result);
       conclude_fit(fit.study, fit.result);
       solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {

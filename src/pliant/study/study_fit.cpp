@@ -43,17 +43,6 @@ void warn_of_unknown_profiles(const StudyFitOptions& options, StudyResult& resul
   }
 }
 
-/// Numbers of the material, then those of experiments.
-std::vector<std::string> names_at_bounds(const StudyResult& result) {
-  std::vector<std::string> names;
-  for (const auto* estimates : {&result.parameters, &result.nuisance}) {
-    for (const ParameterEstimate& estimate : *estimates) {
-      if (estimate.at_bound && !estimate.fixed) names.push_back(estimate.name);
-    }
-  }
-  return names;
-}
-
 void warn_of_sheets(const Study& study, StudyResult& result) {
   for (const ExperimentSpec& spec : study.experiments) {
     if (!is_sheet(spec, study.model)) continue;

@@ -49,6 +49,7 @@ void fit_loops(SheetFitting& fitting, const SheetStage& stage, const ComponentGr
   }
   const ComponentLaw rubbing = law_of(fitting.fit().material, group);
   fitting.restore(dragged);
+  if (rubbing.remembers()) fitting.record(stage, by_cords, true);  // what grows is told last
   const double refined = refine(fitting, stage, group, by_cords);
   if (!rubbing.remembers()) return;
 

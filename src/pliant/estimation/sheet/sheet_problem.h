@@ -47,7 +47,7 @@ class SheetProblem {
   void keep_cords(const Eigen::VectorXd& values, CordFrictions& cords) const;
 
   /// Standard deviation of what is measured (N or m) beside that of the first test's kind, against
-  /// which priors are weighed; where L rows go together, sqrt(L) of it.
+  /// which priors are weighed; where L rows go together as one, sqrt(L) times that.
   void set_noise(double noise);
   /// Root mean square of the measured differences (N or m) at a solution of `least_squares`.
   double rms(const LeastSquaresSummary& solution) const;

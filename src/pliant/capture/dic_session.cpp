@@ -11,6 +11,7 @@
 #include "pliant/base/errors.h"
 #include "pliant/base/quantity.h"
 #include "pliant/capture/clip_motion.h"
+#include "pliant/capture/frame_doubts.h"
 #include "pliant/capture/frame_forces.h"
 #include "pliant/capture/local_motion.h"
 #include "pliant/capture/median.h"
@@ -198,7 +199,8 @@ class SheetFollower {
 
   /// Into the session, with its forces.
   void take(int f, SessionFrame frame) {
-    const std::string why = forces_->add_to(frame, f, held_);
+    std::string why = forces_->add_to(frame, f, held_);
+    if (why.empty()) why = contradiction_of(result_.qualities[static_cast<std::size_t>(f)]);
     if (!why.empty()) {
       result_.left_out.push_back({f, why});
     } else if (is_slack(f) || lies_somewhere(f)) {

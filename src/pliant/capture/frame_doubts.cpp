@@ -12,12 +12,6 @@ constexpr double kMostBack = 0.2;  // pixels
 
 std::string doubt_of(const SightQuality& quality, const std::vector<std::string>& cameras) {
   if (!quality.moved.empty()) return quality.moved;
-  if (quality.agreeing < kFewest) {
-    return fmt::format(
-        "cameras agree on {:.0f} % of the points, as if one had been moved, or pictures were of "
-        "different moments",
-        100 * quality.agreeing);
-  }
   const auto least = std::ranges::min_element(quality.share);
   if (*least < kFewest) {
     return fmt::format("{} finds {:.0f} % of what it saw at rest",
@@ -35,6 +29,14 @@ std::string doubt_of(const SightQuality& quality, const std::vector<std::string>
 }
 
 }  // namespace
+
+std::string contradiction_of(const std::optional<SightQuality>& quality) {
+  if (!quality || quality->agreeing >= kFewest) return {};
+  return fmt::format(
+      "shows points on {:.0f} % of which cameras agree, as if one had been moved, or pictures were "
+      "of different moments",
+      100 * quality->agreeing);
+}
 
 std::vector<FrameDoubt> frame_doubts(const DicSession& made) {
   std::vector<FrameDoubt> doubts;

@@ -197,7 +197,9 @@ Eigen::Matrix<double, 2, 4> LabelViews::straight_corners(const std::vector<Detec
 }
 
 SeenLabels LabelViews::of(const GreyPicture& picture) const {
-  const std::vector<DetectedTag> tags = detect_tags(picture);
+  std::vector<int> codes;
+  for (const Label& label : labels_) codes.push_back(label.code);
+  const std::vector<DetectedTag> tags = detect_tags_of(codes, picture);
   std::vector<LabelSighting> sightings;
   std::vector<char> is_seen(carriers_.size(), 0);
   for (const Label& label : labels_) {

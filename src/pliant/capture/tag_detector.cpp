@@ -54,7 +54,7 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
                                      const TagDetectorOptions& options) {
   const TagFamily family = tag_family();
   const TagFinder finder(apriltag_detector_create(), apriltag_detector_destroy);
-  finder->quad_decimate = 1;
+  finder->quad_decimate = static_cast<float>(options.reduced);
   finder->refine_edges = false;  // our own edges are nearer, and small tags are read better so
   apriltag_detector_add_family_bits(finder.get(), family.get(), options.most_wrong_cells);
   const TagImage image = tag_image(picture);
@@ -73,6 +73,15 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
   for (DetectedTag& tag : tags) tag.corners = corners_by_edges(picture, tag.corners);
   std::ranges::stable_sort(tags, {}, &DetectedTag::code);
   return tags;
+}
+
+std::vector<DetectedTag> detect_tags_of(const std::vector<int>& codes, const GreyPicture& picture) {
+  constexpr int kHalf = 2;
+  std::vector<DetectedTag> tags = detect_tags(picture, {.reduced = kHalf});
+  const bool has_all = std::ranges::all_of(codes, [&](int code) {
+    return std::ranges::find(tags, code, &DetectedTag::code) != tags.end();
+  });
+  return has_all ? tags : detect_tags(picture);
 }
 
 std::set<int> mirrored_codes(const GreyPicture& picture) {

@@ -16,7 +16,7 @@
 #include "pliant/io/text_file.h"
 
 #include "app/picture_png.h"
-#include "app/run_program.h"
+#include "app/seen_session.h"
 #include "capture/texture.h"
 #include "support/asked_for.h"
 
@@ -34,15 +34,13 @@ fs::path drawn_shear(const TemporaryFolder& folder, const std::string& cameras, 
                            "cameras: {{{}}}\nexperiments:\n"
                            "  - {{name: shear, type: session, test: shear, frames: {}}}\n",
                            PLIANT_SOURCE_DIR, cameras, frames));
-  const ProgramRun run = run_program(
-      {"lab", (folder.path() / "lab.yaml").string(), "-o", (folder.path() / "lab").string()});
+  const ProgramRun run = run_on(folder.path(), {"lab", "lab.yaml"}, "lab");
   EXPECT_EQ(run.status, 0) << run.err;
   return folder.path() / "lab" / "shear-seen";
 }
 
 ProgramRun run_calibration(const fs::path& seen) {
-  ProgramRun run = run_program(
-      {"calibrate", (seen / "rig.yaml").string(), "-o", (seen / "calibration").string()});
+  ProgramRun run = run_on(seen, {"calibrate", "rig.yaml"}, "calibration");
   EXPECT_EQ(run.status, 0) << run.err;
   return run;
 }

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/run_program.h"
+#include "app/seen_session.h"
 
 namespace pliant::test {
 namespace {
@@ -26,8 +26,9 @@ class SeenFolder : public TemporaryFolder {
                       "  - {{name: pull, type: session, test: stretch-warp, size: 60 mm x 60 mm, "
                       "strain: 6 %, frames: 8, mesh: {{edge: 3 mm}}}}\n",
                       PLIANT_SOURCE_DIR));
-    run({"lab", file("lab.yaml")}, "lab");
-    run({"calibrate", file("lab/pull-seen/rig.yaml")}, "lab/pull-seen/calibration");
+    EXPECT_EQ(run_on(path(), {"lab", "lab.yaml"}, "lab").status, 0);
+    EXPECT_EQ(run_on(path() / "lab" / "pull-seen", {"calibrate", "rig.yaml"}, "calibration").status,
+              0);
     std::string text = content_of(file("lab/pull-seen/capture.yaml"));
     const std::string views = "views:\n";
     text.insert(text.find(views) + views.size(), "  step: 3\n");
@@ -47,13 +48,6 @@ class SeenFolder : public TemporaryFolder {
       files[entry.path().lexically_relative(path() / out).string()] = content_of(entry.path());
     }
     return files;
-  }
-
- private:
-  void run(std::vector<std::string> arguments, const std::string& out) const {
-    arguments.insert(arguments.end(), {"-o", file(out)});
-    const ProgramRun done = run_program(arguments);
-    ASSERT_EQ(done.status, 0) << done.err;
   }
 };
 

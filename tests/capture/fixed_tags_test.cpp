@@ -23,43 +23,47 @@ GreyPicture picture_of_tag(double larger = 0, const Eigen::Vector2d& shift = {0,
   return test::draw_tag(128, 128, 7, corners, 0.7);
 }
 
+TagsByCode tags_in(const GreyPicture& picture) { return tags_by_code(detect_tags(picture)); }
+
+FixedTags fixed_tags(const std::vector<int>& codes, const GreyPicture& first) {
+  return {codes, first, tags_in(first), "p/0.png"};
+}
+
 const FixedTags& fixed_tag() {
-  static const FixedTags tags({7, 8}, picture_of_tag(), "p/0.png");
+  static const FixedTags tags = fixed_tags({7, 8}, picture_of_tag());
   return tags;
 }
 
 TEST(FixedTags, SayNothingOfACameraThatStandsStill) {
-  EXPECT_EQ(fixed_tag().doubt(picture_of_tag()), "");
-  EXPECT_EQ(fixed_tag().doubt(0.7f * picture_of_tag()), "") << "in another light";
+  EXPECT_EQ(fixed_tag().doubt(tags_in(picture_of_tag())), "");
+  EXPECT_EQ(fixed_tag().doubt(tags_in(0.7f * picture_of_tag())), "") << "in another light";
 }
 
 TEST(FixedTags, TellACameraThatWasMoved) {
-  EXPECT_THAT(fixed_tag().doubt(picture_of_tag(0, {0.6, 0.8})),
+  EXPECT_THAT(fixed_tag().doubt(tags_in(picture_of_tag(0, {0.6, 0.8}))),
               HasSubstr("shows the fixed tag 7 1.0 pixels off where it was at first"));
 }
 
 // From the corner of the picture, which is told by what is farthest away from it.
 TEST(FixedTags, TellACameraThatWasRefocused) {
-  EXPECT_THAT(fixed_tag().doubt(picture_of_tag(0.0096)),
+  EXPECT_THAT(fixed_tag().doubt(tags_in(picture_of_tag(0.0096))),
               HasSubstr("shows the fixed tag 7 1.2 pixels off"));
 }
 
 TEST(FixedTags, TellAPictureThatShowsNone) {
-  EXPECT_THAT(fixed_tag().doubt(GreyPicture::Constant(128, 128, 0.5f)),
+  EXPECT_THAT(fixed_tag().doubt(tags_in(GreyPicture::Constant(128, 128, 0.5f))),
               HasSubstr("shows none of the fixed tags"));
 }
 
 TEST(FixedTags, AreRefusedWhereTheFirstPictureShowsNone) {
-  const InputError error = test::input_error_of([] {
-    FixedTags({8, 9}, picture_of_tag(), "p/0.png");
-  });
+  const InputError error = test::input_error_of([] { fixed_tags({8, 9}, picture_of_tag()); });
   EXPECT_THAT(error.what(), HasSubstr("p/0.png: shows none of the fixed tags 8, 9"));
 }
 
 TEST(FixedTags, AreRefusedWhereACodeIsSeenTwice) {
   GreyPicture twice(128, 256);
   twice << picture_of_tag(), picture_of_tag();
-  const InputError error = test::input_error_of([&] { FixedTags({7}, twice, "p/0.png"); });
+  const InputError error = test::input_error_of([&] { fixed_tags({7}, twice); });
   EXPECT_THAT(error.what(), HasSubstr("shows the fixed tag 7 more than once"));
 }
 

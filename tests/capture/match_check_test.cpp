@@ -40,9 +40,7 @@ PatchTracker tracker_of(GreyPicture first) {
   RunContext context;
   context.threads = 2;
   PatchTracker tracker(std::move(first), 10, 10, context);
-  for (int y = 40; y <= 200; y += 10) {
-    for (int x = 40; x <= 200; x += 10) tracker.add({x, y});
-  }
+  test::add_patches(tracker, 40, 200);
   return tracker;
 }
 

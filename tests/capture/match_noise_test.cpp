@@ -26,9 +26,7 @@ std::string doubt_of_lens(double blur) {
     return picture / 255;
   };
   PatchTracker tracker(taken(1), 10, 10, {});
-  for (int y = 20; y < kPixels - 20; y += 10) {
-    for (int x = 20; x < kPixels - 20; x += 10) tracker.add({x, y});
-  }
+  test::add_patches(tracker, 20, kPixels - 30);
   tracker.follow(taken(2));
   MatchNoise noise;
   noise.add(tracker);

@@ -15,12 +15,8 @@ const Eigen::Vector2d kBy(8, 0);
 using Brightness = std::function<double(const Eigen::Vector2d&)>;
 
 GreyPicture picture(const Brightness& at, const Eigen::Vector2d& by, std::uint64_t seed) {
-  GreyPicture picture(kPixels, kPixels);
-  for (int row = 0; row < kPixels; ++row) {
-    for (int column = 0; column < kPixels; ++column) {
-      picture(row, column) = static_cast<float>(at(Eigen::Vector2d(column, row) - by));
-    }
-  }
+  GreyPicture picture =
+      test::drawn(kPixels, kPixels, [&](const Eigen::Vector2d& place) { return at(place - by); });
   RandomStream random(seed);
   test::add_noise(picture, 2, random);
   return picture;
@@ -28,9 +24,7 @@ GreyPicture picture(const Brightness& at, const Eigen::Vector2d& by, std::uint64
 
 PatchTracker tracker_of(const Brightness& at, const RunContext& context) {
   PatchTracker tracker(picture(at, {0, 0}, 1), 10, 10, context);
-  for (int y = 20; y <= 170; y += 10) {
-    for (int x = 20; x <= 170; x += 10) tracker.add({x, y});
-  }
+  test::add_patches(tracker, 20, 170);
   return tracker;
 }
 

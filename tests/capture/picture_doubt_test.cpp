@@ -38,9 +38,7 @@ GreyPicture moved_while_exposed(const GreyPicture& sharp, int pixels) {
 
 PatchTracker tracker_of(GreyPicture first) {
   PatchTracker tracker(std::move(first), 10, 10, {});
-  for (int y = 20; y < kPixels - 20; y += 10) {
-    for (int x = 20; x < kPixels - 20; x += 10) tracker.add({x, y});
-  }
+  test::add_patches(tracker, 20, kPixels - 30);
   return tracker;
 }
 

@@ -28,14 +28,9 @@ GreyPicture with_noise(GreyPicture picture) {
 }
 
 GreyPicture weave(double threads_apart) {
-  GreyPicture picture(kPixels, kPixels);
-  for (int row = 0; row < kPixels; ++row) {
-    for (int column = 0; column < kPixels; ++column) {
-      picture(row, column) =
-          static_cast<float>(test::weave_at(Eigen::Vector2d(column, row), threads_apart));
-    }
-  }
-  return with_noise(picture);
+  return with_noise(test::drawn(kPixels, kPixels, [&](const Eigen::Vector2d& place) {
+    return test::weave_at(place, threads_apart);
+  }));
 }
 
 TEST(RepeatingTexture, IsFoundInWeaves) {

@@ -63,8 +63,10 @@ class SlowSpaceLabels : public testing::Test {
     return pictures;
   }
 
+  std::vector<TagsByCode> tags(int frame) const { return detect_tags(pictures(frame), 1); }
+
   void expect_ways(SpaceLabels& labels, int frame) const {
-    const LabelledMotions motions = labels.motions(pictures(frame));
+    const LabelledMotions motions = labels.motions(tags(frame));
     EXPECT_EQ(motions.missing, "");
     const Eigen::Vector3d middle = rig_.to_rig() * Eigen::Vector3d(right_.x(), right_.y(), 0);
     EXPECT_NEAR((motions.clips.at(1)->apply(middle) - middle).norm(), 1e-3 * frame, 0.02e-3);
@@ -83,7 +85,7 @@ TEST_F(SlowSpaceLabels, AreWarnedOfWhereACordCrossesThem) {
       return surfaces;
     };
     const DicFile dic = this->dic();
-    SpaceLabels labels(dic, pictures(0), 1);
+    SpaceLabels labels(dic, pictures(0), tags(0));
     for (int frame = 1; frame < 4; ++frame) expect_ways(labels, frame);
     const std::vector<std::string> said = labels.warnings();
     EXPECT_EQ(said.empty(), !has_cord);
@@ -96,7 +98,7 @@ TEST_F(SlowSpaceLabels, AreWarnedOfWhereACordCrossesThem) {
 TEST_F(SlowSpaceLabels, TellTheCameraThatWasMovedMeanwhile) {
   rig_.others = [&](int frame) { return labels(frame); };
   const DicFile dic = this->dic();
-  SpaceLabels labels(dic, pictures(0), 1);
+  SpaceLabels labels(dic, pictures(0), tags(0));
   expect_ways(labels, 1);
   rig_.cameras[1].pose.rotation += Eigen::Vector3d(0.0012, 0.0016, 0);  // 4 pixels
   for (int frame = 2; frame < 4; ++frame) expect_ways(labels, frame);
@@ -112,11 +114,11 @@ TEST_F(SlowSpaceLabels, AreRefusedWhereACodeIsSeenTwice) {
     return surfaces;
   };
   const DicFile dic = this->dic();
-  SpaceLabels labels(dic, pictures(0), 1);
-  EXPECT_EQ(labels.motions(pictures(1)).missing,
+  SpaceLabels labels(dic, pictures(0), tags(0));
+  EXPECT_EQ(labels.motions(tags(1)).missing,
             "shows the label 3 of the clip left more than once to camera0");
   twice_from = 0;
-  const InputError error = test::input_error_of([&] { SpaceLabels(dic, pictures(0), 1); });
+  const InputError error = test::input_error_of([&] { SpaceLabels(dic, pictures(0), tags(0)); });
   EXPECT_THAT(error.what(), HasSubstr("shows the label 3 of the clip left more than once"));
 }
 
@@ -125,7 +127,8 @@ TEST_F(SlowSpaceLabels, AreRefusedInAMirroredPicture) {
   const DicFile dic = this->dic();
   std::vector<GreyPicture> first = pictures(0);
   first[2] = first[2].rowwise().reverse().eval();
-  const InputError error = test::input_error_of([&] { SpaceLabels(dic, first, 1); });
+  const InputError error =
+      test::input_error_of([&] { SpaceLabels(dic, first, detect_tags(first, 1)); });
   EXPECT_THAT(error.what(), HasSubstr("2/0: is mirrored"));
 }
 

@@ -6,9 +6,22 @@
 #include <vector>
 
 #include "pliant/base/random.h"
+#include "pliant/capture/patch_tracker.h"
 #include "pliant/capture/spline_picture.h"
 
 namespace pliant::test {
+
+/// A picture of a brightness that is known everywhere.
+inline GreyPicture drawn(int columns, int rows,
+                         const std::function<double(const Eigen::Vector2d&)>& at) {
+  GreyPicture picture(rows, columns);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      picture(row, column) = static_cast<float>(at(Eigen::Vector2d(column, row)));
+    }
+  }
+  return picture;
+}
 
 /// A texture in closed form, which can be seen wherever it has moved to without interpolation:
 /// waves of six pixels and more in all directions. Its brightness is about 128 +- 40.
@@ -34,13 +47,7 @@ class Texture {
   /// @param from  the place of the texture that is there
   GreyPicture picture(int columns, int rows,
                       const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& from) const {
-    GreyPicture picture(rows, columns);
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        picture(row, column) = static_cast<float>(at(from(Eigen::Vector2d(column, row))));
-      }
-    }
-    return picture;
+    return drawn(columns, rows, [&](const Eigen::Vector2d& place) { return at(from(place)); });
   }
 
  private:
@@ -61,6 +68,13 @@ inline double weave_at(const Eigen::Vector2d& place, double apart) {
 
 inline void add_noise(GreyPicture& picture, double sd, RandomStream& random) {
   for (float& pixel : picture.reshaped()) pixel += static_cast<float>(sd * random.normal());
+}
+
+/// Patches every ten pixels of both ways.
+inline void add_patches(PatchTracker& tracker, int from, int to) {
+  for (int y = from; y <= to; y += 10) {
+    for (int x = from; x <= to; x += 10) tracker.add({x, y});
+  }
 }
 
 }  // namespace pliant::test

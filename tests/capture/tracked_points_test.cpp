@@ -206,13 +206,8 @@ TEST(TrackedPoints, AreFoundAgainAfterThePictureShowedNone) {
 
 /// Threads seven pixels apart, which have moved.
 GreyPicture weave(const Eigen::Vector2d& by, std::uint64_t seed) {
-  GreyPicture picture(kRows, kColumns);
-  for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < kColumns; ++column) {
-      picture(row, column) =
-          static_cast<float>(test::weave_at(Eigen::Vector2d(column, row) - by, 7));
-    }
-  }
+  GreyPicture picture = test::drawn(
+      kColumns, kRows, [&](const Eigen::Vector2d& place) { return test::weave_at(place - by, 7); });
   RandomStream random(seed);
   test::add_noise(picture, 2, random);
   return picture;

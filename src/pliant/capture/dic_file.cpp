@@ -232,8 +232,8 @@ void read_fixed(const Value& value, DicFile& dic) {
   if (dic.labels) {
     value.fail("stand beside `labels`, by which each picture tells where its camera is", "one");
   }
-  std::set<int> taken;
-  for (const DicClip& clip : dic.clips) taken.insert(clip.labels.begin(), clip.labels.end());
+  const std::vector<int> labels = dic.label_codes();
+  std::set<int> taken(labels.begin(), labels.end());
   dic.fixed = read_codes(value, taken);
 }
 

@@ -114,6 +114,14 @@ struct DicFile {
 
   /// The files of the frames; of several cameras those of the first.
   const std::vector<std::filesystem::path>& files() const;
+  /// Of all clips.
+  std::vector<int> label_codes() const {
+    std::vector<int> codes;
+    for (const DicClip& clip : clips) {
+      codes.insert(codes.end(), clip.labels.begin(), clip.labels.end());
+    }
+    return codes;
+  }
   /// Whether a clip moves by the extension of the log.
   bool moves_by_log() const;
   /// The clip of a name, or the end.

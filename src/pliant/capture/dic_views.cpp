@@ -32,17 +32,6 @@ Quadrilateral read_corners(const Value& value) {
 constexpr const char* kTogether =
     "pictures that all cameras have taken together: one of each for every frame";
 
-/// Refuses the camera that was read last where names tell other moments than those of the first:
-/// their counts are equal where each lost another picture.
-void require_same_moments(const Value& value, const DicViews& views) {
-  const auto &own = views.files.back(), &first = views.files.front();
-  const auto frame = other_moment(own, first);
-  if (!frame) return;
-  value.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
-                         own[*frame].filename().string(), first[*frame].filename().string()),
-             kTogether);
-}
-
 void read_files(const Value& value, DicViews& views) {
   Fields fields = value.fields();
   for (const auto& [name, files] : fields.all()) {
@@ -53,7 +42,7 @@ void read_files(const Value& value, DicViews& views) {
       files.fail(fmt::format("has {} pictures, and {} has {}", own, views.names.front(), first),
                  kTogether);
     }
-    require_same_moments(files, views);
+    require_same_moments(files, views.files.back(), views.files.front(), kTogether);
   }
   if (views.names.size() < 2) {
     value.fail("names less than two cameras", "two or more; of one, see `labels` and `scale`");
@@ -72,6 +61,12 @@ DicViews read_views(const Value& value) {
   read_patches(fields, views.patch, views.step);
   fields.finish();
   return views;
+}
+
+void refuse_calibration(const std::string& file, const std::string& why) {
+  throw InputError(
+      {file, 0, "views.calibration"}, "does not fit the first pictures: " + why,
+      "a calibration of these cameras where they stand now, none exchanged, moved or refocused");
 }
 
 void resolve_views(DicViews& views) {

@@ -31,6 +31,10 @@ struct DicViews {
 /// `views` of a dic/1 file; what the calibration tells is not there yet.
 /// @throws InputError
 DicViews read_views(const Value& value);
+/// Refuses a calibration that the first pictures contradict.
+/// @param file  that names it
+/// @throws InputError
+[[noreturn]] void refuse_calibration(const std::string& file, const std::string& why);
 /// Takes over what the calibration tells.
 /// @throws InputError
 void resolve_views(DicViews& views);

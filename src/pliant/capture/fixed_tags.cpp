@@ -19,8 +19,7 @@ double farthest_corner(const DetectedTag& a, const DetectedTag& b) {
 }  // namespace
 
 FixedTags::FixedTags(const std::vector<int>& codes, const GreyPicture& first,
-                     const std::string& file) {
-  const TagsByCode tags = tags_by_code(detect_tags(first));
+                     const TagsByCode& tags, const std::string& file) {
   for (const int code : codes) {
     if (tags.twice.contains(code)) {
       throw InputError({file}, fmt::format("shows the fixed tag {} more than once", code),
@@ -36,8 +35,7 @@ FixedTags::FixedTags(const std::vector<int>& codes, const GreyPicture& first,
                    "one of them at least, whole, in focus and with some white around it");
 }
 
-std::string FixedTags::doubt(const GreyPicture& picture) const {
-  const TagsByCode tags = tags_by_code(detect_tags(picture));
+std::string FixedTags::doubt(const TagsByCode& tags) const {
   const DetectedTag* worst = nullptr;
   double most = -1;
   for (const DetectedTag& tag : first_) {

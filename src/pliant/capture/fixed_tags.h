@@ -13,14 +13,17 @@ namespace pliant {
 class FixedTags {
  public:
   /// @param codes  of those that stand still; a camera need not see all of them
-  /// @param first  brightness, 0 to 1
-  /// @param file   of the first picture
+  /// @param first  picture, brightness 0 to 1
+  /// @param tags   that it shows
+  /// @param file   of it
   /// @throws InputError where it shows none of them
-  FixedTags(const std::vector<int>& codes, const GreyPicture& first, const std::string& file);
+  FixedTags(const std::vector<int>& codes, const GreyPicture& first, const TagsByCode& tags,
+            const std::string& file);
 
   /// What speaks against a picture, e.g. "shows the fixed tag 7 1.5 pixels off where ..."; empty:
   /// its tags are where they were.
-  std::string doubt(const GreyPicture& picture) const;
+  /// @param tags  that it shows
+  std::string doubt(const TagsByCode& tags) const;
 
  private:
   std::vector<DetectedTag> first_;

@@ -92,6 +92,15 @@ std::optional<std::size_t> other_moment(const std::vector<std::filesystem::path>
   return static_cast<std::size_t>(differ - moments.begin());
 }
 
+void require_same_moments(const Value& value, const std::vector<std::filesystem::path>& one,
+                          const std::vector<std::filesystem::path>& other, const char* expected) {
+  const auto frame = other_moment(one, other);
+  if (!frame) return;
+  value.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
+                         one[*frame].filename().string(), other[*frame].filename().string()),
+             expected);
+}
+
 std::string gap_doubt(const std::vector<std::filesystem::path>& files) {
   const std::vector<long long> steps = steps_of(files);
   if (steps.empty() || missing_of(steps) == 0) return {};

@@ -133,15 +133,11 @@ double depth_ratio(const PlaneView& view, const Eigen::Vector2d& place,
 LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic), lens_(dic.lens) {
   const std::vector<DetectedTag> tags = detect_tags(first);
   const std::string file = dic.pictures->files.front().string();
-  std::vector<int> codes;
-  for (const DicClip& clip : dic.clips) {
-    codes.insert(codes.end(), clip.labels.begin(), clip.labels.end());
-  }
   std::vector<LabelSighting> sightings;
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
     for (const int code : dic.clips[clip].labels) {
       const auto count = std::ranges::count(tags, code, &DetectedTag::code);
-      if (count == 0) require_unmirrored(first, codes, file);
+      if (count == 0) require_unmirrored(first, dic.label_codes(), file);
       if (count != 1) {
         throw InputError(
             {file},
@@ -197,9 +193,7 @@ Eigen::Matrix<double, 2, 4> LabelViews::straight_corners(const std::vector<Detec
 }
 
 SeenLabels LabelViews::of(const GreyPicture& picture) const {
-  std::vector<int> codes;
-  for (const Label& label : labels_) codes.push_back(label.code);
-  const std::vector<DetectedTag> tags = detect_tags_of(codes, picture);
+  const std::vector<DetectedTag> tags = detect_tags_of(dic_.label_codes(), picture);
   std::vector<LabelSighting> sightings;
   std::vector<char> is_seen(carriers_.size(), 0);
   for (const Label& label : labels_) {

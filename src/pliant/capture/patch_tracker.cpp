@@ -87,6 +87,39 @@ std::optional<PatchMatch> sole_match(const std::vector<PatchMatch>& matches) {
   return is_sole ? std::optional(*best) : std::nullopt;
 }
 
+/// Where a patch may have gone by whole pixels, within `reach` of a shift: all shifts by which it
+/// correlates by more than a half.
+/// @param about  that shift
+std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
+                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
+                                        int radius, int reach) {
+  const int side = 2 * radius + 1;
+  const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    return middle.x() >= radius && middle.y() >= radius && middle.x() + radius < picture.cols() &&
+           middle.y() + radius < picture.rows();
+  };
+  const auto patch_at = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    GreyPicture patch = picture.block(middle.y() - radius, middle.x() - radius, side, side);
+    patch -= patch.mean();
+    return patch;
+  };
+  std::vector<LikelyMotion> likely;
+  if (!within(rest, place)) return likely;
+  const GreyPicture patch = patch_at(rest, place);
+  const float norm = patch.matrix().norm();
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
+      if (!within(now, place + shift)) continue;
+      const GreyPicture other = patch_at(now, place + shift);
+      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
+      if (correlation > kLeastLikely)
+        likely.push_back({{.shift = shift.cast<double>()}, correlation});
+    }
+  }
+  return likely;
+}
+
 /// By how much a patch is elsewhere than those around it tell (pixels).
 double miss_of(const TrackedPatch& patch, const LocalMotion& around, double reach) {
   const auto moved = around.at(patch.place, reach);
@@ -120,36 +153,6 @@ GreyPicture reduced(const GreyPicture& picture, int factor) {
     }
   }
   return result;
-}
-
-std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
-                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
-                                        int radius, int reach) {
-  const int side = 2 * radius + 1;
-  const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    return middle.x() >= radius && middle.y() >= radius && middle.x() + radius < picture.cols() &&
-           middle.y() + radius < picture.rows();
-  };
-  const auto patch_at = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    GreyPicture patch = picture.block(middle.y() - radius, middle.x() - radius, side, side);
-    patch -= patch.mean();
-    return patch;
-  };
-  std::vector<LikelyMotion> likely;
-  if (!within(rest, place)) return likely;
-  const GreyPicture patch = patch_at(rest, place);
-  const float norm = patch.matrix().norm();
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) {
-      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
-      if (!within(now, place + shift)) continue;
-      const GreyPicture other = patch_at(now, place + shift);
-      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
-      if (correlation > kLeastLikely)
-        likely.push_back({{.shift = shift.cast<double>()}, correlation});
-    }
-  }
-  return likely;
 }
 
 PatchTracker::PatchTracker(GreyPicture first, int radius, double step, const RunContext& context)

@@ -129,11 +129,4 @@ class PatchTracker {
 /// A picture whose pixels are the means of squares of `factor` x `factor`.
 GreyPicture reduced(const GreyPicture& picture, int factor);
 
-/// Where a patch may have gone by whole pixels, within `reach` of a shift: all shifts by which it
-/// correlates by more than a half.
-/// @param about  that shift
-std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
-                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
-                                        int radius, int reach);
-
 }  // namespace pliant

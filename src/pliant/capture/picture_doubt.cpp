@@ -57,6 +57,15 @@ std::string first_picture_doubt(const PatchTracker& tracker) {
       100 * share);
 }
 
+std::vector<std::string> first_picture_warnings(const PatchTracker& tracker,
+                                                const MatchNoise& noise, const std::string& file) {
+  std::vector<std::string> warnings;
+  for (const std::string& doubt : {first_picture_doubt(tracker), noise.doubt()}) {
+    if (!doubt.empty()) warnings.push_back(fmt::format("{} {}", file, doubt));
+  }
+  return warnings;
+}
+
 std::string picture_doubt(const PatchTracker& tracker, const GreyPicture& now) {
   constexpr double kLeastSteep = 0.65;  // of the first picture
   const float brightest_first = tracker.first().maxCoeff(), brightest = now.maxCoeff();

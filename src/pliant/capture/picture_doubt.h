@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "pliant/capture/match_noise.h"
 #include "pliant/capture/patch_tracker.h"
 
 namespace pliant {
@@ -16,5 +18,11 @@ std::string picture_doubt(const PatchTracker& tracker, const GreyPicture& now);
 
 /// The same of the first picture, which is compared with no other: whether it is over-exposed.
 std::string first_picture_doubt(const PatchTracker& tracker);
+
+/// What speaks against the first picture when others were followed, a sentence each.
+/// @param noise  of the tracker's matches
+/// @param file   of the picture
+std::vector<std::string> first_picture_warnings(const PatchTracker& tracker,
+                                                const MatchNoise& noise, const std::string& file);
 
 }  // namespace pliant

@@ -130,11 +130,7 @@ RigPictureSet read_picture_set(const Value& value, const RigFile& rig) {
       files.fail(fmt::format("are {} pictures, and {} has {}", own.size(), *first, others.size()),
                  kTogether);
     }
-    if (const auto shot = other_moment(own, others)) {
-      files.fail(fmt::format("has {} beside {}, of another moment by the numbers in their names",
-                             own[*shot].filename().string(), others[*shot].filename().string()),
-                 kTogether);
-    }
+    require_same_moments(files, own, others, kTogether);
   }
   if (!first) value.fail("names no pictures", "pictures of one or several cameras");
   return set;

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "pliant/base/errors.h"
-#include "pliant/base/parallel.h"
 #include "pliant/capture/sighted_pose.h"
 #include "pliant/capture/triangulation.h"
 
@@ -37,21 +36,17 @@ std::optional<Eigen::Matrix<double, 3, 4>> corners_of(const std::vector<CameraMo
 
 }  // namespace
 
-SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads)
-    : dic_(dic), threads_(threads) {
-  const SeenTags seen = tags(first);
-  require_labels(first, seen);
-  first_ = corners(seen);
+SpaceLabels::SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first,
+                         const SeenTags& tags)
+    : dic_(dic) {
+  require_labels(first, tags);
+  first_ = corners(tags);
   for (const DicClip& clip : dic_.clips) {
     for (const int code : clip.labels) {
       if (first_.contains(code)) continue;
-      throw InputError(
-          {dic_.file, 0, "views.calibration"},
-          fmt::format("does not fit the first pictures: lines of sight to the label {} of the clip "
-                      "{} do not meet",
-                      code, clip.name),
-          "a calibration of these cameras where they stand now, none exchanged, moved or "
-          "refocused");
+      refuse_calibration(
+          dic_.file, fmt::format("lines of sight to the label {} of the clip {} do not meet", code,
+                                 clip.name));
     }
   }
 }
@@ -61,8 +56,7 @@ void SpaceLabels::require_labels(const std::vector<GreyPicture>& first,
   constexpr const char* kOnce =
       "each label once in a picture, whole, in focus and with some white around it";
   const auto& files = dic_.views->files;
-  std::vector<int> codes;
-  for (const DicClip& clip : dic_.clips) std::ranges::copy(clip.labels, std::back_inserter(codes));
+  const std::vector<int> codes = dic_.label_codes();
   for (std::size_t c = 0; c < first.size(); ++c) {
     const bool shows_none = tags[c].once.empty() && tags[c].twice.empty();
     if (shows_none) require_unmirrored(first[c], codes, files[c].front().string());
@@ -89,15 +83,6 @@ void SpaceLabels::require_labels(const std::vector<GreyPicture>& first,
   }
 }
 
-SpaceLabels::SeenTags SpaceLabels::tags(const std::vector<GreyPicture>& pictures) const {
-  SeenTags tags(pictures.size());
-  parallel_for(static_cast<int>(pictures.size()), threads_, [&](int c) {
-    tags[static_cast<std::size_t>(c)] =
-        tags_by_code(detect_tags(pictures[static_cast<std::size_t>(c)]));
-  });
-  return tags;
-}
-
 std::map<int, SpaceLabels::Corners> SpaceLabels::corners(const SeenTags& tags) const {
   std::map<int, Corners> found;
   for (const DicClip& clip : dic_.clips) {
@@ -108,8 +93,7 @@ std::map<int, SpaceLabels::Corners> SpaceLabels::corners(const SeenTags& tags) c
   return found;
 }
 
-LabelledMotions SpaceLabels::motions(const std::vector<GreyPicture>& pictures) {
-  const SeenTags seen = tags(pictures);
+LabelledMotions SpaceLabels::motions(const SeenTags& seen) {
   const std::map<int, Corners> now = corners(seen);
   LabelledMotions motions;
   for (const DicClip& clip : dic_.clips) {

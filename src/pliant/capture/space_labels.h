@@ -37,11 +37,14 @@ class SpaceLabels {
  public:
   /// @param dic    outlives the labels; its clips name their codes
   /// @param first  a picture of each camera
+  /// @param tags   that they show
   /// @throws InputError where two cameras do not see each label, one sees a label twice or
   ///         mirrored, or their lines of sight do not meet
-  SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first, int threads);
+  SpaceLabels(const DicFile& dic, const std::vector<GreyPicture>& first,
+              const std::vector<TagsByCode>& tags);
 
-  LabelledMotions motions(const std::vector<GreyPicture>& pictures);
+  /// @param seen  by each camera in a later frame
+  LabelledMotions motions(const std::vector<TagsByCode>& seen);
   /// Of labels that a camera saw elsewhere than their clip; of cameras that saw most of them so,
   /// and of clips most of whose labels were.
   std::vector<std::string> warnings() const;
@@ -50,7 +53,6 @@ class SpaceLabels {
   using Corners = Eigen::Matrix<double, 3, 4>;
   using SeenTags = std::vector<TagsByCode>;  // of each camera
 
-  SeenTags tags(const std::vector<GreyPicture>& pictures) const;
   void require_labels(const std::vector<GreyPicture>& first, const SeenTags& tags) const;
   /// Why no label of a clip is seen by two cameras.
   std::string missing(const DicClip& clip, const SeenTags& tags) const;
@@ -75,7 +77,6 @@ class SpaceLabels {
   void note_misses(const std::vector<int>& codes, const Pose& pose, const SeenTags& tags);
 
   const DicFile& dic_;
-  int threads_;
   std::map<int, Corners> first_;
   std::map<int, std::vector<LabelSightings>> sightings_;  // by code and camera
 };

@@ -36,13 +36,14 @@ SpacePoints::SpacePoints(const DicFile& dic, ReadPicture read_picture, const Run
     : dic_(dic), read_picture_(std::move(read_picture)), context_(context) {
   std::vector<GreyPicture> first = pictures(0);
   clips_.resize(dic_.clips.size());
-  if (std::ranges::any_of(dic_.clips, [](const DicClip& clip) { return !clip.labels.empty(); })) {
-    labels_ = std::make_unique<SpaceLabels>(dic_, first, context_.threads);
+  const std::vector<TagsByCode> tags = tags_in(first);
+  if (!dic_.label_codes().empty()) {
+    labels_ = std::make_unique<SpaceLabels>(dic_, first, tags);
     for (std::size_t i = 0; i < clips_.size(); ++i) {
       if (!dic_.clips[i].labels.empty()) clips_[i] = Pose();
     }
   }
-  begin_fixed(first);
+  begin_fixed(first, tags);
   const PatchGrid grid{views().patch / 2, views().step};
   StereoRest rest = match_rest(views().cameras, first, views().corners, grid, context_);
   require_sight(rest);
@@ -150,30 +151,29 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
         "cameras that have not been exchanged, moved or refocused since they were calibrated");
   }
   if (rest.median_miss > kMostMiss || static_cast<double>(rest.points.size()) < kFewest * places) {
-    throw InputError(
-        {dic_.file, 0, "views.calibration"},
-        fmt::format("does not fit the first pictures: what two cameras see of a point misses by "
-                    "{:.2g} pixels",
-                    rest.median_miss),
-        "a calibration of these cameras where they stand now, none exchanged, moved or refocused");
+    refuse_calibration(
+        dic_.file,
+        fmt::format("what two cameras see of a point misses by {:.2g} pixels", rest.median_miss));
   }
 }
 
-void SpacePoints::begin_fixed(const std::vector<GreyPicture>& pictures) {
+std::vector<TagsByCode> SpacePoints::tags_in(const std::vector<GreyPicture>& pictures) const {
+  if (dic_.fixed.empty() && dic_.label_codes().empty()) return {};
+  return detect_tags(pictures, context_.threads);
+}
+
+void SpacePoints::begin_fixed(const std::vector<GreyPicture>& pictures,
+                              const std::vector<TagsByCode>& tags) {
   if (dic_.fixed.empty()) return;
   for (std::size_t c = 0; c < pictures.size(); ++c) {
-    fixed_.emplace_back(dic_.fixed, pictures[c], views().files[c].front().string());
+    fixed_.emplace_back(dic_.fixed, pictures[c], tags[c], views().files[c].front().string());
   }
 }
 
-std::string SpacePoints::moved_camera(const std::vector<GreyPicture>& pictures) const {
-  std::vector<std::string> doubts(fixed_.size());
-  parallel_for(static_cast<int>(fixed_.size()), context_.threads, [&](int camera) {
-    const auto c = static_cast<std::size_t>(camera);
-    doubts[c] = fixed_[c].doubt(pictures[c]);
-  });
-  for (std::size_t c = 0; c < doubts.size(); ++c) {
-    if (!doubts[c].empty()) return fmt::format("{} {}", views().names[c], doubts[c]);
+std::string SpacePoints::moved_camera(const std::vector<TagsByCode>& tags) const {
+  for (std::size_t c = 0; c < fixed_.size(); ++c) {
+    const std::string doubt = fixed_[c].doubt(tags[c]);
+    if (!doubt.empty()) return fmt::format("{} {}", views().names[c], doubt);
   }
   return {};
 }
@@ -203,8 +203,9 @@ void SpacePoints::begin_views(std::vector<GreyPicture> pictures) {
 std::string SpacePoints::follow(int frame) {
   context_.stop.throw_if_requested();
   const std::vector<GreyPicture> now = pictures(frame);
+  const std::vector<TagsByCode> tags = tags_in(now);
   if (labels_) {
-    LabelledMotions motions = labels_->motions(now);
+    LabelledMotions motions = labels_->motions(tags);
     if (!motions.missing.empty()) {
       if (cords_) cords_->require_free(frame, motions.missing);
       return motions.missing;
@@ -228,7 +229,7 @@ std::string SpacePoints::follow(int frame) {
   note_agreement(seen);
   note_misses(seen);
   matches_ = {};
-  moved_ = moved_camera(now);
+  moved_ = moved_camera(tags);
   doubt_.clear();
   for (std::size_t c = 0; c < follow_.size(); ++c) {
     View& view = follow_[c];
@@ -415,11 +416,9 @@ std::vector<std::string> SpacePoints::warnings() const {
         rest_miss_));
   }
   for (std::size_t c = 0; c < follow_.size(); ++c) {
-    for (const std::string& doubt :
-         {first_picture_doubt(*follow_[c].tracker), follow_[c].noise.doubt()}) {
-      if (doubt.empty()) continue;
-      warnings.push_back(fmt::format("{} {}", views().files[c].front().string(), doubt));
-    }
+    std::ranges::move(first_picture_warnings(*follow_[c].tracker, follow_[c].noise,
+                                             views().files[c].front().string()),
+                      std::back_inserter(warnings));
   }
   for (const Eigen::Index axis : {0, 1}) {
     const std::string doubt =

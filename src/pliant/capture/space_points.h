@@ -59,13 +59,15 @@ class SpacePoints : public PointSource {
   Eigen::Matrix3Xd rest_positions() const;
   void find_sample();
   void tell_errors();
-  void begin_fixed(const std::vector<GreyPicture>& pictures);
+  /// Of each camera; none where nothing asks for them.
+  std::vector<TagsByCode> tags_in(const std::vector<GreyPicture>& pictures) const;
+  void begin_fixed(const std::vector<GreyPicture>& pictures, const std::vector<TagsByCode>& tags);
   void begin_cords(const std::vector<GreyPicture>& pictures);
   void begin_views(std::vector<GreyPicture> pictures);
   /// Says what the pictures lack, or nothing.
   std::string follow(int frame);
   /// What fixed tags say of one of the cameras, or nothing.
-  std::string moved_camera(const std::vector<GreyPicture>& pictures) const;
+  std::string moved_camera(const std::vector<TagsByCode>& tags) const;
   std::vector<SeenPlaces> seen_in(const std::vector<GreyPicture>& pictures) const;
   void note_agreement(const std::vector<SeenPlaces>& seen);
   void note_misses(const std::vector<SeenPlaces>& seen);

@@ -9,6 +9,7 @@
 
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
+#include "pliant/base/parallel.h"
 #include "pliant/capture/tag_edges.h"
 
 namespace pliant {
@@ -105,6 +106,15 @@ TagsByCode tags_by_code(const std::vector<DetectedTag>& tags) {
   }
   for (const int code : result.twice) result.once.erase(code);
   return result;
+}
+
+std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures, int threads) {
+  std::vector<TagsByCode> tags(pictures.size());
+  parallel_for(static_cast<int>(pictures.size()), threads, [&](int c) {
+    const auto picture = static_cast<std::size_t>(c);
+    tags[picture] = tags_by_code(detect_tags(pictures[picture]));
+  });
+  return tags;
 }
 
 GreyPicture tag_cells(int code) {

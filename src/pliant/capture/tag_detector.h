@@ -63,6 +63,9 @@ struct TagsByCode {
 
 TagsByCode tags_by_code(const std::vector<DetectedTag>& tags);
 
+/// Of each picture of a frame.
+std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures, int threads);
+
 /// The cells of a tag as it is printed, without the white cells around it: 8 x 8, row 0 uppermost,
 /// 1 where white; the outermost cells are black.
 /// @param code  0 to 586

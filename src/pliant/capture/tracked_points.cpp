@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,7 +44,8 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
     first_ = straight_view(*dic_.scale);
   }
   now_ = first_;
-  if (!dic_.fixed.empty()) fixed_.emplace(dic_.fixed, rest, file(0));
+  if (!dic_.fixed.empty())
+    fixed_.emplace(dic_.fixed, rest, tags_by_code(detect_tags(rest)), file(0));
   const DicPictures& pictures = *dic_.pictures;
   tracker_ =
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
@@ -54,15 +56,12 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
     const std::string doubt = size_doubt(seen, stated, which);
     if (!doubt.empty()) warnings_.push_back(doubt);
   }
-  if (const std::string doubt = first_picture_doubt(*tracker_); !doubt.empty()) {
-    warnings_.push_back(fmt::format("{} {}", file(0), doubt));
-  }
 }
 
 std::vector<std::string> TrackedPoints::warnings() const {
   std::vector<std::string> warnings = warnings_;
-  const std::string doubt = noise_.doubt();
-  if (!doubt.empty()) warnings.push_back(fmt::format("{} {}", file(0), doubt));
+  std::ranges::move(first_picture_warnings(*tracker_, noise_, file(0)),
+                    std::back_inserter(warnings));
   return warnings;
 }
 
@@ -192,7 +191,7 @@ std::string TrackedPoints::track(int frame) {
     return doubt.empty() ? doubt : "its picture " + doubt;
   };
   doubt_ = of_picture(picture_doubt(*tracker_, grey));
-  if (fixed_) moved_ = of_picture(fixed_->doubt(grey));
+  if (fixed_) moved_ = of_picture(fixed_->doubt(tags_by_code(detect_tags(grey))));
   const bool is_seen = tracker_->seen() >= kFewestPoints;
   return is_seen ? "" : "shows hardly a square of the sample that is found again";
 }

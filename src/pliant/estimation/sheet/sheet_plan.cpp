@@ -174,7 +174,7 @@ void add_bending_friction(const FitSettings& settings, std::vector<SheetStage>& 
 }
 
 /// The tests that a stage of a study names.
-Tests tests_of(const PlanStage& stage, const Tests& tests) {
+Tests tests_named_by(const PlanStage& stage, const Tests& tests) {
   const auto is_called = [](const SheetTest* test, const std::string& pattern) {
     return matches(pattern, test->name());
   };
@@ -208,7 +208,7 @@ std::vector<SheetStage> plan_of_study(const FitSettings& settings, const Tests& 
   std::vector<std::string> seen;
   for (const PlanStage& asked : settings.fit.plan) {
     require_pairs(asked, settings.model);
-    const Tests data = tests_of(asked, tests);
+    const Tests data = tests_named_by(asked, tests);
     const bool again = std::ranges::all_of(asked.components, [&](const std::string& component) {
       return std::ranges::find(seen, component) != seen.end();
     });

@@ -16,15 +16,12 @@ namespace {
 std::vector<std::pair<const SheetTest*, const SheetStage*>> last_stages(
     const std::vector<SheetStage>& plan) {
   std::vector<std::pair<const SheetTest*, const SheetStage*>> tests;
-  for (const SheetStage& stage : plan) {
-    for (const SheetTest* test : stage.tests) {
-      const auto known =
-          std::ranges::find(tests, test, &std::pair<const SheetTest*, const SheetStage*>::first);
-      if (known == tests.end())
-        tests.emplace_back(test, &stage);
-      else
-        known->second = &stage;
+  for (const SheetTest* test : tests_of(plan)) {
+    const SheetStage* last = nullptr;
+    for (const SheetStage& stage : plan) {
+      if (std::ranges::find(stage.tests, test) != stage.tests.end()) last = &stage;
     }
+    tests.emplace_back(test, last);
   }
   return tests;
 }

@@ -9,7 +9,7 @@ ImportedStudy remembering(ResultDirectory& results, bool resume, const CommandCo
                           const std::function<ImportedStudy(const RunContext&)>& work) {
   constexpr const char* kName = "progress.bin";
   AnswerFile answers(results.path() / kName,
-                     [&] { results.set_aside(kName, AnswerFile::heading()); });
+                     [&](const std::string& bytes) { results.set_aside(kName, bytes); });
   if (resume) answers.resume();
   const RunContext& run = context.run;
   const auto save = [&] {

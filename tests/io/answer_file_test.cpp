@@ -20,7 +20,7 @@ using Numbers = Journal::Numbers;
 class AnswerFileInFolder : public ::testing::Test {
  protected:
   AnswerFile begun() const {
-    return {file(), [this] { folder_.write("progress.bin", AnswerFile::heading()); }};
+    return {file(), [this](const std::string& bytes) { folder_.write("progress.bin", bytes); }};
   }
   std::unique_ptr<AnswerFile> resumed() const {
     auto answers = std::make_unique<AnswerFile>(file(), nullptr);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace pliant {
 namespace {
 
 constexpr double kPeriod = 2;  // s, what a crash may lose
+constexpr std::string_view kHeading = "pliant: answers/1\n";
 
 std::string record_bytes(const std::string& question, const Journal::Numbers& answer) {
   std::string content = question;
@@ -24,9 +26,9 @@ std::string record_bytes(const std::string& question, const Journal::Numbers& an
 
 /// Whether it is there.
 bool read_heading(std::ifstream& in) {
-  std::string heading(AnswerFile::heading().size(), '\0');
+  std::string heading(kHeading.size(), '\0');
   in.read(heading.data(), static_cast<std::streamsize>(heading.size()));
-  return in && heading == AnswerFile::heading();
+  return in && heading == kHeading;
 }
 
 }  // namespace
@@ -38,10 +40,8 @@ struct AnswerFile::Record {
   std::size_t bytes = 0;
 };
 
-AnswerFile::AnswerFile(std::filesystem::path file, std::function<void()> begin)
+AnswerFile::AnswerFile(std::filesystem::path file, std::function<void(const std::string&)> begin)
     : file_(std::move(file)), begin_(std::move(begin)) {}
-
-std::string AnswerFile::heading() { return "pliant: answers/1\n"; }
 
 void AnswerFile::resume() {
   known_.open(file_, std::ios::binary);
@@ -53,7 +53,7 @@ void AnswerFile::resume() {
     throw InputError({file_.string()}, "is no progress of such a run",
                      "one that the same command wrote");
   }
-  whole_ = heading().size();
+  whole_ = kHeading.size();
 }
 
 int AnswerFile::count(const std::filesystem::path& file) {
@@ -111,12 +111,13 @@ Journal::Numbers AnswerFile::answer(const std::string& question,
 bool AnswerFile::save() {
   if (!unwritten_.empty()) {
     if (whole_ == 0) {
-      begin_();
-      whole_ = heading().size();
+      unwritten_.insert(0, kHeading);
+      begin_(unwritten_);
+    } else {
+      std::ofstream out(file_, std::ios::binary | std::ios::app);
+      out << unwritten_ << std::flush;
+      if (!out) throw OutputError(file_.string(), std::strerror(errno));
     }
-    std::ofstream out(file_, std::ios::binary | std::ios::app);
-    out << unwritten_ << std::flush;
-    if (!out) throw OutputError(file_.string(), std::strerror(errno));
     whole_ += unwritten_.size();
     unwritten_.clear();
     since_saved_ = {};

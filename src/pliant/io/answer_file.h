@@ -18,12 +18,9 @@ namespace pliant {
 /// the question, and the numbers to the bit. What was cut off while it was written is left out.
 class AnswerFile : public Journal {
  public:
-  /// @param begin  makes the file anew, with `heading` in it; is called before the first answer is
-  ///               written where the file is not gone on from
-  AnswerFile(std::filesystem::path file, std::function<void()> begin);
-
-  /// The first line of such a file.
-  static std::string heading();
+  /// @param begin  makes the file anew of the bytes that it is given, the first answers among them;
+  ///               is called where an earlier file is not gone on from
+  AnswerFile(std::filesystem::path file, std::function<void(const std::string&)> begin);
 
   /// Begins with the answers in the file.
   /// @throws InputError where there is none
@@ -52,7 +49,7 @@ class AnswerFile : public Journal {
   Record read_record();
 
   std::filesystem::path file_;
-  std::function<void()> begin_;
+  std::function<void(const std::string&)> begin_;
   std::ifstream known_;         // open while it may hold the next answer
   std::size_t whole_ = 0;       // bytes of the file up to the last whole answer
   bool is_of_another_ = false;  // computation

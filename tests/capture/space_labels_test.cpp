@@ -63,7 +63,9 @@ class SlowSpaceLabels : public testing::Test {
     return pictures;
   }
 
-  std::vector<TagsByCode> tags(int frame) const { return detect_tags(pictures(frame), 1); }
+  std::vector<TagsByCode> tags(int frame) const {
+    return detect_tags(pictures(frame), rig_.cameras, 1);
+  }
 
   void expect_ways(SpaceLabels& labels, int frame) const {
     const LabelledMotions motions = labels.motions(tags(frame));
@@ -128,7 +130,7 @@ TEST_F(SlowSpaceLabels, AreRefusedInAMirroredPicture) {
   std::vector<GreyPicture> first = pictures(0);
   first[2] = first[2].rowwise().reverse().eval();
   const InputError error =
-      test::input_error_of([&] { SpaceLabels(dic, first, detect_tags(first, 1)); });
+      test::input_error_of([&] { SpaceLabels(dic, first, detect_tags(first, rig_.cameras, 1)); });
   EXPECT_THAT(error.what(), HasSubstr("2/0: is mirrored"));
 }
 

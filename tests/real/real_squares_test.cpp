@@ -61,7 +61,7 @@ TEST(RealSquares, OfAPhotographedSheetHaveOneSide) {
   std::vector<LabelSighting> squares;
   for (const Corners& corners : dark_quadrilaterals(picture)) {
     const int number = static_cast<int>(squares.size());
-    squares.push_back({upright, corners_by_edges(picture, corners), number});
+    squares.push_back({upright, corners_by_edges(picture, corners).corners, number});
   }
   ASSERT_EQ(std::ssize(squares), kSquares);
 

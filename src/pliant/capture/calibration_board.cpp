@@ -14,17 +14,21 @@ namespace {
 constexpr int kFewestTags = 2;
 
 BoardView view_of_tags(int number, const TagBoard& board, const std::map<int, DetectedTag>& tags) {
-  BoardView view{number, {}, {}};
-  std::vector<Eigen::Vector2d> pixels;
+  BoardView view{number, {}, {}, {}};
+  std::vector<const DetectedTag*> seen;
   for (const auto& [code, tag] : tags) {
     if (!board.has(code)) continue;
     for (int i = 0; i < 4; ++i) {
       view.corners.push_back(4 * (code - board.first_code) + i);
-      pixels.emplace_back(tag.corners.col(i));
     }
+    seen.push_back(&tag);
   }
-  view.pixels.resize(2, std::ssize(pixels));
-  for (int i = 0; i < std::ssize(pixels); ++i) view.pixels.col(i) = pixels[i];
+  view.pixels.resize(2, 4 * std::ssize(seen));
+  view.of_lines.resizeLike(view.pixels);
+  for (int i = 0; i < std::ssize(seen); ++i) {
+    view.pixels.middleCols<4>(4 * i) = seen[i]->corners;
+    view.of_lines.middleCols<4>(4 * i) = seen[i]->of_lines;
+  }
   return view;
 }
 
@@ -71,7 +75,7 @@ PictureFindings find_boards(const GreyPicture& picture,
     if (const auto* chessboard = std::get_if<Chessboard>(&boards[b].kind)) {
       const auto corners = chessboard_corners(picture, *chessboard);
       if (!corners) continue;
-      BoardView view{b, {}, *corners};
+      BoardView view{b, {}, *corners, {}};
       for (int i = 0; i < corners->cols(); ++i) view.corners.push_back(i);
       findings.boards.push_back(view);
       continue;

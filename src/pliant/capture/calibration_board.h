@@ -24,9 +24,10 @@ struct CalibrationBoard {
 
 /// What of a board is seen in a picture.
 struct BoardView {
-  int board = 0;             ///< number in the list of boards
-  std::vector<int> corners;  ///< their numbers
-  Eigen::Matrix2Xd pixels;   ///< one column a corner
+  int board = 0;              ///< number in the list of boards
+  std::vector<int> corners;   ///< their numbers
+  Eigen::Matrix2Xd pixels;    ///< one column a corner
+  Eigen::Matrix2Xd of_lines;  ///< of tags: see EdgeCorners; of a chessboard: none
 };
 
 /// What a picture shows.

@@ -189,7 +189,9 @@ void LabelViews::place_sample(const PlaneFit& fit) {
 
 Eigen::Matrix<double, 2, 4> LabelViews::straight_corners(const std::vector<DetectedTag>& tags,
                                                          int code) const {
-  return lens_.straightened(std::ranges::find(tags, code, &DetectedTag::code)->corners);
+  const DetectedTag& tag = *std::ranges::find(tags, code, &DetectedTag::code);
+  const auto& camera = lens_.camera();
+  return lens_.straightened(camera ? tag.corners_by(*camera) : tag.corners);
 }
 
 SeenLabels LabelViews::of(const GreyPicture& picture) const {

@@ -7,6 +7,7 @@
 
 #include "pliant/base/quantity.h"
 #include "pliant/capture/rig_start.h"
+#include "pliant/capture/tag_edges.h"
 
 namespace pliant {
 namespace {
@@ -33,6 +34,20 @@ bool leave_out_bad_views(RigCalibration& result) {
   std::erase_if(bundle.views,
                 [&](const CornerView& view) { return 2 * view.used() < std::ssize(view.corners); });
   return any;
+}
+
+/// Corners of tags as the lenses show them, which a first adjustment knows well enough.
+void correct_by_lenses(RigCalibration& result) {
+  for (CornerView& view : result.bundle.views) {
+    const int board = result.bundle.placements[view.placement].board;
+    const auto& boards = result.pictures[view.picture].findings.boards;
+    const Eigen::Matrix2Xd& of_lines =
+        std::ranges::find(boards, board, &BoardView::board)->of_lines;
+    for (Eigen::Index i = 0; i < of_lines.cols(); i += 4) {
+      view.pixels.middleCols<4>(i) =
+          corners_by_lens(of_lines.middleCols<4>(i), result.bundle.cameras[view.camera]);
+    }
+  }
 }
 
 void require_tilts(const RigFile& rig, const RigCalibration& result) {
@@ -174,6 +189,8 @@ RigCalibration calibrate_rig(const RigFile& rig, std::vector<RigPicture> picture
   result.pictures = std::move(pictures);
   result.bundle = start_of_rig(rig, result.pictures, options);
   task.advance(1);
+  adjust(result.bundle, options);
+  correct_by_lenses(result);
   adjust(result.bundle, options);
   if (leave_out_bad_views(result)) adjust(result.bundle, options);
   task.advance(2);

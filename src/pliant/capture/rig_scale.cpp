@@ -19,11 +19,13 @@ struct TagSighting {
 
 using TagsOfShots = std::map<int, std::vector<TagSighting>>;  // by shot
 
-TagsOfShots tags_of(int code, const std::vector<RigPicture>& pictures) {
+TagsOfShots tags_of(int code, const std::vector<RigPicture>& pictures, const Bundle& bundle) {
   TagsOfShots result;
   for (const RigPicture& picture : pictures) {
     for (const DetectedTag& tag : picture.findings.other_tags) {
-      if (tag.code == code) result[picture.shot].push_back({picture.camera, tag.corners});
+      if (tag.code != code) continue;
+      result[picture.shot].push_back(
+          {picture.camera, tag.corners_by(bundle.cameras[picture.camera])});
     }
   }
   return result;
@@ -83,8 +85,8 @@ TagInSpace tag_in_space(const std::vector<TagSighting>& seen, const Bundle& bund
 
 std::vector<double> measured_lengths(const SecondLength& length, const Bundle& bundle,
                                      const std::vector<RigPicture>& pictures) {
-  const TagsOfShots first = tags_of(length.first, pictures);
-  const TagsOfShots second = tags_of(length.second, pictures);
+  const TagsOfShots first = tags_of(length.first, pictures, bundle);
+  const TagsOfShots second = tags_of(length.second, pictures, bundle);
   std::vector<double> lengths;
   for (const auto& [shot, seen] : first) {
     const auto other = second.find(shot);

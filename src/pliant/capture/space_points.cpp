@@ -159,7 +159,7 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
 
 std::vector<TagsByCode> SpacePoints::tags_in(const std::vector<GreyPicture>& pictures) const {
   if (dic_.fixed.empty() && dic_.label_codes().empty()) return {};
-  return detect_tags(pictures, context_.threads);
+  return detect_tags(pictures, views().cameras, context_.threads);
 }
 
 void SpacePoints::begin_fixed(const std::vector<GreyPicture>& pictures,

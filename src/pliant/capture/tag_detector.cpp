@@ -10,7 +10,6 @@
 #include "pliant/base/assert.h"
 #include "pliant/base/errors.h"
 #include "pliant/base/parallel.h"
-#include "pliant/capture/tag_edges.h"
 
 namespace pliant {
 namespace {
@@ -51,6 +50,10 @@ DetectedTag detected_tag(const apriltag_detection_t& found) {
 
 }  // namespace
 
+TagCorners DetectedTag::corners_by(const CameraModel& camera) const {
+  return corners_by_lens(of_lines, camera);
+}
+
 std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
                                      const TagDetectorOptions& options) {
   const TagFamily family = tag_family();
@@ -71,7 +74,11 @@ std::vector<DetectedTag> detect_tags(const GreyPicture& picture,
     tags.push_back(detected_tag(*detection));
   }
   if (tags.empty()) return tags;
-  for (DetectedTag& tag : tags) tag.corners = corners_by_edges(picture, tag.corners);
+  for (DetectedTag& tag : tags) {
+    const EdgeCorners edges = corners_by_edges(picture, tag.corners);
+    tag.corners = edges.corners;
+    tag.of_lines = edges.of_lines;
+  }
   std::ranges::stable_sort(tags, {}, &DetectedTag::code);
   return tags;
 }
@@ -108,11 +115,13 @@ TagsByCode tags_by_code(const std::vector<DetectedTag>& tags) {
   return result;
 }
 
-std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures, int threads) {
+std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures,
+                                    const std::vector<CameraModel>& cameras, int threads) {
   std::vector<TagsByCode> tags(pictures.size());
   parallel_for(static_cast<int>(pictures.size()), threads, [&](int c) {
     const auto picture = static_cast<std::size_t>(c);
     tags[picture] = tags_by_code(detect_tags(pictures[picture]));
+    for (auto& [code, tag] : tags[picture].once) tag.corners = tag.corners_by(cameras[picture]);
   });
   return tags;
 }

@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 
+#include "pliant/capture/camera_model.h"
 #include "pliant/capture/spline_picture.h"
+#include "pliant/capture/tag_edges.h"
 
 namespace pliant {
 
@@ -16,12 +18,15 @@ struct DetectedTag {
   int code = 0;  ///< 0 to 586
   /// Corners of its black square, pixels (column, row), the middle of the first pixel being (0, 0).
   /// Seen upright: lower left, lower right, upper right, upper left.
-  Eigen::Matrix<double, 2, 4> corners;
+  TagCorners corners;
+  TagCorners of_lines;  ///< see EdgeCorners
   /// Grey levels of 255 by which its cells lie from the threshold of black and white, on average.
   double margin = 0;
   int wrong_cells = 0;  ///< that were corrected
 
   Eigen::Vector2d middle() const { return corners.rowwise().mean(); }
+  /// Nearer than `corners`, which know of no lens.
+  TagCorners corners_by(const CameraModel& camera) const;
 };
 
 /// What counts as a tag.
@@ -63,8 +68,9 @@ struct TagsByCode {
 
 TagsByCode tags_by_code(const std::vector<DetectedTag>& tags);
 
-/// Of each picture of a frame.
-std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures, int threads);
+/// Of each camera's picture of a frame, with corners as their lenses show them.
+std::vector<TagsByCode> detect_tags(const std::vector<GreyPicture>& pictures,
+                                    const std::vector<CameraModel>& cameras, int threads);
 
 /// The cells of a tag as it is printed, without the white cells around it: 8 x 8, row 0 uppermost,
 /// 1 where white; the outermost cells are black.

@@ -14,8 +14,6 @@
 namespace pliant {
 namespace {
 
-using TagCorners = Eigen::Matrix<double, 2, 4>;
-
 // Cells of a tag's side; the outermost are black, and beside them the paper is white.
 constexpr double kCells = kTagCells;
 constexpr double kNarrow = 4;  // pixels of a cell
@@ -30,16 +28,23 @@ constexpr double kLeast = 1, kWidest = 3;  // pixels across an edge that are loo
 constexpr double kLeastDepth = 2;  // pixels
 constexpr double kFurthest = 2.5;  // pixels that a corner may move
 
-// One edge: from a corner along `along` (unit) for `length` pixels; it lies `offset(t)` pixels
-// beside that line, towards `across`, at t from 0 to 1.
+// One edge: from a corner along `along` (unit) for `length` pixels; it lies `offset` pixels beside
+// that chord, towards `across`, at t from 0 to 1.
 struct TagEdge {
   Eigen::Vector2d from, along, across;
   double length = 0;
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // of 1, t, t^2
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // factors of 1, t, t^2
+  Eigen::Vector3d line = Eigen::Vector3d::Zero();    // the same, without t^2
 
-  Eigen::Vector2d on_line(double t) const { return from + t * length * along; }
+  TagEdge(const Eigen::Vector2d& corner, const Eigen::Vector2d& next)
+      : from(corner),
+        along((next - corner).normalized()),
+        across(-along.y(), along.x()),
+        length((next - corner).norm()) {}
+
+  Eigen::Vector2d on_chord(double t) const { return from + t * length * along; }
   double beside(double t) const { return offset(0) + t * (offset(1) + t * offset(2)); }
-  Eigen::Vector2d at(double t) const { return on_line(t) + beside(t) * across; }
+  Eigen::Vector2d at(double t) const { return on_chord(t) + beside(t) * across; }
   Eigen::Vector2d slope(double t) const {
     return length * along + (offset(1) + 2 * t * offset(2)) * across;
   }
@@ -130,55 +135,85 @@ std::optional<EdgePlace> edge_across(const EdgePicture& picture, const Eigen::Ve
   return std::nullopt;
 }
 
-/// The polynomial of some terms through places along an edge (t, offset), again and again without
-/// places that are off: a scratch, a finger, a cord that hides a fifth of it.
-/// @return the standard error of the last term; nothing where too few places are left
-std::optional<double> fit_terms(int terms, const std::vector<Eigen::Vector2d>& places,
-                                Eigen::Vector3d& offset) {
-  const auto count = std::ssize(places);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count), offsets(count);
-  Eigen::MatrixXd powers(count, terms);
-  for (int i = 0; i < count; ++i) {
-    offsets(i) = places[i].y();
+// Places along an edge: t from 0 to 1, and pixels beside it.
+using EdgePlaces = std::vector<Eigen::Vector2d>;
+
+Eigen::MatrixXd powers_of(const EdgePlaces& places, int terms) {
+  Eigen::MatrixXd powers(std::ssize(places), terms);
+  for (int i = 0; i < std::ssize(places); ++i) {
     for (int k = 0; k < terms; ++k) powers(i, k) = std::pow(places[i].x(), k);
   }
-  double squares = 0;
+  return powers;
+}
+
+/// @param weights  of the places
+/// @return the factors of 1, t, t^2
+Eigen::Vector3d polynomial(const EdgePlaces& places, const Eigen::VectorXd& weights, int terms) {
+  Eigen::VectorXd offsets(std::ssize(places));
+  for (int i = 0; i < std::ssize(places); ++i) offsets(i) = weights(i) * places[i].y();
+  Eigen::Vector3d factors = Eigen::Vector3d::Zero();
+  factors.head(terms) =
+      (weights.asDiagonal() * powers_of(places, terms)).colPivHouseholderQr().solve(offsets);
+  return factors;
+}
+
+struct RobustPolynomial {
+  Eigen::Vector3d factors;
+  double error = 0;         // standard, of the last factor
+  Eigen::VectorXd weights;  // 0 where a place is off, else 1
+};
+
+/// Again and again without places that are off: a scratch, a finger, a cord that hides a fifth of
+/// the edge.
+/// @return nothing where too few places are left
+std::optional<RobustPolynomial> robust_polynomial(const EdgePlaces& places, int terms) {
   constexpr int kRounds = 6;
+  const auto count = std::ssize(places);
+  const Eigen::MatrixXd powers = powers_of(places, terms);
+  RobustPolynomial fit{{}, 0, Eigen::VectorXd::Ones(count)};
+  double squares = 0;
   for (int round = 0; round < kRounds; ++round) {
-    offset.setZero();
-    offset.head(terms) =
-        (weights.asDiagonal() * powers).colPivHouseholderQr().solve(weights.cwiseProduct(offsets));
-    const Eigen::ArrayXd missed = (powers * offset.head(terms) - offsets).array().abs();
+    fit.factors = polynomial(places, fit.weights, terms);
+    Eigen::ArrayXd missed = powers * fit.factors.head(terms);
+    for (int i = 0; i < count; ++i) missed(i) = std::abs(missed(i) - places[i].y());
     std::vector<double> sorted(missed.begin(), missed.end());
     std::ranges::nth_element(sorted, sorted.begin() + count / 2);
     const double limit = std::max(0.05, 4 * sorted[count / 2]);
-    weights = (missed < limit).cast<double>();
-    squares = (weights.array() * missed.square()).sum();
-    if (weights.sum() < kFewestPlaces) return std::nullopt;
+    fit.weights = (missed < limit).cast<double>();
+    squares = (fit.weights.array() * missed.square()).sum();
+    if (fit.weights.sum() < kFewestPlaces) return std::nullopt;
   }
-  const Eigen::MatrixXd normal = powers.transpose() * weights.asDiagonal() * powers;
-  const double spare = std::max(weights.sum() - terms, 1.0);
-  return std::sqrt(normal.inverse()(terms - 1, terms - 1) * squares / spare);
+  const Eigen::MatrixXd normal = powers.transpose() * fit.weights.asDiagonal() * powers;
+  const double spare = std::max(fit.weights.sum() - terms, 1.0);
+  fit.error = std::sqrt(normal.inverse()(terms - 1, terms - 1) * squares / spare);
+  return fit;
 }
 
-bool fit_edge(TagEdge& edge, const std::vector<Eigen::Vector2d>& places) {
+bool fit_edge(TagEdge& edge, const EdgePlaces& places) {
   if (std::ssize(places) < kFewestPlaces) return false;
   if (std::ssize(places) >= kFewestForBend) {
-    const auto error = fit_terms(3, places, edge.offset);
-    if (error && std::abs(edge.offset(2)) > kClearBend * *error) return true;
+    const auto bent = robust_polynomial(places, 3);
+    if (bent && std::abs(bent->factors(2)) > kClearBend * bent->error) {
+      edge.offset = bent->factors;
+      edge.line = polynomial(places, bent->weights, 2);
+      return true;
+    }
   }
-  return fit_terms(2, places, edge.offset).has_value();
+  const auto straight = robust_polynomial(places, 2);
+  if (!straight) return false;
+  edge.offset = edge.line = straight->factors;
+  return true;
 }
 
 // Lays an edge through the places where the brightness changes.
 // @return the width of the change, its root mean square about the edge (pixels)
 std::optional<double> find_edge(const EdgePicture& picture, TagEdge& edge, const EdgeReach& reach) {
   const int count = static_cast<int>(edge.length * (1 - 2 * kLeftOut));
-  std::vector<Eigen::Vector2d> places;
+  EdgePlaces places;
   double squares = 0;
   for (int i = 0; i <= count; ++i) {
     const double t = kLeftOut + (1 - 2 * kLeftOut) * i / std::max(count, 1);
-    const auto found = edge_across(picture, edge.on_line(t), edge.across, edge.beside(t), reach);
+    const auto found = edge_across(picture, edge.on_chord(t), edge.across, edge.beside(t), reach);
     if (!found) continue;
     places.emplace_back(t, found->middle);
     squares += found->square;
@@ -187,25 +222,19 @@ std::optional<double> find_edge(const EdgePicture& picture, TagEdge& edge, const
   return std::sqrt(std::max(squares, 0.0) / static_cast<double>(places.size()));
 }
 
-std::optional<TagEdge> edge_between(const EdgePicture& picture, const Eigen::Vector2d& from,
-                                    const Eigen::Vector2d& to, const Eigen::Vector2d& middle) {
-  TagEdge edge;
-  edge.from = from;
-  edge.length = (to - from).norm();
-  edge.along = (to - from) / edge.length;
-  edge.across = Eigen::Vector2d(-edge.along.y(), edge.along.x());
-  if (edge.across.dot(from - middle) < 0) edge.across = -edge.across;
+/// @param edge  the chord between two corners of a tag
+/// @param middle  of the tag
+bool find_whole_edge(const EdgePicture& picture, TagEdge& edge, const Eigen::Vector2d& middle) {
+  if (edge.across.dot(edge.from - middle) < 0) edge.across = -edge.across;
   // Half of what a foreshortened cell measures, at most: beyond it are the cells of the code.
-  const double depth = std::abs(edge.across.dot(from - middle)) * 2 / kCells;
-  if (depth < kLeastDepth) return std::nullopt;
+  const double depth = std::abs(edge.across.dot(edge.from - middle)) * 2 / kCells;
+  if (depth < kLeastDepth) return false;
   const double reach = std::clamp(0.5 * depth, kLeast, kWidest);
   const auto width = find_edge(picture, edge, {reach, reach});
-  if (!width) return std::nullopt;
+  if (!width) return false;
   // What is further from the edge than its blur tells noise alone. Narrow cells have no more.
-  if (picture.has_narrow_cells()) return edge;
-  if (!find_edge(picture, edge, {reach, std::clamp(3 * *width, kLeast, reach)}))
-    return std::nullopt;
-  return edge;
+  return picture.has_narrow_cells() ||
+         find_edge(picture, edge, {reach, std::clamp(3 * *width, kLeast, reach)});
 }
 
 // The end of one edge and the start of the next.
@@ -222,25 +251,64 @@ std::optional<Eigen::Vector2d> meeting(const TagEdge& first, const TagEdge& seco
   return first.at(t(0));
 }
 
-}  // namespace
-
-Eigen::Matrix<double, 2, 4> corners_by_edges(const GreyPicture& pixels,
-                                             const Eigen::Matrix<double, 2, 4>& corners) {
-  const Eigen::Vector2d middle = corners.rowwise().mean();
-  const EdgePicture picture(pixels, corners);
-  std::array<TagEdge, 4> edges;
-  for (int i = 0; i < 4; ++i) {
-    const auto edge = edge_between(picture, corners.col(i), corners.col((i + 1) % 4), middle);
-    if (!edge) return corners;
-    edges[i] = *edge;
-  }
+// Nothing where two edges do not meet near the corners.
+std::optional<TagCorners> meetings(const std::array<TagEdge, 4>& edges, const TagCorners& corners) {
   TagCorners result;
   for (int i = 0; i < 4; ++i) {
     const auto corner = meeting(edges[(i + 3) % 4], edges[i]);
-    if (!corner || !((*corner - corners.col(i)).norm() < kFurthest)) return corners;
+    if (!corner || !((*corner - corners.col(i)).norm() < kFurthest)) return std::nullopt;
     result.col(i) = *corner;
   }
   return result;
+}
+
+std::array<TagEdge, 4> chords_of(const TagCorners& corners) {
+  return {TagEdge(corners.col(0), corners.col(1)), TagEdge(corners.col(1), corners.col(2)),
+          TagEdge(corners.col(2), corners.col(3)), TagEdge(corners.col(3), corners.col(0))};
+}
+
+// Where the lens shows the places along an edge that lines are laid through.
+std::optional<EdgePlaces> places_of_bent(const TagEdge& edge, const CameraModel& camera) {
+  constexpr int kPlaces = 25;
+  const auto from = camera.straight(edge.at(0)), to = camera.straight(edge.at(1));
+  if (!from || !to) return std::nullopt;
+  EdgePlaces places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double along = kLeftOut + (1 - 2 * kLeftOut) * i / (kPlaces - 1);
+    const Eigen::Vector2d straight = (1 - along) * *from + along * *to;
+    const Eigen::Vector2d off =
+        pixel_of(camera.intrinsics.data(), Eigen::Vector3d(straight.homogeneous())) - edge.from;
+    places.emplace_back(off.dot(edge.along) / edge.length, off.dot(edge.across));
+  }
+  return places;
+}
+
+}  // namespace
+
+EdgeCorners corners_by_edges(const GreyPicture& pixels, const TagCorners& corners) {
+  const Eigen::Vector2d middle = corners.rowwise().mean();
+  const EdgePicture picture(pixels, corners);
+  std::array<TagEdge, 4> edges = chords_of(corners);
+  for (TagEdge& edge : edges) {
+    if (!find_whole_edge(picture, edge, middle)) return {corners, corners};
+  }
+  const auto bent = meetings(edges, corners);
+  for (TagEdge& edge : edges) edge.offset = edge.line;
+  const auto straight = meetings(edges, corners);
+  if (!bent || !straight) return {corners, corners};
+  return {*bent, *straight};
+}
+
+TagCorners corners_by_lens(const TagCorners& of_lines, const CameraModel& camera) {
+  // Taken for the corners, those of lines are bent by nearly as much.
+  std::array<TagEdge, 4> edges = chords_of(of_lines);
+  for (TagEdge& edge : edges) {
+    const auto places = places_of_bent(edge, camera);
+    if (!places) return of_lines;
+    edge.offset = polynomial(*places, Eigen::VectorXd::Ones(std::ssize(*places)), 2);
+  }
+  const auto shown = meetings(edges, of_lines);
+  return shown ? TagCorners(2 * of_lines - *shown) : of_lines;
 }
 
 }  // namespace pliant

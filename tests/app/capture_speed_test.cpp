@@ -158,7 +158,8 @@ class StripPictures {
 TEST(SlowCaptureSpeed, OfOneCameraWithLabels) {
   if (!makes_figures()) GTEST_SKIP() << "makes a row of docs/results.md: PLIANT_FIGURES=1";
   constexpr int kFew = 2, kMany = 6;
-  for (const auto& [columns, rows] : {std::pair(1224, 1632), std::pair(3000, 4000)}) {
+  for (const auto& [columns, rows] :
+       {std::pair(1024, 1280), std::pair(1224, 1632), std::pair(3000, 4000)}) {
     const StripPictures strip(columns, rows);
     const TemporaryFolder folder;
     const fs::path file = folder.write("pull.yaml", strip.dic());

@@ -203,6 +203,8 @@ TEST(SlowVirtualRig, SeesTheTestsOfTheThesis) {
     const Misses misses = misses_of(session, truth);
     print_misses(test, misses);
     EXPECT_LE(misses.wrong, 1e-3 * (misses.vertices - misses.unseen));
+    EXPECT_LT(misses.of_clips, 0.03e-3);
+    EXPECT_LT(misses.of_turns, 0.1 * M_PI / 180);
     calibration_misses(seen);
     if (session.table) {
       print_coverage(session, truth);

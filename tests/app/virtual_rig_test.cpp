@@ -43,7 +43,7 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   EXPECT_LT(misses.in_plane, 0.02e-3);
   EXPECT_LT(misses.off_plane, 0.04e-3);
   EXPECT_EQ(misses.wrong, 0);
-  EXPECT_LT(misses.of_clips, 0.03e-3);
+  EXPECT_LT(misses.of_clamped, 0.03e-3);
   EXPECT_LT(misses.of_turns, 0.1 * M_PI / 180);
   EXPECT_LT(cord_misses(session, truth), 0.1 * M_PI / 180);
   ASSERT_TRUE(session.noise.force);

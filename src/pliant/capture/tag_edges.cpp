@@ -232,9 +232,12 @@ bool find_whole_edge(const EdgePicture& picture, TagEdge& edge, const Eigen::Vec
   const double reach = std::clamp(0.5 * depth, kLeast, kWidest);
   const auto width = find_edge(picture, edge, {reach, reach});
   if (!width) return false;
-  // What is further from the edge than its blur tells noise alone. Narrow cells have no more.
-  return picture.has_narrow_cells() ||
-         find_edge(picture, edge, {reach, std::clamp(3 * *width, kLeast, reach)});
+  if (picture.has_narrow_cells()) return true;  // which have no more
+  // What is further from the edge than its blur tells noise alone, and what is as near to the other
+  // edge of its cells would draw it outwards.
+  const double blur = 3 * *width;
+  const double window = std::clamp(std::min(blur, depth - blur), kLeast, reach);
+  return find_edge(picture, edge, {reach, window}).has_value();
 }
 
 // The end of one edge and the start of the next.

@@ -16,9 +16,9 @@ struct EdgeCorners {
 };
 
 /// Corners of a tag's black square by its edges. Across each edge, at places one pixel apart along
-/// it, the edge lies where the mean of the gradient is, within three times the blur of the edge. A
-/// line goes through these places, or a parabola where it is bent by more than chance, as lenses
-/// do; corners are where these meet.
+/// it, the edge lies where the mean of the gradient is, within three times the blur of the edge, or
+/// less where the cells are narrow. A line goes through these places, or a parabola where it is
+/// bent by more than chance, as lenses do; corners are where these meet.
 /// @param picture  brightness in any unit
 /// @param corners  within 2 pixels
 /// @return what was given where the edges are not seen as expected

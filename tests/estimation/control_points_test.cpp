@@ -82,9 +82,8 @@ TEST(ControlPoints, StandWhereAStiffWeaveBends) {
 }
 
 TEST(ControlPoints, HoldACurveOfFivePointsBetweenThem) {
-  const ScalarCurve truth = ScalarCurve::hermite({0, 0.05, 0.1, 0.15, 0.2}, {60, 45, 40, 60, 100});
-  const Material material =
-      made_up_material("stretch.warp", {truth, FrictionLaw::dahl, {0.5, 1, 0.01}});
+  const Material material = test::strip_of_five_points();
+  const ScalarCurve& truth = *material.components.at("stretch.warp").stiffness;
   const VirtualStudy study(lab_of(material, noisy_cycles({0.05, 0.1, 0.1832}, 1e-3)));
   const OneExperiment one(study.study());
   const ScalarCurve found =

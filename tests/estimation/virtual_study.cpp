@@ -34,6 +34,13 @@ Material knit_of_two_branches(const ScalarCurve& stiffness) {
   return made_up_material("stretch.warp", law);
 }
 
+Material strip_of_five_points() {
+  return made_up_material("stretch.warp",
+                          {ScalarCurve::hermite({0, 0.05, 0.1, 0.15, 0.2}, {60, 45, 40, 60, 100}),
+                           FrictionLaw::dahl,
+                           {0.5, 1, 0.01}});
+}
+
 VirtualStudy::VirtualStudy(const VirtualLab& lab, std::uint64_t seed)
     : folder_(measurements_of(lab, seed)), study_(content_of(folder() / "study.yaml")) {
   if (!study_.ends_with('\n')) study_ += '\n';

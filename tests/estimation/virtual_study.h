@@ -17,6 +17,9 @@ Material published_fabric(const std::string& name);
 /// A knit: along warp a branch of friction that follows at once, another that comes slowly.
 Material knit_of_two_branches(const ScalarCurve& stiffness);
 
+/// A strip along warp whose stiffness has control points at strains of 0 to 0.2, and friction.
+Material strip_of_five_points();
+
 /// The virtual measurements of a lab as files, which a test may edit, and their fit.
 class VirtualStudy {
  public:

@@ -1,5 +1,6 @@
 // How often the stated 95 % intervals of fits of sheets hold the truth, over virtual measurements.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "pliant/base/parallel.h"
 #include "pliant/base/random.h"
+#include "pliant/experiment/session/sheet_bending.h"
 #include "pliant/experiment/session/virtual/observed_session.h"
 #include "pliant/experiment/session/virtual_session.h"
 #include "pliant/study/study_fit.h"
@@ -21,9 +23,11 @@
 namespace pliant {
 namespace {
 
-const int kSeeds = test::makes_figures() ? 20 : 12;
-// Of 20 or 12 are covered with 95 %, but once in four hundred times.
-const int kFewest = test::makes_figures() ? 16 : 9;
+const int kSeeds = test::makes_figures() ? 200 : 12;
+// Fits on finer meshes take four times as long.
+const int kSeedsOfOtherMeshes = test::makes_figures() ? 200 : 4;
+// Of 200 or 4 are covered with 95 %, but once in eight hundred or seventy times.
+const int kFewest = test::makes_figures() ? 180 : 3;
 constexpr SessionNoise kNoise{.position = 0.075e-3, .force = 3e-3};
 
 /// The five tests of a sheet without noise. Clips end on lines of a grid of 10 mm.
@@ -86,6 +90,14 @@ struct Coverage {
 };
 using Coverages = std::map<std::string, Coverage>;
 
+/// A material on the mesh of a fit, where sheets bend by hinges.
+Material on_mesh_of(const StudyResult& result, const Material& material) {
+  if (material.bending_of == "hinges") return material;
+  const auto bent =
+      std::ranges::find(result.experiments, std::string("bend-weft"), &ExperimentResult::name);
+  return as_hinges(material, bent->sheet->predicted.rest);
+}
+
 /// The truth of a control value is what the true curve is at its strain.
 void add_fit(const StudyResult& result, const Material& truth, Coverages& table) {
   std::map<std::string, std::size_t> seen;
@@ -96,9 +108,9 @@ void add_fit(const StudyResult& result, const Material& truth, Coverages& table)
   }
 }
 
-void print(const std::string& title, const Coverages& table) {
-  fmt::print("{}: {} seeds\n{:<20} {:>9} {:>9} {:>8} {:>8} {:>13}\n", title, kSeeds,
-             "control value", "intervals", "covered", "bias, %", "sd, %", "stated sd, %");
+void print(const std::string& title, const Coverages& table, int seeds) {
+  fmt::print("{}: {} seeds\n{:<20} {:>9} {:>9} {:>8} {:>8} {:>13}\n", title, seeds, "control value",
+             "intervals", "covered", "bias, %", "sd, %", "stated sd, %");
   for (const auto& [name, c] : table) {
     fmt::print("{:<20} {:>9} {:>7.1f} % {:>8.2f} {:>8.2f} {:>13.2f}\n", name, c.intervals,
                100.0 * c.covered / c.intervals, 100 * c.bias(), 100 * c.deviation(),
@@ -106,17 +118,21 @@ void print(const std::string& title, const Coverages& table) {
   }
 }
 
-Coverages coverages(const std::string& title, const Material& truth, double edge) {
+/// @param edge  of the sheets' irregular mesh (m), which are fitted on a grid of twice that; 0: of
+///              the fit's mesh
+Coverages coverages(const std::string& title, const Material& truth, double edge, int seeds) {
   const std::vector<Session> sessions = true_sessions(truth, edge);
-  std::vector<StudyResult> results(static_cast<std::size_t>(kSeeds));
+  const std::string mesh =
+      edge > 0 ? fmt::format("{{edge: {} mm}}", 2e3 * edge) : std::string("measured");
+  std::vector<StudyResult> results(static_cast<std::size_t>(seeds));
   // Each seed is on its own: the answer does not depend on the number of threads.
-  parallel_for(kSeeds, 2, [&](int i) {
-    results[static_cast<std::size_t>(i)] =
-        fit_with_noise(sessions, edge > 0 ? "{edge: 10 mm}" : "measured", 1000 + i);
+  parallel_for(seeds, 2, [&](int i) {
+    results[static_cast<std::size_t>(i)] = fit_with_noise(sessions, mesh, 1000 + i);
   });
+  const Material known = on_mesh_of(results.front(), truth);
   Coverages table;
-  for (const StudyResult& result : results) add_fit(result, truth, table);
-  print(title, table);
+  for (const StudyResult& result : results) add_fit(result, known, table);
+  print(title, table, seeds);
   return table;
 }
 
@@ -131,7 +147,7 @@ Material level_cloth() {
 }
 
 TEST(SlowSheetCoverage, IntervalsHoldTheTruthAtTheStatedRate) {
-  const Coverages table = coverages("on the mesh of the fit", level_cloth(), 0);
+  const Coverages table = coverages("on the mesh of the fit", level_cloth(), 0, kSeeds);
   int intervals = 0, covered = 0;
   double ratio = 0;
   for (const auto& [name, c] : table) {
@@ -149,15 +165,21 @@ TEST(SlowSheetCoverage, IntervalsHoldTheTruthAtTheStatedRate) {
   EXPECT_LT(ratio, 1.4);
 }
 
-// The mesh adds an error of its own, which a second mesh tells. Bending, of other hinges, is not
-// compared.
+// The mesh adds an error of its own, which a second mesh tells. It is the same for all seeds.
 TEST(SlowSheetCoverage, IntervalsOfSheetsOnOtherMeshesKnowTheErrorOfTheMesh) {
-  Material truth = test::sheet_cloth(true);
+  Material truth = level_cloth();
   truth.bending_of = "sheet";
-  for (const auto& [name, c] : coverages("on an irregular mesh of 5 mm", truth, 0.005)) {
-    if (name.starts_with("bend")) continue;
-    EXPECT_LT(std::abs(c.bias()), name == "shear.k[0]" ? 0.1 : 0.02) << name;
-    EXPECT_GE(c.covered, kFewest) << name;
+  const Coverages table =
+      coverages("on an irregular mesh of 2.5 mm", truth, 0.0025, kSeedsOfOtherMeshes);
+  // Grids know bending at the largest curvature to a third.
+  const auto allowed = [](const std::string& name) {
+    if (name.starts_with("stretch")) return 0.02;
+    return name == "bend.warp.k[1]" ? 0.25 : 0.1;
+  };
+  for (const auto& [name, c] : table) {
+    EXPECT_LT(std::abs(c.bias()), allowed(name)) << name;
+    // Not all fits have as many control points of bending.
+    EXPECT_GE(c.covered, kFewest - (kSeedsOfOtherMeshes - c.intervals)) << name;
   }
 }
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pliant/imaging/picture_file.h"
+#include "pliant/io/base64.h"
+
 #include "app/run_program.h"
 #include "support/simulation_folder.h"
 
@@ -40,6 +43,32 @@ TEST_F(SlowSimulationReportCommand, WritesOneFileWithPicturesOfTheFrames) {
   EXPECT_EQ(count(html(), "<img class=\"picture\""), can_draw() ? 2 : 0);
   EXPECT_EQ(count(html(), "src=\"data:image/png;base64,iVBORw0KGgo"), can_draw() ? 2 : 0);
   EXPECT_EQ(count(html(), "No pictures: this program was built without"), can_draw() ? 0 : 1);
+}
+
+// Pixels of the first picture that are as warm a grey as obstacles are.
+int warm_greys(const std::string& html) {
+  const std::string before = "src=\"data:image/png;base64,";
+  const size_t begin = html.find(before) + before.size();
+  const auto bytes = bytes_of_base64(html.substr(begin, html.find('"', begin) - begin));
+  const TemporaryFolder folder;
+  const ColourPhoto picture = read_picture(folder.write("picture.png", bytes.value()));
+  int found = 0;
+  for (size_t i = 0; i < picture.levels.size(); i += 3) {
+    const int blue = picture.levels[i], red = picture.levels[i + 2];
+    found += red > blue && red - blue <= 12 ? 1 : 0;
+  }
+  return found;
+}
+
+TEST_F(SlowSimulationReportCommand, ShowsObstacles) {
+  if (!can_draw()) GTEST_SKIP() << "this program was built without pictures";
+  ASSERT_EQ(report().status, 0);
+  const int without = warm_greys(html());
+  folder.write("sim/obstacles.obj", "v 1 1 0\nv 2 1 0\nv 2 1 1\nv 1 1 1\nf 1 2 3 4\n");
+  folder.write_summary(R"({"index": 0, "time": 0}, {"index": 1, "time": 0.04})",
+                       R"(, "obstacles": "obstacles.obj")");
+  ASSERT_EQ(report().status, 0);
+  EXPECT_GT(warm_greys(html()), without + 1000);
 }
 
 TEST_F(SimulationReportCommand, SaysSoWhereTheFramesAreNoPlyFiles) {

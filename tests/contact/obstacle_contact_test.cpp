@@ -113,6 +113,15 @@ TEST(ObstacleContact, StopsEachPointByItselfBeforeTheSurface) {
   EXPECT_NEAR(through(1), 20e-3 / 0.3, 2e-3);
 }
 
+TEST(ObstacleContact, CountsTheWaysThatItTests) {
+  const Ball ball({0.5e-3, 20e-3, 0.1e-3});
+  const State state = ball.system->initial_state();
+  SearchCosts costs;
+  const Conditions under{.from = state, .costs = &costs};
+  ball.system->way_limits(state.configuration, moved(state, {0, 0, -1e-3}), under, 0.2);
+  EXPECT_EQ(costs.way_tests, 3);
+}
+
 TEST(ObstacleContact, HasInfiniteEnergyInside) {
   const Ball ball({0.5e-3});
   const State state = ball.system->initial_state();

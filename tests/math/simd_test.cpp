@@ -44,11 +44,31 @@ struct Root {
   }
 };
 
+struct Width {
+  template <class V>
+  PLIANT_INLINE static void run(int* width) {
+    *width = simd::kWidth<V>;
+  }
+};
+
 /// Numbers of all sizes and both signs.
 Numbers of_all_sizes(RandomStream& random) {
   Numbers numbers;
   for (double& x : numbers) x = random.normal() * std::pow(10, random.uniform(-12, 2));
   return numbers;
+}
+
+TEST(Simd, TakesTwoAtOnceWhileItIsNarrow) {
+  int before = 0, narrow = 0, after = 0;
+  simd::run<Width>(&before);
+  {
+    const simd::Narrow held;
+    simd::run<Width>(&narrow);
+  }
+  simd::run<Width>(&after);
+  EXPECT_EQ(narrow, 2);
+  EXPECT_GE(before, 2);
+  EXPECT_EQ(after, before);
 }
 
 TEST(Simd, FindsAnglesOfAllQuadrants) {

@@ -279,6 +279,34 @@ TEST(Pictures, ShowObstaclesWhereTheyAreInEachFrame) {
   }
 }
 
+// The grey of obstacles is a little warm, also in shade; cloth is blue and the ground is neutral.
+bool is_of_obstacle(const Pixel& pixel) { return pixel[0] > pixel[2] && pixel[0] - pixel[2] <= 12; }
+bool is_of_cloth(const Pixel& pixel) { return pixel[2] > pixel[0] + 12; }
+
+// A plate behind the square or before it, from the middle of it to half a metre beside it.
+TEST(Pictures, ShowObstaclesInTheirColourWhereNothingHidesThem) {
+  const SimulationFolder folder(1);
+  folder.write_summary(R"({"index": 0, "time": 0})", R"(, "obstacles": "obstacles.obj")");
+  for (const double y : {1.0, -1.0}) {
+    folder.write("sim/obstacles.obj",
+                 fmt::format("v 0.5 {0} 0\nv 1.5 {0} 0\nv 1.5 {0} 1\nv 0.5 {0} 1\nf 1 2 3 4\n", y));
+    const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");
+    const PictureOptions options = small_pictures();
+    const PictureSetting setting = setting_of(simulation, options, LegendPlace::in_picture, {});
+    const Image picture = frame_picture(simulation, simulation.frames[0], setting, options, {});
+    const auto pixel = [&](double x, double depth) {
+      const Eigen::Vector2d place = project(setting.camera, options.size.aspect(), {x, depth, 0.5});
+      return picture.at(static_cast<int>(place.x() * picture.width()),
+                        static_cast<int>(place.y() * picture.height()));
+    };
+    const bool hides = y < 0;
+    EXPECT_TRUE(is_of_obstacle(pixel(1.4, y))) << y;
+    EXPECT_TRUE(is_of_cloth(pixel(0.1, 0))) << y;
+    EXPECT_EQ(is_of_obstacle(pixel(0.6, y)), hides) << y;
+    EXPECT_EQ(is_of_cloth(pixel(0.9, 0)), !hides) << y;
+  }
+}
+
 TEST(Pictures, HaveTheSizeAskedForAndASheetHasRoomForAll) {
   const SimulationFolder folder(4);
   const SimulationFrames simulation = read_simulation_frames(folder.path() / "sim");

@@ -107,7 +107,8 @@ TEST(SimulationReport, StatesTheMethod) {
 TEST(SimulationReport, TellsWhatTheTimeOfAStepGoesTo) {
   const std::string html = report_of({});
   EXPECT_THAT(html, HasSubstr("forces and Hessians"));
-  EXPECT_THAT(html, HasSubstr("what is near, and free ways"));
+  EXPECT_THAT(html, HasSubstr("search for what is near"));
+  EXPECT_THAT(html, HasSubstr("how far vertices may go"));
 }
 
 TEST(SimulationReport, TellsThatStepsWereHalved) {
@@ -121,6 +122,17 @@ TEST(SimulationReport, TellsHowMuchTouches) {
               HasSubstr("<td>Vertices and pairs that touch at its end</td>"
                         "<td class=\"number\">0</td><td class=\"number\">140</td>"));
   EXPECT_THAT(report_of({}), Not(HasSubstr("that touch at its end")));
+}
+
+TEST(SimulationReport, TellsHowNearThingsCameAndHowManyWaysWereTested) {
+  const std::string html = report_of(
+      {.contact_distance = R"({"min": 2e-4, "median": 4.5e-4, "mean": 5e-4, "max": 9e-4})",
+       .way_tests = R"({"min": 0, "median": 5120, "mean": 6000, "max": 9000})"});
+  EXPECT_THAT(html, HasSubstr("<td>Least contact distance at its end</td>"
+                              "<td class=\"number\">0.2 mm</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>Ways tested for what is met on them</td>"
+                              "<td class=\"number\">0</td><td class=\"number\">5120</td>"));
+  EXPECT_THAT(report_of({}), Not(HasSubstr("Ways tested")));
 }
 
 TEST(SimulationReport, LeavesOutWhatIsNotThere) {

@@ -1,6 +1,7 @@
 // What is moved from outside does the work that a simulation gains, and no more is gained.
 
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -116,8 +117,22 @@ TEST(NothingMoved, DoesNoWork) {
   EXPECT_EQ(sheet.now().outside, 0);
 }
 
-// What the phases name is most of a step, and never more than it.
-TEST(Phases, ArePartsOfTheSecondsOfAStep) {
+// What the phases name is never more than a step.
+double named_seconds(const StepRecords& records) {
+  double named = 0;
+  for (size_t i = 0; i < records.costs.size(); ++i) {
+    const SearchCosts& step = records.costs[i];
+    const double sum =
+        step.assembly + step.equations + step.energies + step.pairs + step.ways + step.history;
+    EXPECT_LE(sum, records.seconds[i]);
+    EXPECT_GT(step.energies, 0);
+    EXPECT_GT(step.history, 0);
+    named += sum;
+  }
+  return named;
+}
+
+TEST(Phases, AreMostOfTheSecondsOfAStep) {
   const BodyScene folder;
   for (const char* time :
        {"{step: 5 ms, duration: 50 ms}", "{kind: quasi-static, steps: 3, duration: 1 s}"}) {
@@ -129,19 +144,33 @@ TEST(Phases, ArePartsOfTheSecondsOfAStep) {
                     time));
     while (!sheet.is_finished()) sheet.advance();
     const StepRecords& records = sheet.now().records;
-    ASSERT_EQ(records.phases.size(), records.seconds.size());
-    double named = 0, all = 0;
-    for (size_t i = 0; i < records.phases.size(); ++i) {
-      const PhaseSeconds& step = records.phases[i];
-      const double sum = step.assembly + step.equations + step.energies + step.ways + step.history;
-      EXPECT_LE(sum, records.seconds[i]);
-      EXPECT_GT(step.energies, 0);
-      EXPECT_GT(step.history, 0);
-      named += sum;
-      all += records.seconds[i];
+    ASSERT_EQ(records.costs.size(), records.seconds.size());
+    const double all = std::reduce(records.seconds.begin(), records.seconds.end());
+    EXPECT_GT(named_seconds(records), 0.5 * all);
+    for (const SearchCosts& step : records.costs) {
+      EXPECT_EQ(step.pairs, 0);
+      EXPECT_EQ(step.way_tests, 0);
     }
-    EXPECT_GT(named, 0.5 * all);
   }
+}
+
+TEST(Phases, TellThePairsOfContactFromItsWays) {
+  const BodyScene folder;
+  folder.write_ball("ball.obj", 50, -53);
+  Simulation sheet = folder.simulated(
+      "cloth: [{name: sheet, mesh: {grid: 120 mm x 120 mm, nodes: 9x9}, material: jersey.json,\n"
+      "         place: {translate: [-0.06, -0.06, 0]}}]\n"
+      "obstacles: [{name: ball, mesh: {file: ball.obj, unit: mm}}]\n"
+      "contact: {thickness: 2 mm}\ntime: {step: 5 ms, duration: 100 ms}\n");
+  while (!sheet.is_finished()) sheet.advance();
+  const StepRecords& records = sheet.now().records;
+  named_seconds(records);
+  EXPECT_GT(records.contacts.back(), 0);
+  for (const SearchCosts& step : records.costs) {
+    EXPECT_GT(step.pairs, 0);
+    EXPECT_GT(step.ways, 0);
+  }
+  EXPECT_GT(records.costs.back().way_tests, records.contacts.back());
 }
 
 }  // namespace

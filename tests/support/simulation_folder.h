@@ -30,11 +30,12 @@ class SimulationFolder {
   }
 
   /// @param frames  the items of the list of frames, as JSON
-  void write_summary(const std::string& frames) const {
+  /// @param more    further keys, each after a comma
+  void write_summary(const std::string& frames, const std::string& more = "") const {
     folder_.write("sim/simulation.json",
                   fmt::format("{{\"pliant\": \"simulation/1\", \"triangles\": 2, \"steps\": 9,\n"
-                              " \"frames\": [{}],\n \"fields\": {{\"strain_weft\": \"1\"}}}}\n",
-                              frames));
+                              " \"frames\": [{}],\n \"fields\": {{\"strain_weft\": \"1\"}}{}}}\n",
+                              frames, more));
   }
 
  private:

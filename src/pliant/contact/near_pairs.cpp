@@ -29,22 +29,25 @@ std::shared_ptr<const NearPairs::List> NearPairs::last() const {
   return list_;
 }
 
-NearPairs::Pairs NearPairs::at(const Eigen::Matrix3Xd& positions) const {
+NearPairs::Pairs NearPairs::at(const Eigen::Matrix3Xd& positions, SearchCosts* costs) const {
+  const Timed counted(costs, &SearchCosts::pairs);
   const auto known = last();
   if (known && serves(*known, positions)) return known->pairs;
   const Eigen::Matrix3Xd ways = Eigen::Matrix3Xd::Zero(3, positions.cols());
   return keep(positions, surface_->near_pairs(positions, ways, reach_ + skin_))->pairs;
 }
 
-NearPairs::Pairs NearPairs::between(const Eigen::Matrix3Xd& from,
-                                    const Eigen::Matrix3Xd& to) const {
+NearPairs::Pairs NearPairs::between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                                    SearchCosts* costs) const {
+  const Timed counted(costs, &SearchCosts::pairs);
   const auto known = last();
   if (known && serves(*known, from) && serves(*known, to)) return known->pairs;
   return keep(to, surface_->near_pairs(from, to - from, reach_ + skin_))->pairs;
 }
 
-NearPairs::Pairs NearPairs::between_if_few(const Eigen::Matrix3Xd& from,
-                                           const Eigen::Matrix3Xd& to) const {
+NearPairs::Pairs NearPairs::between_if_few(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                                           SearchCosts* costs) const {
+  const Timed counted(costs, &SearchCosts::pairs);
   // Cloth that lies on itself in some layers has tens of neighbours a triangle.
   constexpr std::int64_t kMost = 200'000, kMostOfTriangle = 100;
   const auto known = last();

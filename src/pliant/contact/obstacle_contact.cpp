@@ -63,6 +63,7 @@ void ObstacleContact::evaluate(const Evaluation& at, Derivatives& derivatives) c
 bool ObstacleContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions) const {
   constexpr double kKept = 0.2;
   if (body_ < 0) return true;
+  count_way_tests(points_.size(), at.costs);
   const Pose body = at.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const Eigen::Vector3d before = memory_of(i, at).position;
@@ -85,6 +86,7 @@ double ObstacleContact::free_share_of(const Eigen::Vector3d& from, const Eigen::
 
 void ObstacleContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
                             WayLimits& limits) const {
+  count_way_tests(points_.size(), from.costs);
   const Pose body = from.controls.body(body_);
   for (size_t i = 0; i < points_.size(); ++i) {
     const int point = points_[i];

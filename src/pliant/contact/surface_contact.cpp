@@ -167,7 +167,8 @@ bool SurfaceContact::make_way(const Evaluation& at, Eigen::Matrix3Xd& positions)
   for (int layer = 0; layer < kLayers && positions != start; ++layer) {
     const Eigen::Matrix3Xd ways = positions - start;
     bool meets = false;
-    const NearPairs::Pairs near = near_.between(start, positions);
+    const NearPairs::Pairs near = near_.between(start, positions, at.costs);
+    count_way_tests(near->size(), at.costs);
     for (const SurfacePair& pair : *near) {
       if (free_share_of(pair, start, ways, kKeptInWay) == 1) continue;
       meets = true;
@@ -208,16 +209,17 @@ void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
   const Eigen::Matrix3Xd& start = from.configuration.positions;
   // Where a step goes astray, points are sent far to all sides.
   double of_all = 1;
-  NearPairs::Pairs near = near_.between_if_few(start, to);
+  NearPairs::Pairs near = near_.between_if_few(start, to, from.costs);
   while (!near) {
     of_all /= 2;
-    near = near_.between_if_few(start, start + of_all * (to - start));
+    near = near_.between_if_few(start, start + of_all * (to - start), from.costs);
   }
   if (of_all < 1) {
     limits.obstructed = true;
     limits.shares = limits.shares.cwiseMin(of_all);
   }
   const Eigen::Matrix3Xd ways = of_all * (to - start);
+  count_way_tests(near->size(), from.costs);
   using Share = std::pair<SurfacePair, double>;
   const auto shares = found_of<Share>(*near, [&](const SurfacePair& pair) {
     const double share = free_share_of(pair, start, ways, limits.kept);
@@ -232,19 +234,19 @@ void SurfaceContact::limit(const Evaluation& from, const Eigen::Matrix3Xd& to,
 }
 
 void SurfaceContact::evaluate(const Evaluation& at, Derivatives& derivatives) const {
-  for (const auto& [pair, push] : pushes_at(at.configuration.positions)) {
+  for (const auto& [pair, push] : pushes_at(at.configuration.positions, at.costs)) {
     add_push(pair, push, at, derivatives);
   }
-  const auto before = lagged(at.history);
+  const auto before = lagged(at);
   for (const Rubbing& rubbing : before->rubbing) {
     add_friction(rubbing, at, derivatives);
   }
 }
 
 std::vector<std::pair<SurfacePair, SurfaceContact::Push>> SurfaceContact::pushes_at(
-    const Eigen::Matrix3Xd& positions) const {
+    const Eigen::Matrix3Xd& positions, SearchCosts* costs) const {
   using Pushed = std::pair<SurfacePair, Push>;
-  const NearPairs::Pairs near = near_.at(positions);
+  const NearPairs::Pairs near = near_.at(positions, costs);
   return found_of<Pushed>(*near, [&](const SurfacePair& pair) {
     const Push push = push_of(pair, positions);
     return push.acts() ? std::optional(Pushed{pair, push}) : std::nullopt;
@@ -293,15 +295,15 @@ void SurfaceContact::add_friction(const Rubbing& rubbing, const Evaluation& at,
   }
 }
 
-std::shared_ptr<const SurfaceContact::Lagged> SurfaceContact::lagged(const double* history) const {
-  const Eigen::Map<const Eigen::Matrix3Xd> positions(history, 3, built_.cols());
+std::shared_ptr<const SurfaceContact::Lagged> SurfaceContact::lagged(const Evaluation& at) const {
+  const Eigen::Map<const Eigen::Matrix3Xd> positions(at.history, 3, built_.cols());
   {
     const std::lock_guard lock(mutex_);
     if (lagged_ && lagged_->positions == positions) return lagged_;
   }
   auto made = std::make_shared<Lagged>();
   made->positions = positions;
-  for (const auto& [pair, push] : pushes_at(made->positions)) {
+  for (const auto& [pair, push] : pushes_at(made->positions, at.costs)) {
     const double friction = friction_of(pair);
     if (friction == 0) continue;
     made->rubbing.push_back({pair, push.weights, push.normal, friction * push.normal_force});

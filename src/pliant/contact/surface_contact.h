@@ -71,11 +71,12 @@ class SurfaceContact : public HistoryPotential {
                        const Eigen::Matrix3Xd& ways, double kept) const;
   Push push_of(const SurfacePair& pair, const Eigen::Matrix3Xd& positions) const;
   /// Of all pairs that push, in their order.
-  std::vector<std::pair<SurfacePair, Push>> pushes_at(const Eigen::Matrix3Xd& positions) const;
+  std::vector<std::pair<SurfacePair, Push>> pushes_at(const Eigen::Matrix3Xd& positions,
+                                                      SearchCosts* costs) const;
   void add_push(const SurfacePair& pair, const Push& push, const Evaluation& at,
                 Derivatives& derivatives) const;
   void add_friction(const Rubbing& rubbing, const Evaluation& at, Derivatives& derivatives) const;
-  std::shared_ptr<const Lagged> lagged(const double* history) const;
+  std::shared_ptr<const Lagged> lagged(const Evaluation& at) const;
 
   NearPairs near_;
   Eigen::Matrix3Xd built_;

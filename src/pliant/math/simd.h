@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -32,12 +33,27 @@ template <class Work, class... Arguments>
 }
 #endif
 
+/// While one lives, `run` takes two numbers at once on its thread, as on a processor that cannot
+/// take more: to compare bits.
+class Narrow {
+ public:
+  Narrow() : before_(std::exchange(holds_, true)) {}
+  ~Narrow() { holds_ = before_; }
+  Narrow(const Narrow&) = delete;
+  Narrow& operator=(const Narrow&) = delete;
+  static bool holds() { return holds_; }
+
+ private:
+  inline static constinit thread_local bool holds_ = false;
+  bool before_;
+};
+
 /// Work::run<V>(arguments...), with V as wide as the processor's instructions. What it calls must
 /// be PLIANT_INLINE, as it is itself.
 template <class Work, class... Arguments>
 void run(Arguments... arguments) {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) {
+  if (__builtin_cpu_supports("avx2") && !Narrow::holds()) {
     run_on_four<Work>(arguments...);
     return;
   }

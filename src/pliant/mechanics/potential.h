@@ -9,6 +9,7 @@
 #include "pliant/math/block_matrix.h"
 #include "pliant/mechanics/controls.h"
 #include "pliant/mechanics/coordinates.h"
+#include "pliant/mechanics/search_costs.h"
 
 namespace pliant {
 
@@ -52,6 +53,7 @@ struct Evaluation {
   const Controls& controls = kNoControls;
   StepTime time = {};
   Curvature curvature = Curvature::exact;
+  SearchCosts* costs = nullptr;  ///< where they are counted; null: nowhere
 };
 
 /// Second derivatives in a system's generalised coordinates (N/m).

@@ -20,6 +20,7 @@ struct Conditions {
   const Parameters& parameters = kAsBuilt;
   const Controls& controls = kNoControls;
   StepTime time = {};
+  SearchCosts* costs = nullptr;  ///< where they are counted; null: nowhere
 };
 
 /// A mechanical system: points with mass, their generalised coordinates, and the potentials that
@@ -123,7 +124,8 @@ class System {
             under.parameters.law(part.number),
             under.controls,
             under.time,
-            curvature};
+            curvature,
+            under.costs};
   }
 
   Eigen::VectorXd masses_;

@@ -32,6 +32,10 @@ std::string time_text(std::optional<double> seconds) {
   return number_text(1e6 * *seconds) + " µs";
 }
 
+std::string distance_text(std::optional<double> metres) {
+  return metres ? number_text(1e3 * *metres) + " mm" : kNoValue;
+}
+
 std::string energy_text(double joules) {
   return std::abs(joules) < 0.1 ? number_text(1e3 * joules) + " mJ" : number_text(joules) + " J";
 }
@@ -72,8 +76,7 @@ std::string facts(const SimulationResults& results) {
     all.emplace_back("Memory", number_text(results.peak_memory) + " MB");
   }
   if (results.min_contact_distance) {
-    all.emplace_back("Least contact distance",
-                     number_text(1e3 * *results.min_contact_distance) + " mm");
+    all.emplace_back("Least contact distance", distance_text(results.min_contact_distance));
   }
   all.insert(all.end(), results.info.begin(), results.info.end());
   return fact_list(all);
@@ -150,6 +153,8 @@ std::string step_section(const SimulationResults& results) {
   row("Newton iterations", results.newton_iterations, number_text);
   row("Iterations of the linear solver, all together", results.linear_iterations, number_text);
   row("Vertices and pairs that touch at its end", results.contacts, number_text);
+  row("Least contact distance at its end", results.contact_distance, distance_text);
+  row("Ways tested for what is met on them", results.way_tests, number_text);
   if (table.empty()) return {};
   return "<section id=\"steps\"><h2>Steps</h2>\n" + table.html() +
          "<p class=\"small\">A direct linear solver counts no iterations.</p></section>\n";

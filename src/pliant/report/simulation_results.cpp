@@ -47,11 +47,10 @@ EnergyTable read_energy(const std::filesystem::path& file) {
 void read_phases(const JsonReader& json, SimulationResults& results) {
   const std::optional<JsonReader> phases = json.object("seconds_by_phase");
   if (!phases) return;
-  const std::pair<const char*, const char*> known[] = {{"assembly", "forces and Hessians"},
-                                                       {"equations", "linear equations"},
-                                                       {"energies", "energies along the search"},
-                                                       {"ways", "what is near, and free ways"},
-                                                       {"history", "what is remembered of it"}};
+  const std::pair<const char*, const char*> known[] = {
+      {"assembly", "forces and Hessians"},       {"equations", "linear equations"},
+      {"energies", "energies along the search"}, {"pairs", "search for what is near"},
+      {"ways", "how far vertices may go"},       {"history", "what is remembered of it"}};
   for (const auto& [key, words] : known) {
     results.phases.emplace_back(words, read_statistics(*phases, key));
   }
@@ -134,6 +133,8 @@ SimulationResults read_simulation_results(const std::filesystem::path& directory
   read_phases(json, r);
   r.substeps = read_statistics(json, "substeps");
   r.contacts = read_statistics(json, "contacts");
+  r.contact_distance = read_statistics(json, "contact_distance");
+  r.way_tests = read_statistics(json, "way_tests");
   r.newton_iterations = read_statistics(json, "newton_iterations");
   r.linear_iterations = read_statistics(json, "linear_iterations");
   r.peak_memory = json.number("peak_memory_MB");

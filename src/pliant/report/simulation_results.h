@@ -54,7 +54,9 @@ struct SimulationResults {
   std::size_t frames = 0;
   double last_time = 0;  ///< s, of the last frame
   StepStatistics seconds, substeps, newton_iterations, linear_iterations;
-  StepStatistics contacts;  ///< what touches at the end of a step; nothing without contact
+  StepStatistics contacts;          ///< what touches at the end of a step; none without contact
+  StepStatistics contact_distance;  ///< least one at the end of a step (m); likewise
+  StepStatistics way_tests;         ///< for what is met on them, in a step; likewise
   std::vector<std::pair<std::string, StepStatistics>> phases;  ///< of the seconds, in words
   std::optional<double> peak_memory;                           ///< MB
   std::optional<double> min_contact_distance;                  ///< m

@@ -90,7 +90,7 @@ SimulationState read_state(const Json& json, const State& start) {
   state.outside = json.at("outside");
   fill_state(json.at("state"), state.state);
   state.records.seconds = list_of<double>(json.at("seconds"));
-  state.records.phases = list_of<PhaseSeconds>(json.at("phases"));
+  state.records.costs = list_of<SearchCosts>(json.at("costs"));
   state.records.substeps = list_of<int>(json.at("substeps"));
   state.records.newton_iterations = list_of<int>(json.at("newton_iterations"));
   state.records.linear_iterations = list_of<int>(json.at("linear_iterations"));
@@ -184,7 +184,7 @@ std::string checkpoint_bytes(const SimulationState& state, const std::string& id
                   {"outside", state.outside},
                   {"state", state_json(state.state)},
                   {"seconds", bytes_of(state.records.seconds)},
-                  {"phases", bytes_of(state.records.phases)},
+                  {"costs", bytes_of(state.records.costs)},
                   {"substeps", bytes_of(state.records.substeps)},
                   {"newton_iterations", bytes_of(state.records.newton_iterations)},
                   {"linear_iterations", bytes_of(state.records.linear_iterations)},

@@ -22,7 +22,7 @@ struct Simulation::StepResult {
   double drag = 0;     // of it, against the air
   double rubbing = 0;  // of it, against the friction of contacts
   double outside = 0;  // done by what is moved from outside (J)
-  PhaseSeconds seconds = {};
+  SearchCosts costs = {};
 };
 
 /// Takes a simulation's state through one step.
@@ -109,7 +109,7 @@ class Simulation::TimeSteps : public Simulation::Stepper {
     const StepSummary summary = attempt(state, step);
     result.newton_iterations += summary.newton_iterations;
     result.linear_iterations += summary.linear_iterations;
-    result.seconds += summary.seconds;
+    result.costs += summary.costs;
     const bool halved = summary.gained && halvings < kMostOfGain;
     if (summary.converged && !halved) {
       ++result.substeps;
@@ -177,7 +177,7 @@ class Simulation::Equilibria : public Simulation::Stepper {
             .linear_iterations = point.newton.linear_iterations,
             .work = point.work,
             .outside = point.outside,
-            .seconds = point.seconds};
+            .costs = point.costs};
   }
 
  private:
@@ -276,7 +276,7 @@ void Simulation::advance() {
   now_.rubbing += result.rubbing;
   now_.outside += result.outside;
   now_.records.seconds.push_back(seconds_now() - begin);
-  now_.records.phases.push_back(result.seconds);
+  now_.records.costs.push_back(result.costs);
   now_.records.substeps.push_back(result.substeps);
   now_.records.newton_iterations.push_back(result.newton_iterations);
   now_.records.linear_iterations.push_back(result.linear_iterations);

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "pliant/mechanics/search_costs.h"
 #include "pliant/scene/scene_system.h"
-#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
@@ -38,8 +38,8 @@ struct ClipRow {
 /// What the steps of a simulation took, attempts that failed included.
 struct StepRecords {
   std::vector<double> seconds;
-  std::vector<PhaseSeconds> phases;  ///< of the seconds
-  std::vector<int> substeps;         ///< 1 but where a step was halved
+  std::vector<SearchCosts> costs;  ///< the parts of the seconds
+  std::vector<int> substeps;       ///< 1 but where a step was halved
   std::vector<int> newton_iterations;
   std::vector<int> linear_iterations;
   /// Least one of contact at the end, m: from an obstacle, or of cloth from cloth where that is

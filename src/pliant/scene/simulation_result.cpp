@@ -1,6 +1,7 @@
 #include "pliant/scene/simulation_result.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
@@ -26,17 +27,19 @@ Json statistics(std::vector<T> values) {
           {"max", values.back()}};
 }
 
+// Of one of the costs of a step.
+template <class T>
+Json of_steps(const StepRecords& records, T SearchCosts::*cost) {
+  std::vector<T> costs;
+  for (const SearchCosts& step : records.costs) costs.push_back(step.*cost);
+  return statistics(std::move(costs));
+}
+
 Json phases(const StepRecords& records) {
-  const auto of = [&](double PhaseSeconds::*phase) {
-    std::vector<double> seconds;
-    for (const PhaseSeconds& step : records.phases) seconds.push_back(step.*phase);
-    return statistics(std::move(seconds));
-  };
-  return {{"assembly", of(&PhaseSeconds::assembly)},
-          {"equations", of(&PhaseSeconds::equations)},
-          {"energies", of(&PhaseSeconds::energies)},
-          {"ways", of(&PhaseSeconds::ways)},
-          {"history", of(&PhaseSeconds::history)}};
+  const auto of = [&](double SearchCosts::*phase) { return of_steps(records, phase); };
+  return {{"assembly", of(&SearchCosts::assembly)}, {"equations", of(&SearchCosts::equations)},
+          {"energies", of(&SearchCosts::energies)}, {"pairs", of(&SearchCosts::pairs)},
+          {"ways", of(&SearchCosts::ways)},         {"history", of(&SearchCosts::history)}};
 }
 
 Json frames(const Simulation& simulation) {
@@ -92,9 +95,15 @@ Json obstacles_path(const Scene& scene) {
   return has_moving_obstacles(scene.obstacles) ? "obstacles" : "obstacles.obj";
 }
 
-Json least_distance(const StepRecords& records) {
-  if (records.distances.empty()) return nullptr;
-  return *std::ranges::min_element(records.distances);
+// Of the steps at whose end something has one.
+std::vector<double> contact_distances(const StepRecords& records) {
+  std::vector<double> distances = records.distances;
+  std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
+  return distances;
+}
+
+Json least_of(const std::vector<double>& distances) {
+  return distances.empty() ? Json(nullptr) : Json(*std::ranges::min_element(distances));
 }
 
 }  // namespace
@@ -102,6 +111,8 @@ Json least_distance(const StepRecords& records) {
 std::string simulation_text(const Simulation& simulation, const SimulationFacts& facts) {
   const Scene& scene = simulation.scene();
   const SimulationState& now = simulation.now();
+  const std::vector<double> distances = contact_distances(now.records);
+  const bool meets = !now.records.contacts.empty();
   Json fields = Json::object();
   for (const auto& [name, unit] : frame_fields(simulation)) fields[name] = unit;
   Json json{{"pliant", "simulation/1"},
@@ -131,7 +142,9 @@ std::string simulation_text(const Simulation& simulation, const SimulationFacts&
             {"not_modelled", not_modelled(scene)},
             {"crossing_pairs", crossing_pairs(simulation)},
             {"contacts", statistics(now.records.contacts)},
-            {"min_contact_distance", least_distance(now.records)},
+            {"contact_distance", statistics(distances)},
+            {"min_contact_distance", least_of(distances)},
+            {"way_tests", meets ? of_steps(now.records, &SearchCosts::way_tests) : Json(nullptr)},
             {"mesh", scene.solids.empty() ? Json("cloth.obj") : Json(nullptr)},
             {"obstacles", obstacles_path(scene)},
             {"solids", scene.solids.empty() ? Json(nullptr) : Json("solids.vtu")},

@@ -49,7 +49,7 @@ bool go_down(const Objective& objective, const Eigen::VectorXd& force, const Fre
 // Nothing where the matrix is not positive definite.
 std::optional<LinearSummary> solved(const Objective& objective, Workspace& workspace,
                                     const Eigen::VectorXd& force, Eigen::VectorXd& change) {
-  const Timed counted = objective.timed(&PhaseSeconds::equations);
+  const Timed counted = objective.timed(&SearchCosts::equations);
   if (!workspace.solver->factorize(workspace.hessian.matrix)) return std::nullopt;
   return workspace.solver->solve(force, change);
 }

@@ -19,7 +19,7 @@ Eigen::VectorXd diagonal_traces(const BlockMatrix& matrix) {
 }
 
 bool factorize(const Objective& objective, const BlockMatrix& matrix, LinearSolver& solver) {
-  const Timed counted = objective.timed(&PhaseSeconds::equations);
+  const Timed counted = objective.timed(&SearchCosts::equations);
   return solver.factorize(matrix);
 }
 
@@ -96,7 +96,7 @@ bool line_search(const Objective& objective, const Eigen::VectorXd& step, double
 // Newton's step. Its accuracy matters little; that the matrix is positive definite does.
 bool solve(const Objective& objective, const LinearSolver& solver, const Eigen::VectorXd& force,
            Eigen::VectorXd& step, NewtonSummary& summary) {
-  const Timed counted = objective.timed(&PhaseSeconds::equations);
+  const Timed counted = objective.timed(&SearchCosts::equations);
   step = Eigen::VectorXd::Zero(force.size());
   const LinearSummary linear = solver.solve(force, step);
   summary.linear_iterations += linear.iterations;

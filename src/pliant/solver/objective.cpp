@@ -10,7 +10,7 @@ void Objective::evaluate(const Configuration& at, Curvature curvature,
 }
 
 Energy Objective::energy(const Configuration& at) const {
-  const Timed counted = timed(&PhaseSeconds::energies);
+  const Timed counted = timed(&SearchCosts::energies);
   Derivatives derivatives;
   evaluate(at, Curvature::exact, derivatives);
   return derivatives.energy;
@@ -23,7 +23,7 @@ Eigen::Matrix3Xd Objective::gradient(const Configuration& at) const {
 }
 
 Energy Objective::evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) const {
-  const Timed counted = timed(&PhaseSeconds::energies);
+  const Timed counted = timed(&SearchCosts::energies);
   gradient.setZero(3, system_.points());
   Derivatives derivatives;
   derivatives.gradient = &gradient;
@@ -33,7 +33,7 @@ Energy Objective::evaluate(const Configuration& at, Eigen::Matrix3Xd& gradient) 
 
 Energy Objective::linearize(const Configuration& at, Curvature curvature,
                             Eigen::Matrix3Xd& gradient, Hessian& hessian) const {
-  const Timed counted = timed(&PhaseSeconds::assembly);
+  const Timed counted = timed(&SearchCosts::assembly);
   gradient.setZero(3, system_.points());
   hessian.matrix.set_zero();
   Derivatives derivatives;
@@ -47,18 +47,18 @@ Energy Objective::linearize(const Configuration& at, Curvature curvature,
 }
 
 std::optional<Eigen::Matrix3Xd> Objective::made_way(const Eigen::Matrix3Xd& led) const {
-  const Timed counted = timed(&PhaseSeconds::ways);
+  const Timed counted = timed(&SearchCosts::ways);
   return system_.made_way(led, under_);
 }
 
 WayLimits Objective::way_limits(const Configuration& from, const Configuration& to,
                                 double kept) const {
-  const Timed counted = timed(&PhaseSeconds::ways);
+  const Timed counted = timed(&SearchCosts::ways);
   return system_.way_limits(from, to, under_, kept);
 }
 
 Energy Objective::advance_history(const Configuration& at, Eigen::VectorXd& history) const {
-  const Timed counted = timed(&PhaseSeconds::history);
+  const Timed counted = timed(&SearchCosts::history);
   return system_.advance_history(at, under_, history);
 }
 

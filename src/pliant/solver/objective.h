@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "pliant/mechanics/system.h"
-#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
@@ -12,17 +11,15 @@ namespace pliant {
 /// some conditions, and those that the step adds (inertia, drag).
 class Objective {
  public:
-  /// @param seconds  where time is counted, what a search on it takes beside; null: nowhere
-  Objective(const System& system, const Conditions& under, PhaseSeconds* seconds = nullptr)
-      : system_(system), under_(under), seconds_(seconds) {}
+  Objective(const System& system, const Conditions& under) : system_(system), under_(under) {}
 
   /// `potential` outlives the objective.
   void add(const Potential& potential) { of_step_.push_back(&potential); }
 
   const System& system() const { return system_; }
   const Conditions& conditions() const { return under_; }
-  /// Counts towards a phase while it lives.
-  Timed timed(double PhaseSeconds::*phase) const { return {seconds_, phase}; }
+  /// Counts towards a phase of the costs while it lives.
+  Timed timed(double SearchCosts::*phase) const { return {under_.costs, phase}; }
 
   Energy energy(const Configuration& at) const;
   /// dE / d points, N; on prescribed points the force that holds them.
@@ -43,7 +40,6 @@ class Objective {
 
   const System& system_;
   Conditions under_;
-  PhaseSeconds* seconds_;
   std::vector<const Potential*> of_step_;
 };
 

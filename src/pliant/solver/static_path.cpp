@@ -101,8 +101,8 @@ bool StaticPath::find_equilibrium(const Controls& controls, PathEquilibrium& poi
                                   Configuration& at) {
   system_.coordinates().apply(controls, at);
   const NewtonSummary found =
-      minimize_within_limits(system_, {state_, options_.parameters, controls}, options_.newton,
-                             of_search_, at, &point.seconds);
+      minimize_within_limits(system_, {state_, options_.parameters, controls, {}, &point.costs},
+                             options_.newton, of_search_, at);
   const NewtonSummary before = point.newton;
   point.newton = found;
   point.newton.iterations += before.iterations;
@@ -114,7 +114,7 @@ bool StaticPath::find_equilibrium(const Controls& controls, PathEquilibrium& poi
 void StaticPath::accept(double time, Controls controls, Configuration at, PathEquilibrium& point) {
   point.time = time;
   ++point.equilibria;
-  const Objective objective(system_, {state_, options_.parameters, controls}, &point.seconds);
+  const Objective objective(system_, {state_, options_.parameters, controls, {}, &point.costs});
   if (options_.by.empty()) {
     point.forces = objective.gradient(at);
     point.outside += outside_work(objective, at, point.forces, controls_at(state_.time));

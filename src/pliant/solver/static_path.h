@@ -26,8 +26,8 @@ struct PathEquilibrium {
   NewtonSummary newton;  ///< of the last equilibrium; iterations are those of the whole step
   int equilibria = 0;    ///< found during the step
   double search_seconds = 0, derivative_seconds = 0;
-  PhaseSeconds seconds = {};  ///< of the search
-  double work = 0;            ///< done against friction during the step (J)
+  SearchCosts costs;        ///< of the search
+  double work = 0;          ///< done against friction during the step (J)
   double outside = 0;       ///< done from outside; not counted where derivatives are asked for (J)
   Eigen::Matrix3Xd forces;  ///< dE / d points (N): on points moved from outside what moves them
 

@@ -249,13 +249,14 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   const Eigen::Matrix3Xd velocities = scheme.mix(from.velocities, from.last_velocities);
   const PointTargets inertia(system_.masses() / (scheme.time * scheme.time),
                              start + scheme.time * velocities);
+  SearchCosts costs;
   const Conditions under{
       .from = from,
       .controls = controls,
-      .time = {1 / scheme.time, scheme.now, scheme.earlier, {.share = kLimitBarrier}, step}};
+      .time = {1 / scheme.time, scheme.now, scheme.earlier, {.share = kLimitBarrier}, step},
+      .costs = &costs};
   StepSummary summary;
-  PhaseSeconds seconds;
-  Objective objective(system_, under, &seconds);
+  Objective objective(system_, under);
   objective.add(inertia);
   std::optional<AirDrag> drag;
   if (options_.air) {
@@ -274,7 +275,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   }
   if (!begin) {
     to = from;
-    return {.converged = false, .has_room = false, .residual = INFINITY, .seconds = seconds};
+    return {.converged = false, .has_room = false, .residual = INFINITY, .costs = costs};
   }
   auto& [at, way] = *begin;
   // A scheme of two steps may lend energy to one and take it back in the next.
@@ -289,7 +290,7 @@ StepSummary TimeStepper::advance(const State& from, double step, State& to) {
   } else {
     summary = searched(trial, led, std::move(at), to);
   }
-  summary.seconds = seconds;
+  summary.costs = costs;
   to.time = time;
   if (!summary.has_room) return summary;
   if (!to.configuration.positions.allFinite() || !std::isfinite(summary.residual)) {

@@ -6,7 +6,6 @@
 #include "pliant/solver/integration.h"
 #include "pliant/solver/led_motion.h"
 #include "pliant/solver/newton.h"
-#include "pliant/solver/phase_seconds.h"
 
 namespace pliant {
 
@@ -29,12 +28,12 @@ struct StepSummary {
   bool gained = false;  ///< backward Euler only: what meets something has more energy, nothing led
   int newton_iterations = 1;
   int linear_iterations = 0;
-  double residual = 0;  ///< largest force left (N); unless converged, that of the linear system
-  double work = 0;      ///< done against friction and damping during the step (J)
-  double drag = 0;      ///< done against the air (J)
-  double rubbing = 0;   ///< of the work, against the friction of contacts (J)
-  double outside = 0;   ///< done by what is led from outside (J)
-  PhaseSeconds seconds = {};  ///< without what the phases do not name
+  double residual = 0;     ///< largest force left (N); unless converged, that of the linear system
+  double work = 0;         ///< done against friction and damping during the step (J)
+  double drag = 0;         ///< done against the air (J)
+  double rubbing = 0;      ///< of the work, against the friction of contacts (J)
+  double outside = 0;      ///< done by what is led from outside (J)
+  SearchCosts costs = {};  ///< without what the phases do not name
 };
 
 /// Steps a system through time by minimising its incremental potential: |x - x^|^2_M / (2 t^2) plus

@@ -15,16 +15,16 @@ constexpr double kBalance = 1e-6;
 
 NewtonSummary minimize_within_limits(const System& system, const Conditions& under,
                                      const NewtonOptions& options, Workspace& workspace,
-                                     Configuration& at, PhaseSeconds* seconds) {
+                                     Configuration& at) {
   if (!system.is_limited()) {
-    return minimize(Objective(system, under, seconds), options, workspace, at);
+    return minimize(Objective(system, under), options, workspace, at);
   }
   NewtonSummary summary;
   double held_with = 0;  // N
   const auto follow = [&](const LimitBarrier& limits) {
     Conditions then = under;
     then.time.limits = limits;
-    const Objective objective(system, then, seconds);
+    const Objective objective(system, then);
     NewtonOptions own = options;
     own.tolerance = std::max(own.tolerance, kBalance * held_with);
     NewtonSummary found = minimize(objective, own, workspace, at);

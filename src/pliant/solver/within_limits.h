@@ -12,6 +12,6 @@ namespace pliant {
 /// @return counts of all searches; not converged where nothing within the limits was found
 NewtonSummary minimize_within_limits(const System& system, const Conditions& under,
                                      const NewtonOptions& options, Workspace& workspace,
-                                     Configuration& at, PhaseSeconds* seconds = nullptr);
+                                     Configuration& at);
 
 }  // namespace pliant

@@ -241,7 +241,7 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
         "{}: the sample is wrinkled in this first frame, or bent both ways: laid flat it is "
         "stretched by {:.2g} %, which counts as strain in all others; a frame in which it lies "
         "smooth comes first",
-        dic.files().front().string(), 100 * *made.unrolled));
+        dic.file_of(0), 100 * *made.unrolled));
   }
   if (!dic.forces && !dic.table) {
     study.warnings.emplace_back(

@@ -46,12 +46,12 @@ class SheetFollower {
     const Eigen::Vector2d size(dic.sample.width, dic.sample.height);
     places_.emplace(axes_, first.rest, size, result_.spacing);
     result_.unrolled = places_->stretch();
-    places_->require_sheet(points_->file(0));
+    places_->require_sheet(dic_.file_of(0));
     make_rest();
     if (result_.unrolled) begin_unrolled(first);
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
-    forces_ = frame_forces(dic, result_.session.clips, points_->count());
+    forces_ = frame_forces(dic, result_.session.clips);
     result_.cameras = points_->cameras();
     begin_middle();
     for (const DicClip& clip : dic.clips) {
@@ -60,8 +60,8 @@ class SheetFollower {
   }
 
   DicSession followed() && {
-    ProgressTask task(context_.progress, "frames", points_->count());
-    for (int f = 0; f < points_->count(); ++f) {
+    ProgressTask task(context_.progress, "frames", dic_.frame_count());
+    for (int f = 0; f < dic_.frame_count(); ++f) {
       context_.stop.throw_if_requested();
       follow(f);
       task.advance(f + 1);
@@ -91,7 +91,7 @@ class SheetFollower {
   PointFrame read(int f) {
     PointFrame points = points_->read(f);
     if (!points.left_out.empty() || points.count() >= kFewestPoints) return points;
-    throw InputError({points_->file(f)},
+    throw InputError({dic_.file_of(f)},
                      fmt::format("frame {} has {} points that were seen", f, points.count()),
                      fmt::format("at least {}", kFewestPoints));
   }
@@ -235,8 +235,8 @@ class SheetFollower {
   /// At rest, under the largest force or half way, and at the end.
   bool is_shown(int f) const {
     const std::vector<double>& force = forces_->log().force;
-    const auto peak = force.empty() ? points_->count() / 2 : largest_force() - force.begin();
-    return f == 0 || f == peak || f == points_->count() - 1;
+    const auto peak = force.empty() ? dic_.frame_count() / 2 : largest_force() - force.begin();
+    return f == 0 || f == peak || f == dic_.frame_count() - 1;
   }
 
   /// Among the frames that the log covers.
@@ -344,7 +344,7 @@ class SheetFollower {
     if (clip.motion == ClipMotion::points) {
       if (by_points) return *by_points;
       throw InputError(
-          {points_->file(f)},
+          {dic_.file_of(f)},
           fmt::format("frame {}: no points within {} of the clip {}", f,
                       format_quantity(kFar * result_.spacing, Dimension::length, 3), clip.name),
           "points beside it; or `motion: held` or `extension`, where it is known");
@@ -377,7 +377,7 @@ class SheetFollower {
       const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.edge);
       const auto pose = pose_of_points(around, rest, side.outward, kFar * result_.spacing);
       if (!pose) {
-        throw InputError({points_->file(0)},
+        throw InputError({dic_.file_of(0)},
                          fmt::format("the sample does not lie flat, and no points beside the clip "
                                      "{} tell where it is",
                                      dic_.clips[first_poses_.size()].name),
@@ -412,7 +412,7 @@ class SheetFollower {
 
   void add_middle(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved, int f) {
     if (result_.middle->add(rest, moved)) return;
-    throw InputError({points_->file(f)},
+    throw InputError({dic_.file_of(f)},
                      fmt::format("frame {}: no points in the middle of the sample", f),
                      "at least five that do not lie in a line");
   }

@@ -133,7 +133,7 @@ double depth_ratio(const PlaneView& view, const Eigen::Vector2d& place,
 LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic), lens_(dic.lens) {
   const std::vector<DetectedTag> found = detect_tags(first);
   const TagsByCode tags = tags_by_code(found);
-  const std::string file = dic.pictures->files.front().string();
+  const std::string file = dic.file_of(0);
   std::vector<LabelSighting> sightings;
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
     for (const int code : dic.clips[clip].labels) {

@@ -60,7 +60,7 @@ std::optional<double> off_line(const SplinePicture& picture, const CordLook& loo
                                double reach) {
   constexpr double kFine = 0.5, kFaintest = 0.35;  // pixels; contrasts
   const Eigen::Vector2d margin = (reach + 3 * look.side) * normal;
-  if (!picture.contains(place - margin) || !picture.contains(place + margin)) return std::nullopt;
+  if (!picture.contains_beside(place, margin)) return std::nullopt;
   const auto ridge = [&](double off) { return look.ridge(picture, place + off * normal, normal); };
   double best = 0, most = kFaintest;
   for (double off = -reach; off <= reach; off += kFine) {

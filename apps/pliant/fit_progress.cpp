@@ -6,7 +6,6 @@
 namespace pliant {
 namespace {
 
-constexpr const char* kName = "progress.bin";
 constexpr double kPeriod = 10;  // s, what a crash may lose
 
 }  // namespace
@@ -21,12 +20,12 @@ FitProgress::FitProgress(ResultDirectory& results, bool resume)
   journal_.resume(read_journal(file()), file().string());
 }
 
-std::filesystem::path FitProgress::file() const { return results_.path() / kName; }
+std::filesystem::path FitProgress::file() const { return results_.path() / kProgressFile; }
 
 bool FitProgress::save() {
   const Journal::Content& content = journal_.content();
   if (content.entries.empty()) return false;
-  results_.set_aside(kName, journal_bytes(content));
+  results_.set_aside(kProgressFile, journal_bytes(content));
   since_saved_ = {};
   return true;
 }

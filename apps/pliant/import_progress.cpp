@@ -7,9 +7,8 @@ namespace pliant {
 
 ImportedStudy remembering(ResultDirectory& results, bool resume, const CommandContext& context,
                           const std::function<ImportedStudy(const RunContext&)>& work) {
-  constexpr const char* kName = "progress.bin";
-  AnswerFile answers(results.path() / kName,
-                     [&](const std::string& bytes) { results.set_aside(kName, bytes); });
+  AnswerFile answers(results.path() / kProgressFile,
+                     [&](const std::string& bytes) { results.set_aside(kProgressFile, bytes); });
   if (resume) answers.resume();
   const RunContext& run = context.run;
   const auto save = [&] {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "pliant/capture/tag_detector.h"
+#include "pliant/capture/printed_board.h"
 #include "pliant/capture/wavelet_noise.h"
 #include "pliant/io/text_file.h"
 
@@ -140,13 +140,14 @@ class StripPictures {
 
   /// @param middle  row of its middle
   void draw_label(int code, int middle, bool on_its_head, GreyPicture& picture) const {
-    const GreyPicture cells = tag_cells(code);
-    const int cell = tag_ / 8, top = middle - tag_ / 2, left = columns_ / 2 - tag_ / 2;
+    const PrintedBoard tag({1, 1, 1.0 * tag_, tag_ / 8.0, code});
+    const int top = middle - tag_ / 2, left = columns_ / 2 - tag_ / 2;
     for (int row = 0; row < tag_; ++row) {
       for (int column = 0; column < tag_; ++column) {
-        const int r = row / cell, c = column / cell;
-        picture(top + row, left + column) =
-            0.1F + 0.8F * (on_its_head ? cells(7 - r, 7 - c) : cells(r, c));
+        const Eigen::Vector2d place(column + 0.5, tag_ - row - 0.5);  // from its lower left corner
+        const double light =
+            tag.at(on_its_head ? Eigen::Vector2d(Eigen::Vector2d::Constant(tag_) - place) : place);
+        picture(top + row, left + column) = static_cast<float>(0.1 + 0.8 * light);
       }
     }
   }

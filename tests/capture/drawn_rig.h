@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include "pliant/capture/cloth_print.h"
 #include "pliant/capture/dic_file.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/view_drawing.h"
-#include "pliant/capture/wavelet_noise.h"
 #include "pliant/geometry/regular_grid.h"
 
 namespace pliant::test {
@@ -19,32 +19,14 @@ namespace pliant::test {
 /// Where a place of the sample is, in axes in which it is at rest at (u, v, 0).
 using SheetMotion = std::function<Eigen::Vector3d(const Eigen::Vector2d& rest)>;
 
-/// Irregular print on cloth, brightness 0 to 1.
-class PrintedTexture {
- public:
-  explicit PrintedTexture(double size, std::uint64_t seed = 3)
-      : pixels_(static_cast<int>(size / kPixel)), picture_(drawn(seed)) {}
-
-  double at(const Eigen::Vector2d& place) const {
-    const double last = pixels_ - 1;
-    return picture_.value((place / kPixel).cwiseMax(0).cwiseMin(last)) / 255;
-  }
-
- private:
-  static constexpr double kPixel = 0.1e-3;
-
-  GreyPicture drawn(std::uint64_t seed) const {
-    ClothPattern pattern;
-    pattern.seed = seed;
-    const auto levels = noise_levels(pattern, pixels_, pixels_, kPixel);
-    GreyPicture picture(pixels_, pixels_);
-    for (int i = 0; i < pixels_ * pixels_; ++i) picture(i / pixels_, i % pixels_) = levels[i];
-    return picture;
-  }
-
-  int pixels_;
-  SplinePicture picture_;
-};
+/// A print of 0.1 mm a pixel on a square.
+inline ClothPrint print_on_square(double size) {
+  constexpr double kPixel = 0.1e-3;
+  const int pixels = static_cast<int>(size / kPixel);
+  ClothPattern pattern;
+  pattern.seed = 3;
+  return {pattern, pixels, pixels, kPixel};
+}
 
 /// Cameras half a metre away that look at the middle of a printed square from all around, 0.25 mm a
 /// pixel ([T] 3.2.1), and what they see of it frame by frame.
@@ -57,7 +39,7 @@ class DrawnRig {
   ChipNoise noise;
 
   DrawnRig(int count, int columns, int rows, double sheet)
-      : size(sheet), to_rig_(Eigen::Isometry3d::Identity()), texture_(sheet) {
+      : size(sheet), to_rig_(Eigen::Isometry3d::Identity()), print_(print_on_square(sheet)) {
     for (int c = 0; c < count; ++c) cameras.push_back(camera(c, count, columns, rows));
     const RigidMotion first = cameras[0].pose.inverse();
     to_rig_ = cameras[0].pose.isometry();
@@ -92,7 +74,7 @@ class DrawnRig {
     for (int v = 0; v < rest.vertex_count(); ++v) {
       surface.positions.col(v) = to_rig_ * frames[frame](surface.places.col(v));
     }
-    surface.brightness = [this](const Eigen::Vector2d& place) { return texture_.at(place); };
+    surface.brightness = [this](const Eigen::Vector2d& place) { return print_.at(place); };
     return surface;
   }
 
@@ -160,7 +142,7 @@ class DrawnRig {
   }
 
   Eigen::Isometry3d to_rig_;  // from the axes of the sheet
-  PrintedTexture texture_;
+  ClothPrint print_;
 };
 
 }  // namespace pliant::test

@@ -44,7 +44,7 @@ class PulledClip {
             more +
             "  cells:\n    - {clip: upper, cord: front, column: F1, "
             "tare: 0.1 N, slope: 1.5, picture: left/00.png, along: [[10, 10], [90, 10]]}\n")));
-    forces_ = frame_forces(dic_, {{"upper", 0, {}}}, static_cast<int>(pictures.size()));
+    forces_ = frame_forces(dic_, {{"upper", 0, {}}});
   }
 
   FrameForces& forces() { return *forces_; }

@@ -9,8 +9,8 @@
 
 #include "pliant/base/random.h"
 #include "pliant/capture/lens.h"
+#include "pliant/capture/printed_board.h"
 #include "pliant/capture/spline_picture.h"
-#include "pliant/capture/tag_detector.h"
 
 #include "capture/texture.h"
 
@@ -44,14 +44,17 @@ double seen_by_pixel(const Eigen::Vector2d& pixel, int samples, const At& at) {
 
 /// Brightness within a label and the white around it, -1 outside.
 /// @param tag  side of its black square (m)
-inline double label_brightness(const GreyPicture& cells, double tag, const Eigen::Vector2d& place) {
-  constexpr int kCells = 8;
-  const double cell = tag / kCells, around = tag / 2 + cell;
-  if (std::abs(place.x()) > around || std::abs(place.y()) > around) return -1;
-  if (std::abs(place.x()) >= tag / 2 || std::abs(place.y()) >= tag / 2) return 1;
-  const int column = static_cast<int>((place.x() + tag / 2) / cell);
-  const int row = kCells - 1 - static_cast<int>((place.y() + tag / 2) / cell);
-  return static_cast<double>(cells(row, column));
+/// @param place  from its middle
+inline double label_brightness(const PrintedBoard& label, double tag,
+                               const Eigen::Vector2d& place) {
+  const double around = tag / 2 + tag / kTagCells;
+  if (place.cwiseAbs().maxCoeff() > around) return -1;
+  return label.at(place + Eigen::Vector2d::Constant(tag / 2));
+}
+
+/// A label as it was printed, with its white around it.
+inline PrintedBoard printed_label(int code, double tag) {
+  return PrintedBoard({1, 1, tag, tag / kTagCells, code});
 }
 
 /// A flat strip between two jaws with the labels 0 and 1, as a pinhole camera sees it: 30 mm x 90
@@ -107,7 +110,7 @@ struct LabelledPull {
 
   /// Brightness of a place of the plane (0 to 1).
   double at(const Eigen::Vector2d& place, const Texture& texture) const {
-    static const GreyPicture lower = tag_cells(0), upper = tag_cells(1);
+    static const PrintedBoard lower = printed_label(0, kTag), upper = printed_label(1, kTag);
     const Eigen::Vector2d middle(kWidth / 2, 0);
     const Eigen::Rotation2Dd back(-jaw_turned);
     const Eigen::Vector2d on_jaw = back * (place - middle - Eigen::Vector2d(0, jaw()));

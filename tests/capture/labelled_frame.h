@@ -74,12 +74,12 @@ struct LabelledFrame {
 
   /// As of `label_brightness`, of any.
   static double label_at(const std::array<Bar, 4>& bars, const Eigen::Vector2d& place) {
-    static const std::array<GreyPicture, 4> cells{tag_cells(0), tag_cells(1), tag_cells(2),
-                                                  tag_cells(3)};
+    static const std::array labels{printed_label(0, kTag), printed_label(1, kTag),
+                                   printed_label(2, kTag), printed_label(3, kTag)};
     double light = -1;
     for (std::size_t b = 0; b < bars.size(); ++b) {
       const Eigen::Vector2d off = place - bars[b].middle;
-      light = std::max(light, label_brightness(cells[b], kTag,
+      light = std::max(light, label_brightness(labels[b], kTag,
                                                {bars[b].along.dot(off), bars[b].outward.dot(off)}));
     }
     return light;

@@ -48,7 +48,7 @@ TEST(RepeatingTexture, IsNotFoundInIrregularOnes) {
   const auto same = [](const Eigen::Vector2d& place) { return place; };
   EXPECT_FALSE(
       texture_repeat(with_noise(test::Texture(3).picture(kPixels, kPixels, same)), places(), 2));
-  const test::PrintedTexture print(0.05);
+  const ClothPrint print = test::print_on_square(0.05);
   GreyPicture picture(kPixels, kPixels);
   for (int row = 0; row < kPixels; ++row) {
     for (int column = 0; column < kPixels; ++column) {

@@ -182,7 +182,7 @@ TEST(SlowSpacePoints, StateErrorsThatCoverTheTruth) {
     dic.views->covariance = covariance;
     dic.views->cameras = drawn_cameras(rig.cameras, covariance, static_cast<std::uint64_t>(seed));
     SpacePoints points(dic, read, with(2));
-    for (int f = 1; f < points.count(); ++f) {
+    for (int f = 1; f < dic.frame_count(); ++f) {
       const PointFrame frame = points.read(f);
       // The axes are told by the sample's corners and move with the calibration, too.
       for (int i = 0; i < frame.count(); ++i) {

@@ -60,7 +60,7 @@ std::optional<double> off_line(const SplinePicture& picture, const CordLook& loo
                                double reach) {
   constexpr double kFine = 0.5, kFaintest = 0.35;  // pixels; contrasts
   const Eigen::Vector2d margin = (reach + 3 * look.side) * normal;
-  if (!picture.contains(place - margin) || !picture.contains(place + margin)) return std::nullopt;
+  if (!picture.contains_beside(place, margin)) return std::nullopt;
   const auto ridge = [&](double off) { return look.ridge(picture, place + off * normal, normal); };
   double best = 0, most = kFaintest;
   for (double off = -reach; off <= reach; off += kFine) {
@@ -106,30 +106,39 @@ SeenCord seen_by(const CameraModel& camera, const SplinePicture& picture, const 
 }
 
 struct EndsFit {
-  Eigen::Vector4d shift;  // of both ends (m)
-  Eigen::Matrix4d normal;
+  Eigen::Vector4d shift = Eigen::Vector4d::Zero();  // of both ends (m)
+  Eigen::LDLT<Eigen::Matrix4d> normal;
   double miss = 0;  // pixels
+
+  /// Standard deviation of the way from end to end, the larger one (m).
+  double error() const {
+    // Neighbours see the same pixels: of two only one counts.
+    const Eigen::Matrix4d covariance = 2 * miss * miss * normal.solve(Eigen::Matrix4d::Identity());
+    Eigen::Matrix<double, 2, 4> turn;
+    turn << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity();
+    return std::sqrt((turn * covariance * turn.transpose()).diagonal().maxCoeff());
+  }
 };
 
 /// Places that miss by much more than most do belong to something else.
 EndsFit fit_ends(const std::vector<OffPlace>& places, double reach) {
-  EndsFit fit{Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero(), 0};
+  EndsFit fit;
   double limit = reach;
   for (int round = 0; round < 4; ++round) {
-    fit.normal.setZero();
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     double squares = 0;
     int used = 0;
     for (const OffPlace& place : places) {
       const double miss = place.off - place.by_ends * fit.shift;
       if (round > 0 && std::abs(miss) > limit) continue;
-      fit.normal += place.by_ends.transpose() * place.by_ends;
+      normal += place.by_ends.transpose() * place.by_ends;
       right += place.by_ends.transpose() * place.off;
       squares += miss * miss;
       ++used;
     }
     fit.miss = std::sqrt(squares / std::max(used, 1));
-    fit.shift = fit.normal.ldlt().solve(right);
+    fit.shift = fit.normal.compute(normal).solve(right);
     limit = std::max(2.5 * fit.miss, 0.3);
   }
   return fit;
@@ -144,6 +153,7 @@ std::optional<CordLine> fitted_cord(const CordViews& views, const CordLook& look
   constexpr int kFewest = 8;                      // places of a camera that sees it
   constexpr double kReaches[] = {6, 4, 3, 3};     // pixels
   CordLine line = start;
+  EndsFit fit;
   for (const double reach : kReaches) {
     std::vector<OffPlace> places;
     int seeing = 0;
@@ -157,23 +167,16 @@ std::optional<CordLine> fitted_cord(const CordViews& views, const CordLook& look
       places.insert(places.end(), seen.places.begin(), seen.places.end());
     }
     if (seeing < 2) return std::nullopt;
-    const EndsFit fit = fit_ends(places, reach);
-    const Eigen::LDLT<Eigen::Matrix4d> normal(fit.normal);
-    if (!fit.shift.allFinite() || normal.info() != Eigen::Success) return std::nullopt;
+    fit = fit_ends(places, reach);
+    if (!fit.shift.allFinite() || fit.normal.info() != Eigen::Success) return std::nullopt;
     const Eigen::Matrix<double, 3, 2> axes = across(line.direction);
     const Eigen::Vector3d way =
         line.length * line.direction + axes * (fit.shift.tail<2>() - fit.shift.head<2>());
     line.from += axes * fit.shift.head<2>();
     line.direction = way.normalized();
-    line.miss = fit.miss;
-    // Neighbours see the same pixels: of two only one counts.
-    const Eigen::Matrix4d covariance =
-        2 * fit.miss * fit.miss * normal.solve(Eigen::Matrix4d::Identity());
-    Eigen::Matrix<double, 2, 4> turn;
-    turn << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity();
-    line.error =
-        std::sqrt((turn * covariance * turn.transpose()).diagonal().maxCoeff()) / line.length;
   }
+  line.miss = fit.miss;
+  line.error = fit.error() / line.length;
   if (!(line.miss < kMostMiss && line.error < kMostError)) return std::nullopt;
   return line;
 }

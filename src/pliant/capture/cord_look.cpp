@@ -18,11 +18,6 @@ double standing_out(const SplinePicture& picture, const Eigen::Vector2d& place,
   return sign * picture.value(place) - std::max(left, right);
 }
 
-bool shows(const SplinePicture& picture, const Eigen::Vector2d& place,
-           const Eigen::Vector2d& aside) {
-  return picture.contains(place - aside) && picture.contains(place + aside);
-}
-
 /// Of places along a line, by how much they stand out; of those that the picture shows.
 std::vector<double> along(const SplinePicture& picture, const Eigen::Vector2d& from,
                           const Eigen::Vector2d& to, double side, double sign) {
@@ -32,7 +27,7 @@ std::vector<double> along(const SplinePicture& picture, const Eigen::Vector2d& f
   std::vector<double> values;
   for (int i = 0; i < kPlaces; ++i) {
     const Eigen::Vector2d place = from + (i + 0.5) / kPlaces * way;
-    if (shows(picture, place, aside)) {
+    if (picture.contains_beside(place, aside)) {
       values.push_back(standing_out(picture, place, aside, sign));
     }
   }

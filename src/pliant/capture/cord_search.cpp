@@ -32,8 +32,7 @@ class CordRose {
         double sum = 0;
         for (int k = 0; k < count; ++k) {
           const Eigen::Vector2d at = place + (kShortest + k * kStep) * along + off * normal;
-          const Eigen::Vector2d margin = look.side * normal;
-          if (!picture.contains(at - margin) || !picture.contains(at + margin)) break;
+          if (!picture.contains_beside(at, look.side * normal)) break;
           sum += look.ridge(picture, at, normal);
         }
         values_[static_cast<std::size_t>(i)] =

@@ -114,6 +114,8 @@ struct DicFile {
 
   /// The files of the frames; of several cameras those of the first.
   const std::vector<std::filesystem::path>& files() const;
+  int frame_count() const { return static_cast<int>(files().size()); }
+  std::string file_of(int frame) const { return files()[static_cast<std::size_t>(frame)].string(); }
   /// Of all clips.
   std::vector<int> label_codes() const {
     std::vector<int> codes;

@@ -47,6 +47,9 @@ bool narrows(const MiddleRecord& middle) {
   return largest(middle.lateral_strain) > std::max(kShare * largest(middle.strain), kSmallest);
 }
 
+/// Whether what its middle did is a test of its own.
+bool is_strip(const DicSession& made) { return made.middle && !made.force.empty(); }
+
 std::string strip_study(const DicSession& made, const std::string& name) {
   const MiddleRecord& middle = *made.middle;
   const auto entry = [&](const char* suffix, const TestType& type) {
@@ -115,32 +118,31 @@ std::size_t worst_frame(const std::vector<Number>& numbers) {
   return static_cast<std::size_t>(std::ranges::max_element(numbers, {}, size) - numbers.begin());
 }
 
-std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
-  const Session& session = made.session;
-  std::vector<std::string> notes;
-  notes.push_back(fmt::format("{} frames of points {} apart; a mesh of {} vertices on {} x {}",
-                              made.frame_count(), millimetres(made.spacing),
-                              session.rest.vertex_count(), millimetres(dic.sample.width),
-                              millimetres(dic.sample.height)));
-  notes.insert(notes.end(), made.notes.begin(), made.notes.end());
-  if (dic.labels) {
-    const std::size_t f = worst_frame(made.nearer);
-    notes.push_back(fmt::format(
-        "against the camera the sample tilts as if a clip came {:.2g} % of its distance {} (frame "
-        "{}), which counts as no strain",
-        100 * std::abs(made.nearer[f]), made.nearer[f] > 0 ? "nearer" : "further away", f));
+using Sentences = std::vector<std::string>;
+
+void note_tilt(const DicSession& made, Sentences& notes) {
+  const std::size_t f = worst_frame(made.nearer);
+  notes.push_back(fmt::format(
+      "against the camera the sample tilts as if a clip came {:.2g} % of its distance {} (frame "
+      "{}), which counts as no strain",
+      100 * std::abs(made.nearer[f]), made.nearer[f] > 0 ? "nearer" : "further away", f));
+}
+
+void note_left_out(const std::vector<LeftOutFrame>& left_out, Sentences& notes) {
+  constexpr std::size_t kNamed = 4;
+  if (left_out.empty()) return;
+  std::vector<std::string> named;
+  for (const LeftOutFrame& frame : left_out) {
+    named.push_back(fmt::format("frame {} {}", frame.frame, frame.why));
   }
-  if (!made.left_out.empty()) {
-    constexpr std::size_t kNamed = 4;
-    std::vector<std::string> named;
-    for (const LeftOutFrame& frame : made.left_out) {
-      named.push_back(fmt::format("frame {} {}", frame.frame, frame.why));
-    }
-    const bool all = named.size() <= kNamed;
-    if (!all) named.resize(kNamed);
-    notes.push_back(fmt::format("{} frames are left out: {}{}", made.left_out.size(),
-                                fmt::join(named, "; "), all ? "" : "; ..."));
-  }
+  const bool all = named.size() <= kNamed;
+  if (!all) named.resize(kNamed);
+  notes.push_back(fmt::format("{} frames are left out: {}{}", left_out.size(),
+                              fmt::join(named, "; "), all ? "" : "; ..."));
+}
+
+/// How the sample lies in the first frame.
+void note_rest(const DicFile& dic, const DicSession& made, Sentences& notes) {
   if (!dic.origin)
     notes.emplace_back("the sample is centred on the points (`origin` says otherwise)");
   if (made.off_plane > 0) {
@@ -153,37 +155,48 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
                     "distances on it miss by {:.2g} % (root mean square)",
                     100 * *made.unrolled));
   }
-  if (session.noise.position) {
+}
+
+void note_noise(const DicSession& made, Sentences& notes) {
+  const SheetNoise& noise = made.session.noise;
+  if (noise.position) {
     notes.push_back(fmt::format(
         "points miss a smooth motion of those around them by {}, a vertex so by {} (`noise` of "
         "the session): noise, and what bends within {}",
-        millimetres(made.point_noise), millimetres(*session.noise.position),
+        millimetres(made.point_noise), millimetres(*noise.position),
         millimetres(2 * made.spacing)));
   }
-  if (session.noise.force) {
+  if (noise.force) {
     notes.push_back(fmt::format(
         "a component of a clip's force is known to {} (`noise` of the session), by the spread of "
         "what cells read while the sample stood still and by how well cords are seen",
-        format_quantity(*session.noise.force, Dimension::force, 2)));
+        format_quantity(*noise.force, Dimension::force, 2)));
   }
-  if (!made.slack.empty() && dic.views) {
-    notes.emplace_back(
-        "the first pictures are not in the session: nothing pulls there, and the sample lies on "
-        "something");
-  } else if (!made.slack.empty()) {
-    notes.push_back(fmt::format(
-        "{} frames in which the sample hung slack are not in the session: one camera does not see "
-        "how it buckles",
-        made.slack.size()));
-  }
+}
+
+void note_slack(const DicFile& dic, const DicSession& made, Sentences& notes) {
+  if (made.slack.empty()) return;
+  notes.push_back(
+      dic.views
+          ? "the first pictures are not in the session: nothing pulls there, and the sample lies "
+            "on something"
+          : fmt::format("{} frames in which the sample hung slack are not in the session: one "
+                        "camera does not see how it buckles",
+                        made.slack.size()));
+}
+
+void note_unseen(const DicSession& made, Sentences& notes) {
   const std::size_t lost = worst_frame(made.lost), unseen = worst_frame(made.unseen);
   if (made.lost[lost] > 0) {
     notes.push_back(fmt::format("up to {} points were lost (frame {})", made.lost[lost], lost));
   }
   if (made.unseen[unseen] > 0) {
     notes.push_back(fmt::format("up to {} of {} vertices were not seen (frame {})",
-                                made.unseen[unseen], session.rest.vertex_count(), unseen));
+                                made.unseen[unseen], made.session.rest.vertex_count(), unseen));
   }
+}
+
+void note_slips(const DicSession& made, Sentences& notes) {
   for (const ClipSlip& slip : made.slips) {
     const std::size_t f = worst_frame(slip.slip);
     const auto unknown =
@@ -197,7 +210,22 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
                                       "frames: no points are near it",
                                       slip.clip));
   }
-  if (made.middle && !made.force.empty()) {
+}
+
+Sentences notes_of(const DicFile& dic, const DicSession& made) {
+  Sentences notes{fmt::format("{} frames of points {} apart; a mesh of {} vertices on {} x {}",
+                              made.frame_count(), millimetres(made.spacing),
+                              made.session.rest.vertex_count(), millimetres(dic.sample.width),
+                              millimetres(dic.sample.height))};
+  notes.insert(notes.end(), made.notes.begin(), made.notes.end());
+  if (dic.labels) note_tilt(made, notes);
+  note_left_out(made.left_out, notes);
+  note_rest(dic, made, notes);
+  note_noise(made, notes);
+  note_slack(dic, made, notes);
+  note_unseen(made, notes);
+  note_slips(made, notes);
+  if (is_strip(made)) {
     notes.push_back(
         "middle.csv, strip.yaml: what the middle third did, as a tensile test of a "
         "strip along " +
@@ -205,6 +233,57 @@ std::vector<std::string> notes_of(const DicFile& dic, const DicSession& made) {
         (narrows(*made.middle) ? "" : "; across the pull it hardly narrows"));
   }
   return notes;
+}
+
+void warn_of_wrinkles(const DicFile& dic, const DicSession& made, Sentences& warnings) {
+  constexpr double kWrinkled = 0.01;
+  if (!(made.unrolled.value_or(0) > kWrinkled)) return;
+  warnings.push_back(fmt::format(
+      "{}: the sample is wrinkled in this first frame, or bent both ways: laid flat it is "
+      "stretched by {:.2g} %, which counts as strain in all others; a frame in which it lies "
+      "smooth comes first",
+      dic.file_of(0), 100 * *made.unrolled));
+}
+
+void warn_of_clips_in_cloth(const std::vector<ClipSlip>& slips, Sentences& warnings) {
+  constexpr double kInto = 0.3e-3;  // m
+  for (const ClipSlip& slip : slips) {
+    const auto into = std::ranges::find_if(slip.slip, [](double out) { return out < -kInto; });
+    if (into == slip.slip.end()) continue;
+    warnings.push_back(fmt::format(
+        "in frame {} the clip {} has gone {} further than the cloth beside it, as if into the "
+        "cloth: are its labels, or its motion, those of another clip?",
+        into - slip.slip.begin(), slip.clip, millimetres(-*into)));
+  }
+}
+
+void warn_of_pretension(const std::vector<double>& force, Sentences& warnings) {
+  constexpr double kPretension = 0.02;  // of the largest force
+  // Of a frame that was taken when the log was not running it is not known.
+  if (force.empty() || !(std::abs(force.front()) > kPretension * largest(force))) return;
+  warnings.push_back(
+      fmt::format("the sample is pulled by {} in the first frame, where it is taken to be at "
+                  "rest: a frame of the slack sample comes first, or the cell's zero is off",
+                  format_quantity(force.front(), Dimension::force, 3)));
+}
+
+Sentences warnings_of(const DicFile& dic, const DicSession& made,
+                      const std::vector<FrameDoubt>& doubts) {
+  Sentences warnings = made.warnings;
+  if (!doubts.empty()) warnings.push_back(distrusted(doubts));
+  if (dic.forces && dic.forces->rate) {
+    const std::string gap = gap_doubt(dic.files());
+    if (!gap.empty()) warnings.push_back(gap);
+  }
+  warn_of_wrinkles(dic, made, warnings);
+  if (!dic.forces && !dic.table) {
+    warnings.emplace_back(
+        "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
+        "forces");
+  }
+  warn_of_clips_in_cloth(made.slips, warnings);
+  warn_of_pretension(made.force, warnings);
+  return warnings;
 }
 
 }  // namespace
@@ -222,49 +301,14 @@ DicImport import_dic(const std::filesystem::path& file, const ReadPicture& read_
   const std::string name = file.stem().string();
   ImportedStudy study;
   study.study_yaml = sheet_study(made, name);
-  if (made.middle && !made.force.empty()) {
+  if (is_strip(made)) {
     study.files.emplace_back("middle.csv", middle_table(made));
     study.files.emplace_back("strip.yaml", strip_study(made, name));
   }
   if (!made.cameras.empty()) {
     study.files.emplace_back("frames.csv", frame_table(made));
   }
-  study.warnings = made.warnings;
-  if (!doubts.empty()) study.warnings.push_back(distrusted(doubts));
-  if (dic.forces && dic.forces->rate) {
-    const std::string gap = gap_doubt(dic.files());
-    if (!gap.empty()) study.warnings.push_back(gap);
-  }
-  constexpr double kWrinkled = 0.01;
-  if (made.unrolled.value_or(0) > kWrinkled) {
-    study.warnings.push_back(fmt::format(
-        "{}: the sample is wrinkled in this first frame, or bent both ways: laid flat it is "
-        "stretched by {:.2g} %, which counts as strain in all others; a frame in which it lies "
-        "smooth comes first",
-        dic.files().front().string(), 100 * *made.unrolled));
-  }
-  if (!dic.forces && !dic.table) {
-    study.warnings.emplace_back(
-        "no `forces`: the session has shapes alone, and no stiffness comes of shapes without "
-        "forces");
-  }
-  constexpr double kInto = 0.3e-3;  // m
-  for (const ClipSlip& slip : made.slips) {
-    const auto into = std::ranges::find_if(slip.slip, [](double out) { return out < -kInto; });
-    if (into == slip.slip.end()) continue;
-    study.warnings.push_back(fmt::format(
-        "in frame {} the clip {} has gone {} further than the cloth beside it, as if into the "
-        "cloth: are its labels, or its motion, those of another clip?",
-        into - slip.slip.begin(), slip.clip, millimetres(-*into)));
-  }
-  constexpr double kPretension = 0.02;  // of the largest force
-  if (!made.force.empty() && std::abs(made.force.front()) > kPretension * largest(made.force)) {
-    study.warnings.push_back(
-        fmt::format("the sample is pulled by {} in the first frame, where it is taken to be at "
-                    "rest: a frame of "
-                    "the slack sample comes first, or the cell's zero is off",
-                    format_quantity(made.force.front(), Dimension::force, 3)));
-  }
+  study.warnings = warnings_of(dic, made, doubts);
   study.notes = notes_of(dic, made);
   return {std::move(study), std::move(made), std::move(doubts)};
 }

@@ -14,10 +14,10 @@
 #include "pliant/capture/frame_doubts.h"
 #include "pliant/capture/frame_forces.h"
 #include "pliant/capture/local_motion.h"
-#include "pliant/capture/median.h"
 #include "pliant/capture/point_source.h"
 #include "pliant/capture/rest_places.h"
 #include "pliant/capture/sample_axes.h"
+#include "pliant/capture/seen_vertices.h"
 #include "pliant/capture/vertex_deviations.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/measurement/session/balance.h"
@@ -26,12 +26,8 @@
 namespace pliant {
 namespace {
 
-constexpr double kEdge = 2;         // of the mesh, in spacings of the points
-constexpr double kReach = 2.3;      // points that tell a vertex: some sixteen
-constexpr double kBentReach = 3.3;  // in space: some thirty
-constexpr double kGap = 1.25;       // the nearest of them
-constexpr double kRim = 0.6;        // or as near, in sides of its square
-constexpr double kFar = 6;          // points that tell a clip
+constexpr double kEdge = 2;  // of the mesh, in spacings of the points
+constexpr double kFar = 6;   // points that tell a clip
 constexpr std::size_t kMostVertices = 40000;
 
 /// Follows the sheet from frame to frame.
@@ -46,12 +42,13 @@ class SheetFollower {
     const Eigen::Vector2d size(dic.sample.width, dic.sample.height);
     places_.emplace(axes_, first.rest, size, result_.spacing);
     result_.unrolled = places_->stretch();
-    places_->require_sheet(points_->file(0));
+    places_->require_sheet(dic_.file_of(0));
+    vertices_.emplace(result_.spacing, points_->patch(), points_->in_space());
     make_rest();
     if (result_.unrolled) begin_unrolled(first);
     if (dic.table) begin_table(*dic.table);
     require_pulled_clip();
-    forces_ = frame_forces(dic, result_.session.clips, points_->count());
+    forces_ = frame_forces(dic, result_.session.clips);
     result_.cameras = points_->cameras();
     begin_middle();
     for (const DicClip& clip : dic.clips) {
@@ -60,8 +57,8 @@ class SheetFollower {
   }
 
   DicSession followed() && {
-    ProgressTask task(context_.progress, "frames", points_->count());
-    for (int f = 0; f < points_->count(); ++f) {
+    ProgressTask task(context_.progress, "frames", dic_.frame_count());
+    for (int f = 0; f < dic_.frame_count(); ++f) {
       context_.stop.throw_if_requested();
       follow(f);
       task.advance(f + 1);
@@ -79,11 +76,8 @@ class SheetFollower {
     result_.warnings = points_->warnings();
     std::ranges::move(forces_->warnings(ways_), std::back_inserter(result_.warnings));
     result_.misses = points_->misses();
-    result_.point_noise = std::sqrt(median(residuals_));
-    if (result_.point_noise > 0) {
-      const double leverage = leverage_ / static_cast<double>(residuals_.size());
-      result_.session.noise.position = result_.point_noise * std::sqrt(leverage);
-    }
+    result_.point_noise = vertices_->point_noise();
+    result_.session.noise.position = vertices_->noise();
     return std::move(result_);
   }
 
@@ -91,7 +85,7 @@ class SheetFollower {
   PointFrame read(int f) {
     PointFrame points = points_->read(f);
     if (!points.left_out.empty() || points.count() >= kFewestPoints) return points;
-    throw InputError({points_->file(f)},
+    throw InputError({dic_.file_of(f)},
                      fmt::format("frame {} has {} points that were seen", f, points.count()),
                      fmt::format("at least {}", kFewestPoints));
   }
@@ -163,13 +157,12 @@ class SheetFollower {
       pushed_ = pushed->motion;
       moved = pushed_.inverse() * moved;
     }
-    Eigen::VectorXd leverages;
-    const LocalMotion near = motion_of(rest, moved, points.patches(free));
-    frame.positions = seen_positions(near, f, leverages);
+    SeenVertices seen = vertices_->of(session.rest, rest, moved, points.patches(free), f == 0);
     if (points.deviations.cols() > 0) {
       frame.deviations = vertex_deviations(session.rest, rest, points.deviations(Eigen::all, free),
-                                           leverages, kFar * result_.spacing);
+                                           seen.leverages, kFar * result_.spacing);
     }
+    frame.positions = std::move(seen.positions);
     const LocalMotion around(rest, moved, kFar * result_.spacing);
     std::size_t slip = 0;
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
@@ -235,8 +228,8 @@ class SheetFollower {
   /// At rest, under the largest force or half way, and at the end.
   bool is_shown(int f) const {
     const std::vector<double>& force = forces_->log().force;
-    const auto peak = force.empty() ? points_->count() / 2 : largest_force() - force.begin();
-    return f == 0 || f == peak || f == points_->count() - 1;
+    const auto peak = force.empty() ? dic_.frame_count() / 2 : largest_force() - force.begin();
+    return f == 0 || f == peak || f == dic_.frame_count() - 1;
   }
 
   /// Among the frames that the log covers.
@@ -305,36 +298,6 @@ class SheetFollower {
     return force[static_cast<std::size_t>(f)] < std::max(kNothing * peak, kWeights * weight);
   }
 
-  /// Out of its plane cloth bends, which a wider reach tells.
-  LocalMotion motion_of(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved,
-                        const Eigen::VectorXd& patches) const {
-    if (!points_->in_space()) return {rest, moved, kReach * result_.spacing};
-    LocalMotion motion(rest, moved, kBentReach * result_.spacing);
-    motion.bend(patches);
-    return motion;
-  }
-
-  /// @param[out] leverages  of the vertices, as of MovedPlace; 1 of those that are not seen
-  Eigen::Matrix3Xd seen_positions(const LocalMotion& motion, int f, Eigen::VectorXd& leverages) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const TriangleMesh& rest = result_.session.rest;
-    // All of a square is seen, its rim too.
-    const double gap = std::max(kGap * result_.spacing, kRim * points_->patch());
-    Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Constant(3, rest.vertex_count(), kNone);
-    leverages.setOnes(rest.vertex_count());
-    for (int v = 0; v < rest.vertex_count(); ++v) {
-      const auto moved = motion.at(rest.positions.col(v).head<2>(), gap);
-      if (!moved) continue;
-      positions.col(v) = moved->position;
-      leverages(v) = moved->leverage;
-      if (f == 0) continue;  // it is where displacements are counted from
-      // Of a flat test the third coordinate misses nothing.
-      residuals_.push_back(moved->residual * (points_->in_space() ? 1 : 1.5));
-      leverage_ += moved->leverage;
-    }
-    return positions;
-  }
-
   Pose pose_of(std::size_t c, int f, const PointFrame& points, const LocalMotion& around,
                std::size_t& slip) {
     const DicClip& clip = dic_.clips[c];
@@ -344,7 +307,7 @@ class SheetFollower {
     if (clip.motion == ClipMotion::points) {
       if (by_points) return *by_points;
       throw InputError(
-          {points_->file(f)},
+          {dic_.file_of(f)},
           fmt::format("frame {}: no points within {} of the clip {}", f,
                       format_quantity(kFar * result_.spacing, Dimension::length, 3), clip.name),
           "points beside it; or `motion: held` or `extension`, where it is known");
@@ -377,7 +340,7 @@ class SheetFollower {
       const Eigen::Matrix3Xd rest = result_.session.rest.positions(Eigen::all, side.edge);
       const auto pose = pose_of_points(around, rest, side.outward, kFar * result_.spacing);
       if (!pose) {
-        throw InputError({points_->file(0)},
+        throw InputError({dic_.file_of(0)},
                          fmt::format("the sample does not lie flat, and no points beside the clip "
                                      "{} tell where it is",
                                      dic_.clips[first_poses_.size()].name),
@@ -412,7 +375,7 @@ class SheetFollower {
 
   void add_middle(const Eigen::Matrix2Xd& rest, const Eigen::Matrix3Xd& moved, int f) {
     if (result_.middle->add(rest, moved)) return;
-    throw InputError({points_->file(f)},
+    throw InputError({dic_.file_of(f)},
                      fmt::format("frame {}: no points in the middle of the sample", f),
                      "at least five that do not lie in a line");
   }
@@ -428,6 +391,7 @@ class SheetFollower {
   std::unique_ptr<PointSource> points_;
   SampleAxes axes_;
   std::optional<RestPlaces> places_;
+  std::optional<VertexPlaces> vertices_;
   std::unique_ptr<FrameForces> forces_;
   std::vector<std::pair<int, SessionFrame>> followed_;  // without forces yet
   std::vector<double> ways_;  // of each frame, of the clip whose log has no clock yet
@@ -436,8 +400,6 @@ class SheetFollower {
   std::vector<Pose> first_poses_;                             // likewise, of unrolled sheets
   double edge_ = 0;                                           // of the table in the frame before
   Eigen::Isometry3d pushed_ = Eigen::Isometry3d::Identity();  // of a sheet on a table
-  std::vector<double> residuals_;  // mean squares, of each vertex and frame
-  double leverage_ = 0;            // their sum
 };
 
 }  // namespace

@@ -49,12 +49,12 @@ std::string FrameForces::add_to(SessionFrame& frame, int number,
   return add_forces(frame, f, held);
 }
 
-std::unique_ptr<FrameForces> frame_forces(const DicFile& dic, const std::vector<SessionClip>& clips,
-                                          int frames) {
+std::unique_ptr<FrameForces> frame_forces(const DicFile& dic,
+                                          const std::vector<SessionClip>& clips) {
   if (!dic.forces) return std::make_unique<FrameForces>();
   if (!dic.forces->cells.empty()) return std::make_unique<CellForces>(dic);
   if (dic.forces->cords)
-    return std::make_unique<CordTableForces>(*dic.forces->cords, clips, frames);
+    return std::make_unique<CordTableForces>(*dic.forces->cords, clips, dic.frame_count());
   return std::make_unique<TesterForces>(dic);
 }
 

@@ -66,7 +66,7 @@ class FrameForces {
 /// @param dic    outlives the forces
 /// @param clips  of the session
 /// @throws InputError
-std::unique_ptr<FrameForces> frame_forces(const DicFile& dic, const std::vector<SessionClip>& clips,
-                                          int frames);
+std::unique_ptr<FrameForces> frame_forces(const DicFile& dic,
+                                          const std::vector<SessionClip>& clips);
 
 }  // namespace pliant

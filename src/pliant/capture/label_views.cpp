@@ -128,28 +128,35 @@ double depth_ratio(const PlaneView& view, const Eigen::Vector2d& place,
   return depth.dot(place.homogeneous()) / depth.dot(other.homogeneous());
 }
 
+/// Where a pinhole would show the corners of a tag.
+Corners straight_corners(const DetectedTag& tag, const Lens& lens) {
+  const auto& camera = lens.camera();
+  return lens.straightened(camera ? tag.corners_by(*camera) : tag.corners);
+}
+
 }  // namespace
 
 LabelViews::LabelViews(const DicFile& dic, const GreyPicture& first) : dic_(dic), lens_(dic.lens) {
-  const std::vector<DetectedTag> tags = detect_tags(first);
-  const std::string file = dic.pictures->files.front().string();
+  const std::vector<DetectedTag> found = detect_tags(first);
+  const TagsByCode tags = tags_by_code(found);
+  const std::string file = dic.file_of(0);
   std::vector<LabelSighting> sightings;
   for (std::size_t clip = 0; clip < dic.clips.size(); ++clip) {
     for (const int code : dic.clips[clip].labels) {
-      const auto count = std::ranges::count(tags, code, &DetectedTag::code);
-      if (count == 0) require_unmirrored(first, dic.label_codes(), file);
-      if (count != 1) {
+      if (!tags.once.contains(code)) {
+        const bool is_twice = tags.twice.contains(code);
+        if (!is_twice) require_unmirrored(first, dic.label_codes(), file);
         throw InputError(
             {file},
             fmt::format("shows the label {} of the clip {} {} (labels found: {})", code,
-                        dic.clips[clip].name,
-                        count == 0 ? "not at all" : fmt::format("{} times", count),
-                        codes_text(tags)),
+                        dic.clips[clip].name, is_twice ? "more than once" : "not at all",
+                        codes_text(found)),
             "each label once in the first picture, whole, in focus and with some white "
             "around it");
       }
       const Corners rest = corners_of_label(dic.labels->tag);
-      sightings.push_back({rest, straight_corners(tags, code), static_cast<int>(labels_.size())});
+      sightings.push_back(
+          {rest, straight_corners(tags.once.at(code), lens_), static_cast<int>(labels_.size())});
       labels_.push_back({clip, code, rest});
     }
     if (!dic.clips[clip].labels.empty()) carriers_.push_back(clip);
@@ -187,26 +194,20 @@ void LabelViews::place_sample(const PlaneFit& fit) {
   }
 }
 
-Eigen::Matrix<double, 2, 4> LabelViews::straight_corners(const std::vector<DetectedTag>& tags,
-                                                         int code) const {
-  const DetectedTag& tag = *std::ranges::find(tags, code, &DetectedTag::code);
-  const auto& camera = lens_.camera();
-  return lens_.straightened(camera ? tag.corners_by(*camera) : tag.corners);
-}
-
 SeenLabels LabelViews::of(const GreyPicture& picture) const {
-  const std::vector<DetectedTag> tags = detect_tags_of(dic_.label_codes(), picture);
+  const TagsByCode tags = tags_by_code(detect_tags_of(dic_.label_codes(), picture));
   std::vector<LabelSighting> sightings;
   std::vector<char> is_seen(carriers_.size(), 0);
   for (const Label& label : labels_) {
-    const auto count = std::ranges::count(tags, label.code, &DetectedTag::code);
-    if (count > 1) return {{}, fmt::format("shows the label {} {} times", label.code, count)};
-    if (count == 0) continue;
+    if (tags.twice.contains(label.code))
+      return {{}, fmt::format("shows the label {} more than once", label.code)};
+    const auto tag = tags.once.find(label.code);
+    if (tag == tags.once.end()) continue;
     const auto body =
         static_cast<std::size_t>(std::ranges::find(carriers_, label.clip) - carriers_.begin());
     is_seen[body] = 1;
     sightings.push_back(
-        {label.corners, straight_corners(tags, label.code), static_cast<int>(body)});
+        {label.corners, straight_corners(tag->second, lens_), static_cast<int>(body)});
   }
   for (std::size_t body = 0; body < carriers_.size(); ++body) {
     if (is_seen[body] == 0)

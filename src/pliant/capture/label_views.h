@@ -9,7 +9,6 @@
 #include "pliant/capture/plane_fit.h"
 #include "pliant/capture/plane_view.h"
 #include "pliant/capture/spline_picture.h"
-#include "pliant/capture/tag_detector.h"
 
 namespace pliant {
 
@@ -53,9 +52,6 @@ class LabelViews {
   };
 
   void place_sample(const PlaneFit& fit);
-  /// Of a tag that was found, as a pinhole would show it (pixels).
-  Eigen::Matrix<double, 2, 4> straight_corners(const std::vector<DetectedTag>& tags,
-                                               int code) const;
 
   const DicFile& dic_;
   Lens lens_;

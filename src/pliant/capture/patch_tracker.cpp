@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/parallel.h"
+#include "pliant/capture/coarse_search.h"
 #include "pliant/capture/median.h"
 #include "pliant/capture/near_places.h"
 #include "pliant/capture/scattered.h"
@@ -20,11 +21,8 @@ namespace {
 constexpr int kFewestFound = 5;           // that say where others have gone
 constexpr double kNear = 2.3, kWide = 8;  // reach of patches that lead others, in steps
 constexpr int kSeeds = 40;                // that are looked for first
-constexpr int kFactor = 4;                // of reduced pictures
-constexpr int kReducedRadius = 8;
-constexpr double kLeastLikely = 0.5;  // correlation of a motion that is worth a closer look
-constexpr int kSmallestCore = 4;      // radius (pixels)
-constexpr double kCoreAlike = 0.9;    // fewer pixels are alike by chance more often
+constexpr int kSmallestCore = 4;          // radius (pixels)
+constexpr double kCoreAlike = 0.9;        // fewer pixels are alike by chance more often
 
 /// Of the middle that is looked for alone.
 int core_radius(int radius) { return radius / 2; }
@@ -58,68 +56,6 @@ void take(TrackedPatch& point, std::span<const double, kNumbers> numbers) {
   point.by_core = numbers[12] > 0;
 }
 
-/// The best of the motions that a patch may have made, and those elsewhere that are nearly as good.
-std::vector<LikelyMotion> most_likely(std::vector<LikelyMotion> all) {
-  constexpr std::size_t kMost = 4;
-  constexpr double kNearly = 0.2, kElsewhere = 3;  // of correlation; pixels
-  std::ranges::stable_sort(all, std::greater(), &LikelyMotion::correlation);
-  std::vector<LikelyMotion> chosen;
-  for (const LikelyMotion& one : all) {
-    if (chosen.size() == kMost || one.correlation < all.front().correlation - kNearly) break;
-    const bool is_elsewhere = std::ranges::all_of(chosen, [&](const LikelyMotion& other) {
-      return (other.motion.shift - one.motion.shift).norm() >= kElsewhere;
-    });
-    if (is_elsewhere) chosen.push_back(one);
-  }
-  return chosen;
-}
-
-/// The best of some matches of a patch; nothing where one elsewhere is as good, as in a texture
-/// that repeats: which is the right one is not told.
-std::optional<PatchMatch> sole_match(const std::vector<PatchMatch>& matches) {
-  constexpr double kAsGood = 0.05, kElsewhere = 1;  // of correlation; pixels
-  const auto best = std::ranges::max_element(matches, {}, &PatchMatch::correlation);
-  if (best == matches.end()) return std::nullopt;
-  const bool is_sole = std::ranges::none_of(matches, [&](const PatchMatch& other) {
-    return other.correlation > best->correlation - kAsGood &&
-           (other.motion.shift - best->motion.shift).norm() > kElsewhere;
-  });
-  return is_sole ? std::optional(*best) : std::nullopt;
-}
-
-/// Where a patch may have gone by whole pixels, within `reach` of a shift: all shifts by which it
-/// correlates by more than a half.
-/// @param about  that shift
-std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
-                                        const Eigen::Vector2i& place, const Eigen::Vector2i& about,
-                                        int radius, int reach) {
-  const int side = 2 * radius + 1;
-  const auto within = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    return middle.x() >= radius && middle.y() >= radius && middle.x() + radius < picture.cols() &&
-           middle.y() + radius < picture.rows();
-  };
-  const auto patch_at = [&](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    GreyPicture patch = picture.block(middle.y() - radius, middle.x() - radius, side, side);
-    patch -= patch.mean();
-    return patch;
-  };
-  std::vector<LikelyMotion> likely;
-  if (!within(rest, place)) return likely;
-  const GreyPicture patch = patch_at(rest, place);
-  const float norm = patch.matrix().norm();
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) {
-      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
-      if (!within(now, place + shift)) continue;
-      const GreyPicture other = patch_at(now, place + shift);
-      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
-      if (correlation > kLeastLikely)
-        likely.push_back({{.shift = shift.cast<double>()}, correlation});
-    }
-  }
-  return likely;
-}
-
 /// By how much a patch is elsewhere than those around it tell (pixels).
 double miss_of(const TrackedPatch& patch, const LocalMotion& around, double reach) {
   const auto moved = around.at(patch.place, reach);
@@ -127,33 +63,6 @@ double miss_of(const TrackedPatch& patch, const LocalMotion& around, double reac
 }
 
 }  // namespace
-
-/// Both pictures, made smaller.
-struct PatchTracker::Reduced {
-  GreyPicture first, now;
-  SplinePicture first_spline, now_spline;
-
-  Reduced(const GreyPicture& from, const GreyPicture& to)
-      : first(reduced(from, kFactor)),
-        now(reduced(to, kFactor)),
-        first_spline(first),
-        now_spline(now) {}
-
-  // The middle of the first pixel of a square is half a square off the square's.
-  static Eigen::Vector2d place(const Eigen::Vector2d& full) {
-    return (full.array() - (kFactor - 1) / 2.0).matrix() / kFactor;
-  }
-};
-
-GreyPicture reduced(const GreyPicture& picture, int factor) {
-  GreyPicture result(picture.rows() / factor, picture.cols() / factor);
-  for (Eigen::Index row = 0; row < result.rows(); ++row) {
-    for (Eigen::Index column = 0; column < result.cols(); ++column) {
-      result(row, column) = picture.block(row * factor, column * factor, factor, factor).mean();
-    }
-  }
-  return result;
-}
 
 PatchTracker::PatchTracker(GreyPicture first, int radius, double step, const RunContext& context)
     : first_(std::move(first)),
@@ -211,7 +120,10 @@ void PatchTracker::follow(const GreyPicture& grey) {
   now_.emplace(grey, kMatchSmoothing);
   recall_or(grey, "", [&] {
     if (has_jumped(*now_)) {
-      search_around(grey, *now_);
+      const CoarseSearch coarse(first_, grey);
+      search(*now_, [&](const TrackedPatch& patch) {
+        return coarse.around(patch.place, patch.motion.shift);
+      });
     } else {
       match_where_they_were(*now_);
     }
@@ -220,16 +132,6 @@ void PatchTracker::follow(const GreyPicture& grey) {
 }
 
 void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& candidates) {
-  const auto likely_of = [&](const Reduced& pictures, const ReferencePatch& patch,
-                             const TrackedPatch& whole) {
-    std::vector<LikelyMotion> likely;
-    for (PatchMotion motion : candidates(whole.place)) {
-      motion.shift /= kFactor;
-      const auto correlation = patch.correlation(pictures.now_spline, motion);
-      if (correlation && *correlation > kLeastLikely) likely.push_back({motion, *correlation});
-    }
-    return likely;
-  };
   std::string starts;
   for (const int number : scattered(count(), kSeeds)) {
     for (const PatchMotion& motion : candidates(tracked_[static_cast<std::size_t>(number)].place)) {
@@ -239,7 +141,10 @@ void PatchTracker::find_across(const GreyPicture& grey, const MotionCandidates& 
   }
   recall_or(grey, " from " + sha256_of(starts), [&] {
     const SplinePicture now(grey, kMatchSmoothing);
-    search(grey, now, likely_of);
+    const CoarseSearch coarse(first_, grey);
+    search(now, [&](const TrackedPatch& patch) {
+      return coarse.among(patch.place, candidates(patch.place));
+    });
     spread(now);
   });
 }
@@ -294,38 +199,15 @@ void PatchTracker::match_where_they_were(const SplinePicture& now) {
   });
 }
 
-// Searches for some patches in reduced pictures; what is found there is refined in them, and then
-// in the pictures themselves.
-void PatchTracker::search(const GreyPicture& grey, const SplinePicture& now,
-                          const CoarseSearch& coarse) {
-  const Reduced pictures(first_, grey);
+void PatchTracker::search(const SplinePicture& now, const StartOf& start_of) {
   for (TrackedPatch& point : tracked_) point.is_seen = false;  // what was found may be anything
   const std::vector<int> seeds = scattered(count(), kSeeds);
   with_threads(context_.threads, [&] {
     parallel_for(static_cast<int>(seeds.size()), [&](int seed) {
       const int number = seeds[static_cast<std::size_t>(seed)];
       TrackedPatch& point = tracked_[static_cast<std::size_t>(number)];
-      const auto patch =
-          ReferencePatch::of(pictures.first_spline, Reduced::place(point.place), kReducedRadius);
-      if (!patch) return;
-      std::vector<PatchMatch> matches;
-      for (const LikelyMotion& start : most_likely(coarse(pictures, *patch, point))) {
-        const auto match = patch->match(pictures.now_spline, start.motion);
-        if (match && match->correlation >= kAlike) matches.push_back(*match);
-      }
-      const auto found = sole_match(matches);
-      if (!found) return;
-      look_for(point, now, {.shift = kFactor * found->motion.shift, .slope = found->motion.slope});
+      if (const auto start = start_of(point)) look_for(point, now, *start);
     });
-  });
-}
-
-void PatchTracker::search_around(const GreyPicture& grey, const SplinePicture& now) {
-  constexpr int kReach = 40;
-  search(grey, now, [](const Reduced& pictures, const ReferencePatch&, const TrackedPatch& whole) {
-    const Eigen::Vector2i place = Reduced::place(whole.place).array().round().cast<int>();
-    const Eigen::Vector2i last = (whole.motion.shift / kFactor).array().round().cast<int>();
-    return likely_shifts(pictures.first, pictures.now, place, last, kReducedRadius, kReach);
   });
 }
 

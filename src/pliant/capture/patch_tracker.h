@@ -38,12 +38,6 @@ struct FoundPatches {
   Eigen::Matrix2Xd places, now;  ///< in the first picture and in this one (pixels)
 };
 
-/// A motion that a patch may have made, and how alike it is then.
-struct LikelyMotion {
-  PatchMotion motion;
-  double correlation = 0;
-};
-
 /// Motions that the surroundings of a place may have made (pixels).
 using MotionCandidates = std::function<std::vector<PatchMotion>(const Eigen::Vector2d& place)>;
 
@@ -85,8 +79,6 @@ class PatchTracker {
   FoundPatches found() const;
 
  private:
-  struct Reduced;
-
   /// Of the patches as they were added, and of how they are followed.
   std::string digest() const;
   /// Takes what the journal knows of a picture, else what `find` finds there.
@@ -99,12 +91,10 @@ class PatchTracker {
                      double least) const;
   bool has_jumped(const SplinePicture& now);
   void match_where_they_were(const SplinePicture& now);
-  /// How a patch of reduced pictures, and with it that of the whole ones, may have moved, about, in
-  /// pixels of the reduced ones.
-  using CoarseSearch = std::function<std::vector<LikelyMotion>(
-      const Reduced&, const ReferencePatch&, const TrackedPatch&)>;
-  void search(const GreyPicture& grey, const SplinePicture& now, const CoarseSearch& coarse);
-  void search_around(const GreyPicture& grey, const SplinePicture& now);
+  /// How a patch has moved, within some pixels.
+  using StartOf = std::function<std::optional<PatchMotion>(const TrackedPatch&)>;
+  /// For some patches alone.
+  void search(const SplinePicture& now, const StartOf& start_of);
   bool match_beside_found(const SplinePicture& now, double steps);
   bool match_beside_neighbour(const SplinePicture& now);
   void spread(const SplinePicture& now);
@@ -125,8 +115,5 @@ class PatchTracker {
   std::vector<TrackedPatch> tracked_;
   std::vector<std::optional<PatchMotion>> tried_;  // of each patch, in this picture
 };
-
-/// A picture whose pixels are the means of squares of `factor` x `factor`.
-GreyPicture reduced(const GreyPicture& picture, int factor);
 
 }  // namespace pliant

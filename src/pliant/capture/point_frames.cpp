@@ -185,10 +185,6 @@ PointFrame PointFrames::by_number(const Table& table) const {
   return frame_of(places, rest_.size());
 }
 
-std::string PointFrames::file(int frame) const {
-  return dic_.points.files[static_cast<std::size_t>(frame)].string();
-}
-
 PointFrame PointFrames::read(int frame) {
   const Table table = read_table(frame);
   if (table.place[2].has_value() != in_space_) {

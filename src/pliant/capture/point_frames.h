@@ -17,9 +17,7 @@ class PointFrames : public PointSource {
  public:
   explicit PointFrames(const DicFile& dic);
 
-  int count() const override { return static_cast<int>(dic_.points.files.size()); }
   bool in_space() const override { return in_space_; }
-  std::string file(int frame) const override;
   PointFrame read(int frame) override;
 
  private:

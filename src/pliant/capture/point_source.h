@@ -65,14 +65,11 @@ inline constexpr int kFewestPoints = 10;
 class PointSource {
  public:
   virtual ~PointSource() = default;
-  virtual int count() const = 0;
   /// Whether points have three coordinates.
   virtual bool in_space() const = 0;
   /// Side of the squares of the sample whose means the points are at rest (m); 0 where that is not
   /// known.
   virtual double patch() const { return 0; }
-  /// The file of a frame, for messages.
-  virtual std::string file(int frame) const = 0;
   /// @param frame  that of the call before, or the one after it
   /// @throws InputError
   virtual PointFrame read(int frame) = 0;

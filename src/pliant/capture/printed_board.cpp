@@ -33,4 +33,12 @@ DrawnSurface board_surface(const TagBoard& board, double dark, double bright) {
                         });
 }
 
+DrawnSurface label_surface(int code, double side, double margin, const Eigen::Vector2d& middle,
+                           double height) {
+  DrawnSurface surface = board_surface(TagBoard{1, 1, side, margin, code});
+  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(side / 2);
+  surface.positions.row(2).setConstant(height);
+  return surface;
+}
+
 }  // namespace pliant

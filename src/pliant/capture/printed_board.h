@@ -25,4 +25,11 @@ class PrintedBoard {
 /// @param dark, bright  brightness of ink and paper
 DrawnSurface board_surface(const TagBoard& board, double dark = 0.1, double bright = 0.9);
 
+/// A label: a tag, upright along the axes.
+/// @param side            of its black square (m)
+/// @param margin          of white around it (m)
+/// @param middle, height  where it lies (m)
+DrawnSurface label_surface(int code, double side, double margin, const Eigen::Vector2d& middle,
+                           double height);
+
 }  // namespace pliant

@@ -21,8 +21,7 @@ PatchMotion after_undoing(const PatchMotion& motion, const Eigen::Matrix<double,
 
 std::optional<ReferencePatch> ReferencePatch::of(const SplinePicture& picture,
                                                  const Eigen::Vector2d& place, int radius) {
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
-  if (!picture.contains(place - reach) || !picture.contains(place + reach)) return std::nullopt;
+  if (!picture.contains_beside(place, Eigen::Vector2d::Constant(radius))) return std::nullopt;
   ReferencePatch patch;
   patch.place_ = place;
   patch.radius_ = radius;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/capture/coarse_search.h"
 #include "pliant/capture/grey_png.h"
-#include "pliant/capture/patch_tracker.h"
 
 namespace pliant {
 namespace {

@@ -108,12 +108,6 @@ Eigen::Matrix3Xd SpacePoints::in_moved_axes(const Eigen::Vector3d& position,
   return off;
 }
 
-int SpacePoints::count() const { return static_cast<int>(views().files.front().size()); }
-
-std::string SpacePoints::file(int frame) const {
-  return views().files.front()[static_cast<std::size_t>(frame)].string();
-}
-
 double SpacePoints::patch() const {
   const double pixel = (views().corners.col(1) - views().corners.col(0)).norm() +
                        (views().corners.col(3) - views().corners.col(0)).norm();
@@ -134,7 +128,7 @@ void SpacePoints::require_sight(const StereoRest& rest) const {
   constexpr double kMostMiss = 1;  // pixels
   const auto places = static_cast<double>(rest.places);
   if (rest.places == 0 || rest.without_texture > kFewest * places) {
-    throw InputError({file(0)},
+    throw InputError({dic_.file_of(0)},
                      fmt::format("{} of {} patches within `corners` have no texture to be found "
                                  "again",
                                  rest.without_texture, rest.places),

@@ -29,10 +29,8 @@ class SpacePoints : public PointSource {
   /// @throws InputError where the cameras do not see the sample, or not the same
   SpacePoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context);
 
-  int count() const override;
   bool in_space() const override { return true; }
   double patch() const override;
-  std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
   std::vector<std::string> warnings() const override;

@@ -34,6 +34,10 @@ class SplinePicture {
     return place.x() >= 0 && place.y() >= 0 && place.x() <= static_cast<double>(columns() - 1) &&
            place.y() <= static_cast<double>(rows() - 1);
   }
+  /// Whether both places at opposite sides of one do.
+  bool contains_beside(const Eigen::Vector2d& place, const Eigen::Vector2d& aside) const {
+    return contains(place - aside) && contains(place + aside);
+  }
   /// @param place  in the picture
   float value(const Eigen::Vector2d& place) const;
   /// Of places in a line, one step apart.

@@ -45,7 +45,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
   }
   now_ = first_;
   if (!dic_.fixed.empty())
-    fixed_.emplace(dic_.fixed, rest, tags_by_code(detect_tags(rest)), file(0));
+    fixed_.emplace(dic_.fixed, rest, tags_by_code(detect_tags(rest)), dic_.file_of(0));
   const DicPictures& pictures = *dic_.pictures;
   tracker_ =
       std::make_unique<PatchTracker>(std::move(rest), pictures.patch / 2, pictures.step, context_);
@@ -60,7 +60,7 @@ TrackedPoints::TrackedPoints(const DicFile& dic, ReadPicture read_picture,
 
 std::vector<std::string> TrackedPoints::warnings() const {
   std::vector<std::string> warnings = warnings_;
-  std::ranges::move(first_picture_warnings(*tracker_, noise_, file(0)),
+  std::ranges::move(first_picture_warnings(*tracker_, noise_, dic_.file_of(0)),
                     std::back_inserter(warnings));
   return warnings;
 }
@@ -95,10 +95,6 @@ double TrackedPoints::patch() const {
   return dic_.pictures->patch * (on_plane.col(1) - on_plane.col(0)).norm();
 }
 
-std::string TrackedPoints::file(int frame) const {
-  return dic_.pictures->files[static_cast<std::size_t>(frame)].string();
-}
-
 GreyPicture TrackedPoints::picture(int frame) const {
   const auto& path = dic_.pictures->files[static_cast<std::size_t>(frame)];
   const auto& camera = dic_.lens.camera();
@@ -107,7 +103,7 @@ GreyPicture TrackedPoints::picture(int frame) const {
   if (frame == 0) return read;
   const GreyPicture& rest = tracker_->first();
   if (read.rows() != rest.rows() || read.cols() != rest.cols()) {
-    throw InputError({file(frame)},
+    throw InputError({dic_.file_of(frame)},
                      fmt::format("is {} x {} pixels, and the first picture {} x {}", read.cols(),
                                  read.rows(), rest.cols(), rest.rows()),
                      "pictures of one camera that does not move");
@@ -136,7 +132,7 @@ void TrackedPoints::place_patches() {
     if (!tracker_->add(place)) ++without_texture_;
   }
   if (places.empty() || 2 * without_texture_ > std::ssize(places)) {
-    throw InputError({file(0)},
+    throw InputError({dic_.file_of(0)},
                      fmt::format("{} of {} patches of the sample have no texture to be found again",
                                  without_texture_, places.size()),
                      "a sample with a fine irregular pattern all over, in focus");

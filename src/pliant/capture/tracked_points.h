@@ -21,10 +21,8 @@ class TrackedPoints : public PointSource {
   ///         texture
   TrackedPoints(const DicFile& dic, ReadPicture read_picture, const RunContext& context);
 
-  int count() const override { return static_cast<int>(dic_.pictures->files.size()); }
   bool in_space() const override { return false; }
   double patch() const override;
-  std::string file(int frame) const override;
   PointFrame read(int frame) override;
   std::vector<std::string> notes() const override;
   std::vector<std::string> warnings() const override;

@@ -20,15 +20,22 @@ struct Surroundings {
   Eigen::Matrix2Xd offsets;  // m
 };
 
+/// Of each point the others that are near it, as it is seen from above.
+std::vector<std::vector<int>> neighbours_of(const Eigen::Matrix3Xd& points, double reach) {
+  const NearPlaces places(points.topRows<2>(), reach);
+  std::vector<std::vector<int>> near;
+  for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
+    near.push_back(places.around(points.col(i).head<2>()));
+    std::erase(near.back(), i);
+  }
+  return near;
+}
+
 class Surface {
  public:
-  Surface(const Eigen::Matrix3Xd& points, double reach) : points_(points) {
-    const NearPlaces places(points.topRows<2>(), reach);
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      near_.push_back(places.around(points.col(i).head<2>()));
-      std::erase(near_.back(), static_cast<int>(i));
-      normals_.push_back(normal_at(i));
-    }
+  Surface(const Eigen::Matrix3Xd& points, double reach)
+      : points_(points), near_(neighbours_of(points, reach)) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) normals_.push_back(normal_at(i));
   }
 
   Surroundings around(Eigen::Index i) const {
@@ -144,19 +151,17 @@ UnrolledSheet unrolled_piece(const Eigen::Matrix3Xd& points, double reach) {
 /// Points of the largest connected piece, each with enough others around it to tell a plane.
 std::vector<int> largest_piece(const Eigen::Matrix3Xd& points, double reach) {
   constexpr std::size_t kFewest = 5;
-  const NearPlaces places(points.topRows<2>(), reach);
-  std::vector<std::vector<int>> near;
-  for (const auto& point : points.colwise()) near.push_back(places.around(point.head<2>()));
+  const std::vector<std::vector<int>> near = neighbours_of(points, reach);
   std::vector<bool> is_taken(near.size(), false);
   std::vector<int> largest;
   for (std::size_t first = 0; first < near.size(); ++first) {
-    if (is_taken[first] || near[first].size() <= kFewest) continue;
+    if (is_taken[first] || near[first].size() < kFewest) continue;
     std::vector<int> piece{static_cast<int>(first)};
     is_taken[first] = true;
     for (std::size_t k = 0; k < piece.size(); ++k) {
       for (const int other : near[static_cast<std::size_t>(piece[k])]) {
         const auto next = static_cast<std::size_t>(other);
-        if (is_taken[next] || near[next].size() <= kFewest) continue;
+        if (is_taken[next] || near[next].size() < kFewest) continue;
         is_taken[next] = true;
         piece.push_back(other);
       }

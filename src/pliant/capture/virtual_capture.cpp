@@ -14,13 +14,13 @@
 #include "pliant/base/parallel.h"
 #include "pliant/base/quantity.h"
 #include "pliant/capture/bias_strip.h"
+#include "pliant/capture/cloth_print.h"
 #include "pliant/capture/grey_png.h"
 #include "pliant/capture/pattern.h"
 #include "pliant/capture/printed_board.h"
 #include "pliant/capture/view_drawing.h"
 #include "pliant/capture/virtual_cords.h"
 #include "pliant/capture/virtual_rig.h"
-#include "pliant/capture/wavelet_noise.h"
 #include "pliant/experiment/session/session_type.h"
 
 namespace pliant {
@@ -141,51 +141,23 @@ DrawnSurface plate(const Eigen::AlignedBox2d& box, double height) {
   return flat_rectangle(box, height, [](const Eigen::Vector2d&) { return kMetal; });
 }
 
-DrawnSurface label_at(const Eigen::Vector2d& middle, int code) {
-  DrawnSurface surface = board_surface(TagBoard{1, 1, kLabel, kLabelMargin, code});
-  surface.positions.topRows<2>().colwise() += middle - Eigen::Vector2d::Constant(kLabel / 2);
-  surface.positions.row(2).setConstant(kPlate);
-  return surface;
+ClothPrint print_on(const SessionSample& sample, double pixel, std::uint64_t seed) {
+  ClothPattern pattern;
+  pattern.seed = seed;
+  pattern.camera = pixel;
+  pattern.finest = 4 * pixel;
+  const double fine = pixel / 4;
+  const auto pixels = [&](double size) { return static_cast<int>(std::ceil(size / fine)) + 1; };
+  return {pattern, pixels(sample.width), pixels(sample.height), fine};
 }
-
-/// The print on the cloth.
-class ClothPrint {
- public:
-  ClothPrint(const Session& session, double pixel, std::uint64_t seed)
-      : pixel_(pixel / 4), picture_(drawn(session, pixel, seed)) {}
-
-  double at(const Eigen::Vector2d& place) const {
-    const Eigen::Vector2d last(static_cast<double>(picture_.columns() - 1),
-                               static_cast<double>(picture_.rows() - 1));
-    const Eigen::Vector2d there = place / pixel_;
-    return picture_.value(there.cwiseMax(0).cwiseMin(last));
-  }
-
- private:
-  SplinePicture drawn(const Session& session, double pixel, std::uint64_t seed) const {
-    constexpr double kWhite = 255;
-    ClothPattern pattern;
-    pattern.seed = seed;
-    pattern.camera = pixel;
-    pattern.finest = 4 * pixel;
-    const int columns = static_cast<int>(std::ceil(session.sample.width / pixel_)) + 1;
-    const int rows = static_cast<int>(std::ceil(session.sample.height / pixel_)) + 1;
-    const std::vector<std::uint8_t> levels = noise_levels(pattern, columns, rows, pixel_);
-    const Eigen::Map<
-        const Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-        grey(levels.data(), rows, columns);
-    return SplinePicture(grey.cast<float>() / static_cast<float>(kWhite));
-  }
-
-  double pixel_;
-  SplinePicture picture_;
-};
 
 /// Everything before the cameras, picture by picture.
 class DrawnSession {
  public:
   DrawnSession(const Session& session, const VirtualCameras& options, std::uint64_t seed)
-      : session_(session), gloss_(options.gloss), print_(session, options.pixel, seed) {
+      : session_(session),
+        gloss_(options.gloss),
+        print_(print_on(session.sample, options.pixel, seed)) {
     for (std::size_t c = 0; c < session.clips.size(); ++c) {
       const int first_code = clips_.empty() ? 0 : clips_.back().codes.back() + 1;
       clips_.push_back(drawn_clip(session, c, first_code));
@@ -202,7 +174,8 @@ class DrawnSession {
       std::vector<DrawnSurface> own{plate(clips_[c].cloth, kPlate),
                                     plate(clips_[c].cloth, -kPlate)};
       for (std::size_t i = 0; i < clips_[c].labels.size(); ++i) {
-        own.push_back(label_at(clips_[c].labels[i], clips_[c].codes[i]));
+        own.push_back(
+            label_surface(clips_[c].codes[i], kLabel, kLabelMargin, clips_[c].labels[i], kPlate));
       }
       for (DrawnSurface& surface : own) {
         if (frame >= 0) move(surface, session_.frames[static_cast<std::size_t>(frame)].poses[c]);

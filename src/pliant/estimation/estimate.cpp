@@ -112,20 +112,20 @@ void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
   warn_of_outliers(row, warnings);
 }
 
-std::vector<std::string> names_at_bounds(const StudyResult& result) {
+void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result) {
+  if (names.empty()) return;
+  result.warnings.push_back(
+      fmt::format("at their bounds, to where the data push them: {}", fmt::join(names, ", ")));
+}
+
+void warn_of_bounds(StudyResult& result) {
   std::vector<std::string> names;
   for (const auto* estimates : {&result.parameters, &result.nuisance}) {
     for (const ParameterEstimate& estimate : *estimates) {
       if (estimate.at_bound && !estimate.fixed) names.push_back(estimate.name);
     }
   }
-  return names;
-}
-
-void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result) {
-  if (names.empty()) return;
-  result.warnings.push_back(
-      fmt::format("at their bounds, to where the data push them: {}", fmt::join(names, ", ")));
+  warn_of_bounds(names, result);
 }
 
 }  // namespace pliant

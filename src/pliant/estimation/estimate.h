@@ -23,10 +23,9 @@ void take_noise(const Uncertainty& uncertainty, std::size_t part, ExperimentResu
 void doubt_rows(const Uncertainty& uncertainty, std::size_t part, ExperimentResult& row,
                 std::vector<std::string>& warnings);
 
-/// Of unknowns of the material, then of those of experiments.
-std::vector<std::string> names_at_bounds(const StudyResult& result);
-
 /// Names unknowns at their bounds in one warning.
 void warn_of_bounds(const std::vector<std::string>& names, StudyResult& result);
+/// Those of the material, then those of experiments.
+void warn_of_bounds(StudyResult& result);
 
 }  // namespace pliant

@@ -12,6 +12,8 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
+constexpr auto kJpeg = "\xff\xd8"sv, kBmp = "BM"sv;
+
 /// Where the next marker stands that is followed by a segment, or ends the picture; the end of the
 /// bytes where there is none.
 std::size_t next_marker(std::string_view bytes, std::size_t at) {
@@ -58,13 +60,16 @@ bool is_heic(std::string_view bytes) {
 }
 
 bool begins_as_picture(std::string_view bytes) {
-  constexpr std::array kBeginnings{"\xff\xd8"sv, "\x89PNG"sv, "II*\0"sv, "MM\0*"sv, "BM"sv};
+  constexpr std::array kBeginnings{kJpeg, "\x89PNG"sv, "II*\0"sv, "MM\0*"sv, kBmp};
   return std::ranges::any_of(kBeginnings, [&](auto begin) { return bytes.starts_with(begin); });
 }
 
+bool may_be_cut(std::string_view bytes) {
+  return bytes.starts_with(kJpeg) || bytes.starts_with(kBmp);
+}
+
 bool is_cut(std::string_view bytes) {
-  if (bytes.starts_with("\xff\xd8"sv)) return jpeg_is_cut(bytes);
-  return bytes.starts_with("BM"sv) && bmp_is_cut(bytes);
+  return bytes.starts_with(kJpeg) ? jpeg_is_cut(bytes) : bmp_is_cut(bytes);
 }
 
 }  // namespace pliant

@@ -10,8 +10,11 @@ bool is_heic(std::string_view bytes);
 /// Whether a file begins as a JPEG, PNG, TIFF or BMP does.
 bool begins_as_picture(std::string_view bytes);
 
+/// Whether it begins as a JPEG or BMP does, of which decoders make up what is missing.
+bool may_be_cut(std::string_view bytes);
+
 /// Whether a JPEG ends before its end marker [T.81 B.1.1.2], or a BMP without compression before
-/// its last row: decoders make up what is missing. What cameras add behind a picture does no harm.
+/// its last row. What cameras add behind a picture does no harm.
 bool is_cut(std::string_view bytes);
 
 }  // namespace pliant

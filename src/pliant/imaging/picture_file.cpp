@@ -1,6 +1,7 @@
 #include "pliant/imaging/picture_file.h"
 
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <new>
 
@@ -41,20 +42,29 @@ ColourPhoto grey_levels(const Photo& photo) {
   throw InputError({file.string()}, "ends too early or is damaged", "a whole picture");
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
+/// Its first bytes, which tell its kind.
+std::string start_of(const std::filesystem::path& file) {
+  std::string start(12, '\0');
+  std::ifstream open(file, std::ios::binary);
+  open.read(start.data(), std::ssize(start));
+  start.resize(static_cast<std::size_t>(open.gcount()));
+  return start;
+}
+
+bool is_cut_file(const std::filesystem::path& file) {
   constexpr std::size_t kMost = std::size_t{1} << 30;
-  return read_text_file(file, kMost);
+  return may_be_cut(start_of(file)) && is_cut(read_text_file(file, kMost));
 }
 
 [[noreturn]] void refuse_unread(const std::filesystem::path& file, const GError& error) {
   const bool is_decoders = error.domain == GDK_PIXBUF_ERROR;  // not of the file system
-  const std::string bytes = is_decoders ? bytes_of(file) : "";
-  if (is_heic(bytes)) {
+  const std::string start = is_decoders ? start_of(file) : "";
+  if (is_heic(start)) {
     throw InputError({file.string()}, "is a HEIC or AVIF picture, which has to be converted first",
                      "JPEG or PNG: set the phone's camera to `most compatible`, or convert it, "
                      "e.g. `heif-convert 1.heic 1.png`");
   }
-  if (begins_as_picture(bytes)) refuse_cut(file);
+  if (begins_as_picture(start)) refuse_cut(file);
   throw InputError({file.string()}, "is no picture that can be read",
                    "a photograph: JPEG, PNG, TIFF or BMP");
 }
@@ -67,7 +77,7 @@ Pixbuf stored_picture(const std::filesystem::path& file) {
     const std::unique_ptr<GError, Free> kept(error);
     refuse_unread(file, *error);
   }
-  if (is_cut(bytes_of(file))) refuse_cut(file);
+  if (is_cut_file(file)) refuse_cut(file);
   return stored;
 }
 

@@ -8,6 +8,9 @@
 
 namespace pliant {
 
+/// What a stopped command leaves for the next, see `ResultDirectory::set_aside`.
+inline constexpr const char* kProgressFile = "progress.bin";
+
 /// A folder of results that a command fills completely or leaves as it was.
 ///
 /// Files are collected in a hidden folder inside `directory`; `commit` moves them into place and

@@ -85,7 +85,7 @@ void fit_sheet_models(const Study& study, const std::vector<ModelVariant>& combi
     };
     try {
       fit.result = fit_sheet_study(fit.study, named, starts_of(combination, solutions));
-      warn_of_bounds(names_at_bounds(fit.result), fit.result);
+      warn_of_bounds(fit.result);
       conclude_fit(fit.study, fit.result);
       solutions.push_back({combination, fit.result.material, cords_of(fit.result)});
     } catch (const InputError& error) {

@@ -137,7 +137,7 @@ StudyResult fit_study(const Study& study, const StudyFitOptions& options,
     return together ? fit_joint_study(study, options, context) : fit_sheet_study(study, context);
   };
   StudyResult result = fit();
-  warn_of_bounds(names_at_bounds(result), result);
+  warn_of_bounds(result);
   warn_of_unknown_profiles(options, result);
   warn_of_whole_sheets(study, result);
   conclude_fit(study, result);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pliant/report/json_reader.h"
+#include "pliant/io/json_object.h"
 
 namespace pliant::report {
 namespace {
@@ -34,8 +34,8 @@ std::string joined_by(std::string_view between, std::string_view variant) {
 }
 
 /// The errors of a row, in the order of the sessions, which are those of the first row with any.
-void read_errors(const JsonReader& json, std::vector<ComparedSession>& sessions, ModelFitRow& row) {
-  const std::vector<JsonReader> experiments = json.objects("experiments");
+void read_errors(const JsonObject& json, std::vector<ComparedSession>& sessions, ModelFitRow& row) {
+  const std::vector<JsonObject> experiments = json.objects("experiments");
   if (experiments.empty()) return;
   const bool first = sessions.empty();
   if (!first && experiments.size() != sessions.size()) {
@@ -43,7 +43,7 @@ void read_errors(const JsonReader& json, std::vector<ComparedSession>& sessions,
               fmt::format("{} experiments", sessions.size()));
   }
   for (std::size_t i = 0; i < experiments.size(); ++i) {
-    const JsonReader& e = experiments[i];
+    const JsonObject& e = experiments[i];
     const std::string name = e.text("name");
     if (first) sessions.push_back({name, e.text("unit"), e.text_or("role", "fit") == "validate"});
     if (sessions[i].name != name) {
@@ -53,7 +53,7 @@ void read_errors(const JsonReader& json, std::vector<ComparedSession>& sessions,
   }
 }
 
-ModelFitRow read_row(const JsonReader& json, std::vector<ComparedSession>& sessions) {
+ModelFitRow read_row(const JsonObject& json, std::vector<ComparedSession>& sessions) {
   ModelFitRow row;
   row.model = json.text("model");
   row.variant = json.text("variant");
@@ -72,7 +72,7 @@ ModelFitRow read_row(const JsonReader& json, std::vector<ComparedSession>& sessi
 ModelFits read_model_fits(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "summary.json";
   const nlohmann::json document = read_json_file(file);
-  const JsonReader json(document, file.string(), "");
+  const JsonObject json(document, file.string(), "");
   const std::string type = json.text("pliant");
   if (type != "fits-of-models/1") {
     json.fail("pliant", "unknown document `" + type + "`", "fits-of-models/1");
@@ -84,7 +84,7 @@ ModelFits read_model_fits(const std::filesystem::path& directory) {
   fits.version = json.text_or("version", "");
   fits.study = json.text_or("study", "");
   fits.study_sha256 = json.text_or("study_sha256", "");
-  for (const JsonReader& row : json.objects("fits")) {
+  for (const JsonObject& row : json.objects("fits")) {
     fits.rows.push_back(read_row(row, fits.sessions));
   }
   for (ModelFitRow& row : fits.rows) row.errors.resize(fits.sessions.size());

@@ -16,10 +16,10 @@
 #include "pliant/report/simulation_report.h"
 
 #include "report/sample_capture.h"
-#include "report/sample_model_fits.h"
 #include "report/sample_results.h"
 #include "report/sample_sheets.h"
 #include "report/sample_simulation.h"
+#include "support/compared_models.h"
 
 namespace pliant {
 namespace {
@@ -173,7 +173,7 @@ TEST_F(BrowserReport, OfACaptureIsDrawnToo) {
 
 TEST_F(BrowserReport, OfSeveralModelsHasABarForEachFit) {
   const TemporaryFolder folder;
-  testing::write_sample_model_fits(folder.path());
+  write_text(folder.path() / "summary.json", summary_json(test::sample_model_fits()));
   const std::string html = when_drawn(make_model_fits_report(folder.path()), R"(
       const bars = [...document.querySelectorAll('#figure-1 .bars .point path')];
       document.body.dataset.bars = bars.filter((bar) => bar.getBoundingClientRect().height > 0).length;)");

@@ -11,13 +11,13 @@
 #include "pliant/material/material_file.h"
 #include "pliant/measurement/session/session_document.h"
 #include "pliant/scene/simulation_result.h"
-#include "pliant/study/model_fit_summary.h"
 #include "pliant/study/result_files.h"
 #include "pliant/study/study.h"
 #include "pliant/study/study_evaluation.h"
 #include "pliant/study/study_fit.h"
 #include "pliant/study/virtual_lab.h"
 
+#include "support/compared_models.h"
 #include "support/pages.h"
 #include "support/session_sheets.h"
 
@@ -174,18 +174,6 @@ std::vector<NamedDocument> shipped_documents() {
   return documents;
 }
 
-/// Of a model that was fitted and one that was not.
-std::string written_summary(const RunFacts& facts) {
-  ModelFitSummary found, failed;
-  found.combination = {sheet_models().front(), sheet_variants().front()};
-  found.converged = true;
-  found.parameters = 12;
-  found.sessions = {{"stretch", "fit", "N", 0.01}, {"overhang", "validate", "mm", 0.3}};
-  failed.combination = {sheet_models().back(), sheet_variants().back()};
-  failed.failure = "no equilibrium";
-  return summary_json("satin", {found, failed}, facts);
-}
-
 std::vector<NamedDocument> written_documents() {
   const DocumentFolder folder;
   const VirtualLab lab =
@@ -216,7 +204,9 @@ std::vector<NamedDocument> written_documents() {
   }
   const fs::path record = kSource / "tests" / "corpus" / "u3m" / "two_directions.json";
   documents.push_back(from_yaml("study of a U3M file", import_u3m(record).study_yaml));
-  documents.push_back(from_json("summary.json", written_summary(facts)));
+  ModelFits fits = sample_model_fits();
+  fits.facts = facts;
+  documents.push_back(from_json("summary.json", summary_json(fits)));
   documents.push_back(written_simulation());
   documents.push_back(written_calibration());
   documents.push_back(from_yaml("session", session_document_text(stretch_session())));

@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include "pliant/report/html.h"
-#include "pliant/report/model_fits.h"
 #include "pliant/report/model_fits_figure.h"
-#include "pliant/report/model_fits_verdict.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/page.h"
+#include "pliant/study/model_fits.h"
 
 namespace pliant {
 namespace report {
@@ -36,13 +35,13 @@ std::vector<std::string> marked(const Numbers& numbers, int digits) {
   return cells;
 }
 
-Numbers column(const ModelFits& fits, std::size_t session) {
+Numbers column(const ModelComparison& comparison, std::size_t session) {
   Numbers numbers;
-  for (const ModelFitRow& row : fits.rows) numbers.push_back(row.errors[session]);
+  for (const ComparedFit& row : comparison.fits) numbers.push_back(row.error(session));
   return numbers;
 }
 
-std::string model_cell(const ModelFitRow& row) {
+std::string model_cell(const ComparedFit& row) {
   const std::string title = escape_html(model_title(row.model));
   if (!row.failure.empty()) return title + " <em>failed</em>";
   const std::string link =
@@ -52,13 +51,13 @@ std::string model_cell(const ModelFitRow& row) {
 
 /// The rows in the form of [T] Tables A.1-A.4: a variant is named once, its models stand under it.
 /// @param columns  of numbers as HTML, one cell a row
-std::string table_html(const ModelFits& fits, std::vector<HtmlTable::Column> head,
+std::string table_html(const ModelComparison& comparison, std::vector<HtmlTable::Column> head,
                        const std::vector<std::vector<std::string>>& columns) {
   head.insert(head.begin(), {{"Variant"}, {"Model"}});
   HtmlTable table(std::move(head), "compact model-fits");
   std::string variant;
-  for (std::size_t r = 0; r < fits.rows.size(); ++r) {
-    const ModelFitRow& row = fits.rows[r];
+  for (std::size_t r = 0; r < comparison.fits.size(); ++r) {
+    const ComparedFit& row = comparison.fits[r];
     const bool again = r > 0 && row.variant == variant;
     variant = row.variant;
     table.begin_row(again ? "" : "first-of-group");
@@ -70,20 +69,20 @@ std::string table_html(const ModelFits& fits, std::vector<HtmlTable::Column> hea
 }
 
 /// The sessions of a role, with the numbers that belong to a fit as a whole beside the fitted ones.
-std::string session_table(const ModelFits& fits, bool validation) {
+std::string session_table(const ModelComparison& comparison, bool validation) {
   std::vector<HtmlTable::Column> head;
   std::vector<std::vector<std::string>> columns;
-  for (std::size_t s = 0; s < fits.sessions.size(); ++s) {
-    const ComparedSession& session = fits.sessions[s];
+  for (std::size_t s = 0; s < comparison.sessions.size(); ++s) {
+    const ComparedSession& session = comparison.sessions[s];
     if (session.validation != validation) continue;
     head.push_back({session.name, Align::number, session.unit});
-    columns.push_back(marked(column(fits, s), 3));
+    columns.push_back(marked(column(comparison, s), 3));
   }
   if (head.empty()) return {};
   if (!validation) {
     Numbers misfits;
     std::vector<std::string> parameters, seconds;
-    for (const ModelFitRow& row : fits.rows) {
+    for (const ComparedFit& row : comparison.fits) {
       misfits.push_back(row.misfit);
       parameters.push_back(row.parameters ? std::to_string(*row.parameters) : kNoValue);
       seconds.push_back(format_significant(row.seconds, 2));
@@ -93,11 +92,12 @@ std::string session_table(const ModelFits& fits, bool validation) {
                              {"Time", Align::number, "s"}});
     columns.insert(columns.end(), {marked(misfits, 3), parameters, seconds});
   }
-  return table_html(fits, std::move(head), columns);
+  return table_html(comparison, std::move(head), columns);
 }
 
-std::string tables(const ModelFits& fits) {
-  const std::string fitted = session_table(fits, false), predicted = session_table(fits, true);
+std::string tables(const ModelComparison& comparison) {
+  const std::string fitted = session_table(comparison, false),
+                    predicted = session_table(comparison, true);
   std::string html;
   if (!fitted.empty()) {
     html += "<section><h2>Fitted sessions: RMS errors</h2>\n" + fitted +
@@ -117,9 +117,9 @@ std::string tables(const ModelFits& fits) {
   return html;
 }
 
-std::string failures(const ModelFits& fits) {
+std::string failures(const ModelComparison& comparison) {
   std::vector<std::string> lines;
-  for (const ModelFitRow& row : fits.rows) {
+  for (const ComparedFit& row : comparison.fits) {
     if (!row.failure.empty()) lines.push_back(fit_title(row) + ": " + row.failure);
   }
   if (lines.empty()) return {};
@@ -127,17 +127,17 @@ std::string failures(const ModelFits& fits) {
          "</section>\n";
 }
 
-std::string charts(const ModelFits& fits, FigureSheet& figures) {
-  if (fits.sessions.empty()) return {};
+std::string charts(const ModelComparison& comparison, FigureSheet& figures) {
+  if (comparison.sessions.empty()) return {};
   std::string html = "<section class=\"figure-block\"><h2>Each session</h2>\n";
-  if (figures.can_draw()) html += legend_html(model_styles(fits));
+  if (figures.can_draw()) html += legend_html(model_styles(comparison));
   html += "<div class=\"pair\">\n";
-  for (std::size_t s = 0; s < fits.sessions.size(); ++s) {
-    Figure figure = model_fits_figure(fits, s);
+  for (std::size_t s = 0; s < comparison.sessions.size(); ++s) {
+    Figure figure = model_fits_figure(comparison, s);
     figure.print_size = kFigureSize;
     html += fmt::format("<figure><figcaption><strong>{}</strong> {}</figcaption>\n{}</figure>\n",
-                        escape_html(fits.sessions[s].name),
-                        fits.sessions[s].validation ? "not fitted" : "fitted",
+                        escape_html(comparison.sessions[s].name),
+                        comparison.sessions[s].validation ? "not fitted" : "fitted",
                         figures.add(figure, "figure-short"));
   }
   return html + "</div></section>\n";
@@ -157,11 +157,11 @@ constexpr std::string_view kGlossary =
     "meshes and the same search.</p></section>\n";
 
 std::string origin(const ModelFits& fits) {
-  const std::string facts = fact_table({{"Command", fits.command},
-                                        {"Created", fits.created},
-                                        {"Pliant version", fits.version},
-                                        {"Study", fits.study},
-                                        {"SHA-256 of the study", fits.study_sha256}});
+  const std::string facts = fact_table({{"Command", fits.facts.command},
+                                        {"Created", fits.facts.created},
+                                        {"Pliant version", fits.facts.version},
+                                        {"Study", fits.facts.study},
+                                        {"SHA-256 of the study", fits.facts.study_sha256}});
   return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + facts +
          "<p>Beside this file: <code>summary.csv</code> and <code>summary.json</code> (the tables "
          "above), and a folder with all results of each fit.</p></section>\n";
@@ -171,13 +171,13 @@ std::string origin(const ModelFits& fits) {
 }  // namespace report
 
 std::string make_model_fits_report(const std::filesystem::path& results_directory) {
-  const report::ModelFits fits = report::read_model_fits(results_directory);
+  const ModelFits fits = read_model_fits(results_directory);
   report::FigureSheet figures = report::page_figures();
   std::string body = "<header><h1>" + report::escape_html(fits.name) +
                      " <span>comparison of cloth models</span></h1></header>\n";
-  body += fmt::format("<p class=\"verdict\">{}</p>\n",
-                      report::escape_html(report::model_fits_verdict(fits)));
-  body += report::tables(fits) + report::failures(fits) + report::charts(fits, figures);
+  body += fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(fits.verdict));
+  body += report::tables(fits.comparison) + report::failures(fits.comparison);
+  body += report::charts(fits.comparison, figures);
   body += std::string(report::kGlossary) + report::origin(fits);
   return report::page(fits.name + ": comparison of cloth models", body, figures);
 }

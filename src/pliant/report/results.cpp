@@ -8,8 +8,8 @@
 
 #include "pliant/base/errors.h"
 #include "pliant/experiment/registry.h"
+#include "pliant/io/json_object.h"
 #include "pliant/material/material.h"
-#include "pliant/report/json_reader.h"
 #include "pliant/report/number_format.h"
 #include "pliant/report/readable_unit.h"
 
@@ -34,7 +34,7 @@ std::string component_of(const std::string& parameter) {
   return {};
 }
 
-ResultParameter read_parameter(const JsonReader& json) {
+ResultParameter read_parameter(const JsonObject& json) {
   ResultParameter p;
   p.name = json.text("name");
   p.component = json.text_or("component", component_of(p.name));
@@ -52,11 +52,11 @@ ResultParameter read_parameter(const JsonReader& json) {
   return p;
 }
 
-DataDigest read_data(const JsonReader& json) {
+DataDigest read_data(const JsonObject& json) {
   return {json.text("experiment"), json.text("file"), json.text("sha256")};
 }
 
-std::optional<MembraneMeasure> read_membrane(const JsonReader& json) {
+std::optional<MembraneMeasure> read_membrane(const JsonObject& json) {
   if (!json.has("membrane")) return std::nullopt;
   const std::string name = json.text("membrane");
   const MembraneMeasure measure = membrane_measure(name);
@@ -66,24 +66,24 @@ std::optional<MembraneMeasure> read_membrane(const JsonReader& json) {
   return measure;
 }
 
-ResultFigure read_figure(const JsonReader& json) {
+ResultFigure read_figure(const JsonObject& json) {
   return {json.text("component"), json.text("name"),    json.text("unit"),
           json.number("value"),   json.number("at"),    json.number("std_error"),
           json.number("lower"),   json.number("upper"), json.flag_or("beyond_range", false)};
 }
 
-std::string read_skipped(const JsonReader& json) {
+std::string read_skipped(const JsonObject& json) {
   return fmt::format("{}: the material has no {}", json.text("name"),
                      fmt::join(json.texts("missing"), ", "));
 }
 
-std::optional<LoopMeasures> read_loop(const std::optional<JsonReader>& json) {
+std::optional<LoopMeasures> read_loop(const std::optional<JsonObject>& json) {
   if (!json) return std::nullopt;
   return LoopMeasures{json->number("secant_modulus_N_per_m"), json->number("secant_rigidity_N_m"),
                       json->number("hysteresis_ratio"), json->number("loop_loss")};
 }
 
-std::string noise_in_words(const std::optional<JsonReader>& json) {
+std::string noise_in_words(const std::optional<JsonObject>& json) {
   if (!json || !json->has("value")) return {};
   const std::string source = json->text_or("source", "");
   const auto in_words = [unit = json->text_or("unit", "")](double value) {
@@ -99,7 +99,7 @@ std::string noise_in_words(const std::optional<JsonReader>& json) {
   return text;
 }
 
-std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::string_view key) {
+std::optional<std::array<double, 2>> read_range(const JsonObject& json, std::string_view key) {
   const std::vector<double> range = json.numbers(key);
   if (range.empty()) return std::nullopt;
   if (range.size() != 2) json.fail(key, "not a range", "two numbers");
@@ -107,7 +107,7 @@ std::optional<std::array<double, 2>> read_range(const JsonReader& json, std::str
 }
 
 /// Pairs of a row, from 1, and how far it is off.
-std::vector<std::size_t> read_outliers(const JsonReader& json) {
+std::vector<std::size_t> read_outliers(const JsonObject& json) {
   std::vector<std::size_t> rows;
   for (const std::vector<double>& outlier : json.number_rows("outliers")) {
     if (outlier.size() != 2 || !(outlier[0] >= 1)) {
@@ -119,18 +119,18 @@ std::vector<std::size_t> read_outliers(const JsonReader& json) {
 }
 
 template <typename Item>
-std::vector<Item> read_all(const JsonReader& json, std::string_view key,
-                           Item (*read)(const JsonReader&)) {
+std::vector<Item> read_all(const JsonObject& json, std::string_view key,
+                           Item (*read)(const JsonObject&)) {
   std::vector<Item> items;
-  for (const JsonReader& object : json.objects(key)) items.push_back(read(object));
+  for (const JsonObject& object : json.objects(key)) items.push_back(read(object));
   return items;
 }
 
-ResultLoopFigure read_loop_figure(const JsonReader& json) {
+ResultLoopFigure read_loop_figure(const JsonObject& json) {
   return {json.text("name"), json.number("measured"), json.number("predicted")};
 }
 
-ResultExperiment read_experiment(const JsonReader& json) {
+ResultExperiment read_experiment(const JsonObject& json) {
   ResultExperiment e;
   e.name = json.text("name");
   e.type = json.text_or("type", "");
@@ -167,7 +167,7 @@ ResultExperiment read_experiment(const JsonReader& json) {
   return e;
 }
 
-ResultWholeSheet read_whole_sheet(const JsonReader& json) {
+ResultWholeSheet read_whole_sheet(const JsonObject& json) {
   ResultWholeSheet whole;
   whole.name = json.text("name");
   whole.type = json.text_or("type", "");
@@ -182,13 +182,13 @@ ResultWholeSheet read_whole_sheet(const JsonReader& json) {
   return whole;
 }
 
-FitStage read_stage(const JsonReader& json) {
+FitStage read_stage(const JsonObject& json) {
   return {json.text_or("component", ""),  json.text_or("name", ""),
           json.text_or("unit", ""),       json.number("rms"),
           json.flag_or("accepted", true), json.text_or("ended", "")};
 }
 
-std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {
+std::optional<FitWork> read_work(const std::optional<JsonObject>& json) {
   if (!json) return std::nullopt;
   FitWork work;
   work.equilibria = json->integer_or("equilibria", 0);
@@ -204,7 +204,7 @@ std::optional<FitWork> read_work(const std::optional<JsonReader>& json) {
   return work;
 }
 
-MultiStart read_start(const JsonReader& json) {
+MultiStart read_start(const JsonObject& json) {
   return {json.text_or("component", ""),
           json.text_or("search", "law"),
           json.text_or("unit", "times the noise"),
@@ -214,7 +214,7 @@ MultiStart read_start(const JsonReader& json) {
           json.numbers("ends")};
 }
 
-RankedModel read_model(const JsonReader& json) {
+RankedModel read_model(const JsonObject& json) {
   return {json.text_or("component", ""),
           json.text_or("name", ""),
           json.integer_or("parameters", 0),
@@ -225,7 +225,7 @@ RankedModel read_model(const JsonReader& json) {
           json.text_or("told_by", "")};
 }
 
-ProfileLikelihood read_profile(const JsonReader& json) {
+ProfileLikelihood read_profile(const JsonObject& json) {
   ProfileLikelihood profile{json.text("parameter"),  json.text_or("unit", ""),
                             json.numbers("value"),   json.numbers("delta_chi2"),
                             json.number("lower"),    json.number("upper"),
@@ -236,21 +236,21 @@ ProfileLikelihood read_profile(const JsonReader& json) {
   return profile;
 }
 
-SingularValues read_singular_values(const JsonReader& json) {
+SingularValues read_singular_values(const JsonObject& json) {
   return {json.text_or("component", ""), json.numbers("values")};
 }
 
-ResultJudgement read_judgement(const std::optional<JsonReader>& json) {
+ResultJudgement read_judgement(const std::optional<JsonObject>& json) {
   ResultJudgement judgement;
   if (!json) return judgement;
   judgement.fitness = json->text("fitness");
   judgement.headline = json->text("headline");
   judgement.details = json->text_or("details", "");
   judgement.undetermined = json->texts("undetermined");
-  for (const JsonReader& e : json->objects("experiments")) {
+  for (const JsonObject& e : json->objects("experiments")) {
     if (e.text("fitness") != "fit") judgement.misses.push_back(e.text("name"));
   }
-  for (const JsonReader& c : json->objects("criteria")) {
+  for (const JsonObject& c : json->objects("criteria")) {
     judgement.criteria.push_back(c.text("text"));
   }
   return judgement;
@@ -265,7 +265,7 @@ void assign_nuisance_components(Results& results) {
   }
 }
 
-void check_covariance(const JsonReader& json, const Results& results) {
+void check_covariance(const JsonObject& json, const Results& results) {
   if (results.covariance.empty()) return;
   const std::size_t n = results.parameters.size() + results.nuisance.size();
   bool square = results.covariance.size() == n;
@@ -280,7 +280,7 @@ void check_covariance(const JsonReader& json, const Results& results) {
 Results read_results(const std::filesystem::path& directory) {
   const std::string file = results_file(directory).string();
   const nlohmann::json document = read_json_file(file);
-  const JsonReader json(document, file, "");
+  const JsonObject json(document, file, "");
   const std::string type = json.text("pliant");
   if (type != "fit/1" && type != "evaluation/1") {
     json.fail("pliant", "unknown document `" + type + "`", "fit/1 or evaluation/1");

@@ -7,20 +7,20 @@
 #include "pliant/base/number_text.h"
 #include "pliant/base/quantity.h"
 #include "pliant/io/csv.h"
-#include "pliant/report/json_reader.h"
+#include "pliant/io/json_object.h"
 
 namespace pliant::report {
 namespace {
 
-StepStatistics read_statistics(const JsonReader& json, std::string_view key) {
-  const std::optional<JsonReader> numbers = json.object(key);
+StepStatistics read_statistics(const JsonObject& json, std::string_view key) {
+  const std::optional<JsonObject> numbers = json.object(key);
   if (!numbers) return {};
   return {numbers->number("min"), numbers->number("median"), numbers->number("mean"),
           numbers->number("max")};
 }
 
-SimulationMethod read_method(const JsonReader& json) {
-  const std::optional<JsonReader> method = json.object("method");
+SimulationMethod read_method(const JsonObject& json) {
+  const std::optional<JsonObject> method = json.object("method");
   if (!method) return {};
   return {method->text_or("kind", ""),        method->text_or("integrator", ""),
           method->text_or("solve", ""),       method->text_or("friction", ""),
@@ -44,8 +44,8 @@ EnergyTable read_energy(const std::filesystem::path& file) {
   return energy;
 }
 
-void read_phases(const JsonReader& json, SimulationResults& results) {
-  const std::optional<JsonReader> phases = json.object("seconds_by_phase");
+void read_phases(const JsonObject& json, SimulationResults& results) {
+  const std::optional<JsonObject> phases = json.object("seconds_by_phase");
   if (!phases) return;
   const std::pair<const char*, const char*> known[] = {
       {"assembly", "forces and Hessians"},       {"equations", "linear equations"},
@@ -56,8 +56,8 @@ void read_phases(const JsonReader& json, SimulationResults& results) {
   }
 }
 
-void read_frames(const JsonReader& json, SimulationResults& results) {
-  const std::vector<JsonReader> frames = json.objects("frames");
+void read_frames(const JsonObject& json, SimulationResults& results) {
+  const std::vector<JsonObject> frames = json.objects("frames");
   results.frames = frames.size();
   if (!frames.empty()) results.last_time = frames.back().number("time").value_or(0);
 }
@@ -108,7 +108,7 @@ std::string limits_text(const SimulationResults& results) {
 SimulationResults read_simulation_results(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "simulation.json";
   const nlohmann::json document = read_json_file(file);
-  const JsonReader json(document, file.string(), "");
+  const JsonObject json(document, file.string(), "");
   const std::string type = json.text("pliant");
   if (type != "simulation/1") {
     json.fail("pliant", "unknown document `" + type + "`", "simulation/1");

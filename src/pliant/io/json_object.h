@@ -9,16 +9,16 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace pliant::report {
+namespace pliant {
 
 /// @throws InputError for a file that cannot be read or is not JSON
 nlohmann::json read_json_file(const std::filesystem::path& file);
 
 /// Typed access to one JSON object of a results file; every mismatch is an InputError that names
 /// the file and the dotted path of the field. The JSON value must outlive the reader.
-class JsonReader {
+class JsonObject {
  public:
-  JsonReader(const nlohmann::json& value, std::string file, std::string path);
+  JsonObject(const nlohmann::json& value, std::string file, std::string path);
 
   bool has(std::string_view key) const;  ///< present and not null
 
@@ -30,8 +30,8 @@ class JsonReader {
   int integer_or(std::string_view key, int fallback) const;
   std::optional<double> number(std::string_view key) const;  ///< none where absent or null
 
-  std::optional<JsonReader> object(std::string_view key) const;
-  std::vector<JsonReader> objects(std::string_view key) const;  ///< empty where absent
+  std::optional<JsonObject> object(std::string_view key) const;
+  std::vector<JsonObject> objects(std::string_view key) const;  ///< empty where absent
   std::vector<std::string> texts(std::string_view key) const;
   std::vector<double> numbers(std::string_view key) const;  ///< NaN for null
   std::vector<std::vector<double>> number_rows(std::string_view key) const;
@@ -50,4 +50,4 @@ class JsonReader {
   std::string path_;
 };
 
-}  // namespace pliant::report
+}  // namespace pliant

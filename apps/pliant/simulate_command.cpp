@@ -7,7 +7,6 @@
 #include "pliant/io/pc2.h"
 #include "pliant/io/result_directory.h"
 #include "pliant/material/material_file.h"
-#include "pliant/report/simulation_results.h"
 #include "pliant/scene/checkpoint.h"
 #include "pliant/scene/contact_text.h"
 #include "pliant/scene/frame_files.h"
@@ -140,12 +139,12 @@ class SimulationRun {
 
   std::string summary() const {
     const RunFacts run = run_facts(context_, scene_.file);
-    return simulation_text(simulation_, {.command = run.command,
-                                         .created = run.created,
-                                         .version = run.version,
-                                         .scene_sha256 = run.study_sha256,
-                                         .threads = context_.common.threads,
-                                         .peak_memory = peak_memory()});
+    return simulation_text(simulation_result(simulation_, {.command = run.command,
+                                                           .created = run.created,
+                                                           .version = run.version,
+                                                           .scene_sha256 = run.study_sha256,
+                                                           .threads = context_.common.threads,
+                                                           .peak_memory = peak_memory()}));
   }
 
  private:
@@ -292,7 +291,7 @@ void run_simulate(const CommandContext& context, const SimulateArguments& argume
                           run.simulation().scene().name, run.simulation().built().faces.cols(),
                           now.steps, run.simulation().scene().time.step, now.energies.size(),
                           (std::filesystem::path(arguments.output) / "simulation.json").string()));
-  context.say(report::limits_text(report::read_simulation_results(arguments.output)));
+  context.say(limits_text(read_simulation_result(arguments.output)));
   if (arguments.verify) {
     for (const std::string& fact : run.verified()) context.say("verified: " + fact);
   }

@@ -182,19 +182,13 @@ TEST(SimulationReport, RefusesResultsThatAreDamaged) {
   }
 }
 
-report::SimulationResults results_with(report::EnergyTable energy) {
-  report::SimulationResults results;
-  results.energy = std::move(energy);
-  return results;
-}
-
 std::vector<double> values_of(const report::EnergyFigure& energy, std::size_t series) {
   return energy.figure.traces.at(series).at("y").get<std::vector<double>>();
 }
 
 TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
-  const auto energy = report::energy_figure(results_with(
-      {{0, 0.1, 0.2}, {0, 0.25, 0.125}, {7, 6.5, 6.25}, {0, 0.125, 0.375}, {0, 0, 0}, {0, 0, 0}}));
+  const auto energy = report::energy_figure(
+      {}, {{.time = 0, .stored = 7}, {0.1, 0.25, 6.5, 0.125}, {0.2, 0.125, 6.25, 0.375}});
   ASSERT_EQ(energy.legend.size(), 4u);
   EXPECT_THAT(values_of(energy, 0), ElementsAre(0, 0.25, 0.125));
   EXPECT_THAT(values_of(energy, 1), ElementsAre(0, -0.5, -0.75));
@@ -203,28 +197,21 @@ TEST(EnergyFigure, DrawsStoredAndTotalEnergyFromTheFirstFrameOn) {
 }
 
 TEST(EnergyFigure, OfAPathOfEquilibriaHasNoKineticEnergy) {
-  const auto energy =
-      report::energy_figure(results_with({{0, 1}, {0, 0}, {1, 2}, {0, 0.5}, {0, 0}, {0, 0}}));
+  const auto energy = report::energy_figure({}, {{0, 0, 1}, {1, 0, 2, 0.5}});
   EXPECT_EQ(energy.legend.size(), 3u);
 }
 
 TEST(EnergyFigure, DrawsTheWorkOfWhatIsMoved) {
   const auto energy =
-      report::energy_figure(results_with({{0, 1}, {0, 2}, {1, 2}, {0, 0.5}, {0, 0}, {0, 4}}));
+      report::energy_figure({}, {{0, 0, 1}, {.time = 1, .kinetic = 2, .stored = 2, .outside = 4}});
   ASSERT_EQ(energy.legend.size(), 5u);
   EXPECT_THAT(values_of(energy, 3), ElementsAre(0, 4));
 }
 
 TEST(EnergyFigure, KeepsPeaksOfALongSimulation) {
-  report::EnergyTable table;
-  for (int i = 0; i < 50'000; ++i) {
-    table.time.push_back(0.001 * i);
-    table.kinetic.push_back(i == 31'415 ? 9 : 0.5);
-    table.stored.push_back(0);
-    table.work.push_back(0);
-    table.drag.push_back(0);
-  }
-  const auto kinetic = values_of(report::energy_figure(results_with(table)), 0);
+  std::vector<EnergyRow> rows;
+  for (int i = 0; i < 50'000; ++i) rows.push_back({0.001 * i, i == 31'415 ? 9 : 0.5});
+  const auto kinetic = values_of(report::energy_figure({}, rows), 0);
   EXPECT_LT(kinetic.size(), 5'000u);
   EXPECT_THAT(kinetic, ::testing::Contains(9));
 }

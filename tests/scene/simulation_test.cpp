@@ -74,7 +74,7 @@ TEST(AdaptiveSteps, TellHowOftenTheyWereHalvedAndGoOnWithWholeOnes) {
       sheet("{step: 10 ms, duration: 30 ms, adaptive: true}", kOntoItsNeighbour);
   while (!simulation.is_finished()) simulation.advance();
   EXPECT_EQ(simulation.now().records.substeps, (std::vector{2, 1, 1}));
-  const auto json = nlohmann::json::parse(simulation_text(simulation, {}));
+  const auto json = nlohmann::json::parse(simulation_text(simulation_result(simulation, {})));
   EXPECT_EQ(json["method"]["adaptive"], true);
   EXPECT_EQ(json["substeps"]["max"], 2);
   EXPECT_EQ(json["substeps"]["median"], 1);

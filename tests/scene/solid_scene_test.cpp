@@ -111,7 +111,7 @@ TEST(SolidScene, WritesItsElementsAndItsSurface) {
   EXPECT_TRUE(has("strain.green.zz"));
   EXPECT_TRUE(has("strain.J"));
   EXPECT_EQ(simulation.built().faces.cols(), 2 * (2 * 4 + 4 * 20));
-  const std::string json = simulation_text(simulation, {});
+  const std::string json = simulation_text(simulation_result(simulation, {}));
   EXPECT_NE(json.find("\"elements\": 40"), std::string::npos);
   EXPECT_NE(json.find("\"mesh\": null"), std::string::npos);
 }

@@ -98,7 +98,7 @@ NamedDocument written_simulation() {
   simulation.record_frame();
   simulation.advance();
   const SimulationFacts facts{"pliant simulate", "2024-01-01T00:00:00Z", "0", sha256_of(""), 1, 20};
-  return from_json("simulation.json", simulation_text(simulation, facts));
+  return from_json("simulation.json", simulation_text(simulation_result(simulation, facts)));
 }
 
 }  // namespace

@@ -136,13 +136,13 @@ std::vector<std::vector<double>> JsonObject::number_rows(std::string_view key) c
   return rows;
 }
 
-std::vector<std::pair<std::string, std::string>> JsonObject::entries(std::string_view key) const {
-  std::vector<std::pair<std::string, std::string>> entries;
+std::map<std::string, std::string> JsonObject::entries(std::string_view key) const {
+  std::map<std::string, std::string> entries;
   const nlohmann::json* value = find(key);
   if (value == nullptr) return entries;
   if (!value->is_object()) fail(key, "not an object", "an object of texts");
   for (const auto& [name, item] : value->items()) {
-    entries.emplace_back(name, item.is_string() ? item.get<std::string>() : item.dump());
+    entries.emplace(name, item.is_string() ? item.get<std::string>() : item.dump());
   }
   return entries;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -36,7 +36,7 @@ class JsonObject {
   std::vector<double> numbers(std::string_view key) const;  ///< NaN for null
   std::vector<std::vector<double>> number_rows(std::string_view key) const;
   /// A mapping of free text; values that are no strings are given as they stand in the file.
-  std::vector<std::pair<std::string, std::string>> entries(std::string_view key) const;
+  std::map<std::string, std::string> entries(std::string_view key) const;
 
   [[noreturn]] void fail(std::string_view key, std::string problem, std::string expected) const;
 

@@ -26,22 +26,31 @@ bool has_any(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
 }
 
-std::vector<EnergySeries> series_of(const EnergyTable& energy) {
-  EnergySeries stored{kStored, {}}, lost{kLost, {}}, total{kTotal, {}};
-  for (std::size_t i = 0; i < energy.rows(); ++i) {
-    stored.values.push_back(energy.stored[i] - energy.stored[0]);
-    lost.values.push_back(energy.work[i] - energy.drag[i]);
-    total.values.push_back(energy.kinetic[i] - energy.kinetic[0] + stored.values[i] +
-                           energy.work[i]);
+std::vector<EnergySeries> series_of(const std::vector<EnergyRow>& rows) {
+  EnergySeries kinetic{kKinetic, {}}, stored{kStored, {}}, lost{kLost, {}}, drag{kDrag, {}},
+      outside{kOutside, {}}, total{kTotal, {}};
+  for (const EnergyRow& row : rows) {
+    kinetic.values.push_back(row.kinetic);
+    stored.values.push_back(row.stored - rows[0].stored);
+    lost.values.push_back(row.work - row.drag);
+    drag.values.push_back(row.drag);
+    outside.values.push_back(row.outside);
+    total.values.push_back(row.total() - rows[0].kinetic - rows[0].stored);
   }
   std::vector<EnergySeries> series;
   // A path of equilibria has no motion.
-  if (has_any(energy.kinetic)) series.push_back({kKinetic, energy.kinetic});
+  if (has_any(kinetic.values)) series.push_back(kinetic);
   series.insert(series.end(), {stored, lost});
-  if (has_any(energy.drag)) series.push_back({kDrag, energy.drag});
-  if (has_any(energy.outside)) series.push_back({kOutside, energy.outside});
+  if (has_any(drag.values)) series.push_back(drag);
+  if (has_any(outside.values)) series.push_back(outside);
   series.push_back(total);
   return series;
+}
+
+std::vector<double> times_of(const std::vector<EnergyRow>& rows) {
+  std::vector<double> times;
+  for (const EnergyRow& row : rows) times.push_back(row.time);
+  return times;
 }
 
 std::vector<double> taken(const std::vector<double>& values, const std::set<std::size_t>& rows) {
@@ -52,24 +61,24 @@ std::vector<double> taken(const std::vector<double>& values, const std::set<std:
 
 }  // namespace
 
-EnergyFigure energy_figure(const SimulationResults& results) {
+EnergyFigure energy_figure(const SimulationResult& simulation, const std::vector<EnergyRow>& rows) {
   EnergyFigure result;
-  result.series = series_of(results.energy);
-  std::set<std::size_t> rows;
+  result.series = series_of(rows);
+  std::set<std::size_t> shown;
   for (const EnergySeries& series : result.series) {
     const std::vector<std::size_t> drawn = thin_for_drawing(series.values, {}, kBudget);
-    rows.insert(drawn.begin(), drawn.end());
+    shown.insert(drawn.begin(), drawn.end());
   }
-  const std::vector<double> time = taken(results.energy.time, rows);
+  const std::vector<double> time = taken(times_of(rows), shown);
   for (const EnergySeries& series : result.series) {
-    result.figure.traces.push_back(trace(series.style, time, taken(series.values, rows)));
+    result.figure.traces.push_back(trace(series.style, time, taken(series.values, shown)));
     result.legend.push_back(series.style);
   }
   result.figure.layout = base_layout();
   result.figure.layout["xaxis"] = axis({"Time", "s"});
   result.figure.layout["yaxis"] = axis({"Energy", "J"});
-  result.figure.description = "Energies over time of " + results.name;
-  result.figure.data_file = results.energy_file;
+  result.figure.description = "Energies over time of " + simulation.name;
+  result.figure.data_file = simulation.energy;
   result.figure.print_size = kPrintSize;
   return result;
 }

@@ -4,7 +4,7 @@
 
 #include "pliant/report/figure.h"
 #include "pliant/report/plot_style.h"
-#include "pliant/report/simulation_results.h"
+#include "pliant/scene/simulation_result.h"
 
 namespace pliant::report {
 
@@ -22,6 +22,6 @@ struct EnergyFigure {
 
 /// The energies of a simulation over time, and beside them what was lost. Stored and total energy
 /// are drawn less what they are at the first frame: where the zero of gravity's lies means nothing.
-EnergyFigure energy_figure(const SimulationResults& results);
+EnergyFigure energy_figure(const SimulationResult& simulation, const std::vector<EnergyRow>& rows);
 
 }  // namespace pliant::report

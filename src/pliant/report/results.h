@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -158,7 +159,7 @@ struct Results {
   std::vector<ResultFigure> figures;        ///< alike; in the order of the components' names
   std::optional<double> seconds;
   bool converged = true;
-  std::vector<std::pair<std::string, std::string>> info, conditions;
+  std::map<std::string, std::string> info, conditions;
   std::vector<ResultParameter> parameters, nuisance;
   std::vector<std::vector<double>> covariance;  ///< parameters, then nuisance; NaN = unknown
   std::vector<SingularValues> singular_values;

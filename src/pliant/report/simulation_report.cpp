@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,45 +41,45 @@ std::string energy_text(double joules) {
   return std::abs(joules) < 0.1 ? number_text(1e3 * joules) + " mJ" : number_text(joules) + " J";
 }
 
-double simulated_time(const SimulationResults& results) {
-  return results.finished ? results.last_time : results.steps * results.time_step;
+double simulated_time(const SimulationResult& result) {
+  return result.finished ? result.last_time() : result.steps * result.time_step;
 }
 
-std::string verdict(const SimulationResults& results) {
+std::string verdict(const SimulationResult& result) {
   std::string text = fmt::format("{} {} steps of {} for {} triangles",
-                                 results.finished ? "Finished:" : "Not finished:", results.steps,
-                                 time_text(results.time_step), results.triangles);
-  text += results.seconds.median ? fmt::format(", {} of computing time a step (median).",
-                                               time_text(results.seconds.median))
-                                 : std::string(".");
-  if (!results.finished) {
+                                 result.finished ? "Finished:" : "Not finished:", result.steps,
+                                 time_text(result.time_step), result.triangles);
+  text += result.seconds.median ? fmt::format(", {} of computing time a step (median).",
+                                              time_text(result.seconds.median))
+                                : std::string(".");
+  if (!result.finished) {
     text += fmt::format(" It stopped at {}; `pliant simulate --resume` goes on from there.",
-                        time_text(simulated_time(results)));
+                        time_text(simulated_time(result)));
   }
-  const std::string limits = limits_text(results);
+  const std::string limits = limits_text(result);
   return limits.empty() ? text : text + " " + limits;
 }
 
-std::string facts(const SimulationResults& results) {
+std::string facts(const SimulationResult& result) {
   std::vector<std::pair<std::string, std::string>> all{
-      {"Scene", std::filesystem::path(results.scene).filename().string()},
-      {"Triangles", std::to_string(results.triangles)},
-      {"Vertices", std::to_string(results.vertices)},
-      {"Simulated time", time_text(simulated_time(results))},
-      {"Steps", fmt::format("{} of {}", results.steps, time_text(results.time_step))},
-      {"Frames", std::to_string(results.frames)}};
-  const std::string method = method_text(results.method);
+      {"Scene", std::filesystem::path(result.scene).filename().string()},
+      {"Triangles", std::to_string(result.triangles)},
+      {"Vertices", std::to_string(result.vertices)},
+      {"Simulated time", time_text(simulated_time(result))},
+      {"Steps", fmt::format("{} of {}", result.steps, time_text(result.time_step))},
+      {"Frames", std::to_string(result.frame_times.size())}};
+  const std::string method = method_text(result.method);
   if (!method.empty()) all.emplace_back("Method", method);
-  if (results.seconds.mean) {
-    all.emplace_back("Computing time", time_text(*results.seconds.mean * results.steps));
+  if (result.seconds.mean) {
+    all.emplace_back("Computing time", time_text(*result.seconds.mean * result.steps));
   }
-  if (results.peak_memory) {
-    all.emplace_back("Memory", number_text(results.peak_memory) + " MB");
+  if (result.facts.peak_memory) {
+    all.emplace_back("Memory", number_text(result.facts.peak_memory) + " MB");
   }
-  if (results.min_contact_distance) {
-    all.emplace_back("Least contact distance", distance_text(results.min_contact_distance));
+  if (result.min_contact_distance) {
+    all.emplace_back("Least contact distance", distance_text(result.min_contact_distance));
   }
-  all.insert(all.end(), results.info.begin(), results.info.end());
+  all.insert(all.end(), result.info.begin(), result.info.end());
   return fact_list(all);
 }
 
@@ -93,9 +94,10 @@ std::string energy_table(const std::vector<EnergySeries>& all) {
   return table.html();
 }
 
-std::string energy_section(const SimulationResults& results, FigureSheet& figures) {
-  if (results.energy.rows() < 2) return {};
-  const EnergyFigure energy = energy_figure(results);
+std::string energy_section(const SimulationResult& result, const std::vector<EnergyRow>& rows,
+                           FigureSheet& figures) {
+  if (rows.size() < 2) return {};
+  const EnergyFigure energy = energy_figure(result, rows);
   std::string html = "<section class=\"figure-block\"><h2>Energy</h2>\n";
   if (figures.can_draw()) html += legend_html(energy.legend);
   return html + figures.add(energy.figure, "figure-medium") + energy_table(energy.series) +
@@ -109,10 +111,10 @@ std::string image(const std::string& png, const std::string& description) {
                      escape_html(description), base64(png));
 }
 
-std::string motion_section(const SimulationResults& results, const SimulationPictures& pictures) {
+std::string motion_section(const SimulationResult& result, const SimulationPictures& pictures) {
   std::string html;
   if (!pictures.motion.empty()) {
-    html += image(pictures.motion, "Frames of " + results.name + " in the order of their times");
+    html += image(pictures.motion, "Frames of " + result.name + " in the order of their times");
   }
   if (!pictures.missing.empty()) {
     html += "<p class=\"note\">" + escape_html(pictures.missing) + "</p>\n";
@@ -120,18 +122,30 @@ std::string motion_section(const SimulationResults& results, const SimulationPic
   return html.empty() ? html : "<section><h2>Motion</h2>\n" + html + "</section>\n";
 }
 
-std::string field_section(const SimulationResults& results, const SimulationPictures& pictures) {
+std::string field_section(const SimulationResult& result, const SimulationPictures& pictures) {
   if (pictures.fields.empty()) return {};
   std::string html = fmt::format(
       "<section id=\"fields\"><h2>Fields at {}</h2>\n<p>Means at each vertex of the triangles or "
       "hinges around it. The strain of bending is three times the curvature.</p>\n"
       "<div class=\"loops\">\n",
-      time_text(results.last_time));
+      time_text(result.last_time()));
   for (const FieldPicture& field : pictures.fields) html += image(field.png, field.name);
   return html + "</div></section>\n";
 }
 
-std::string step_section(const SimulationResults& results) {
+/// What the time of a step goes to, in words.
+std::string_view words_for(const std::string& phase) {
+  static const std::map<std::string, std::string_view> words{
+      {"assembly", "forces and Hessians"},
+      {"equations", "linear equations"},
+      {"energies", "energies along the search"},
+      {"pairs", "search for what is near"},
+      {"ways", "how far vertices may go"},
+      {"history", "what is remembered of it"}};
+  return words.at(phase);
+}
+
+std::string step_section(const SimulationResult& result) {
   HtmlTable table({{"Of a step"},
                    {"Smallest", Align::number},
                    {"Median", Align::number},
@@ -145,29 +159,31 @@ std::string step_section(const SimulationResults& results) {
       table.cell(text(number));
     }
   };
-  row("Computing time", results.seconds, time_text);
-  for (const auto& [phase, seconds] : results.phases) row("– " + phase, seconds, time_text);
-  if (results.substeps.max.value_or(1) > 1) {
-    row("Parts that a step was taken in", results.substeps, number_text);
+  row("Computing time", result.seconds, time_text);
+  for (const auto& [phase, seconds] : result.phases) {
+    row(fmt::format("– {}", words_for(phase)), seconds, time_text);
   }
-  row("Newton iterations", results.newton_iterations, number_text);
-  row("Iterations of the linear solver, all together", results.linear_iterations, number_text);
-  row("Vertices and pairs that touch at its end", results.contacts, number_text);
-  row("Least contact distance at its end", results.contact_distance, distance_text);
-  row("Ways tested for what is met on them", results.way_tests, number_text);
+  if (result.substeps.max.value_or(1) > 1) {
+    row("Parts that a step was taken in", result.substeps, number_text);
+  }
+  row("Newton iterations", result.newton_iterations, number_text);
+  row("Iterations of the linear solver, all together", result.linear_iterations, number_text);
+  row("Vertices and pairs that touch at its end", result.contacts, number_text);
+  row("Least contact distance at its end", result.contact_distance, distance_text);
+  row("Ways tested for what is met on them", result.way_tests, number_text);
   if (table.empty()) return {};
   return "<section id=\"steps\"><h2>Steps</h2>\n" + table.html() +
          "<p class=\"small\">A direct linear solver counts no iterations.</p></section>\n";
 }
 
-std::string origin_section(const SimulationResults& results) {
-  const std::string facts =
-      fact_table({{"Command", results.command},
-                  {"Created", results.created},
-                  {"Pliant version", results.version},
-                  {"Scene", results.scene},
-                  {"SHA-256 of the scene", results.scene_sha256},
-                  {"Threads", results.threads > 0 ? std::to_string(results.threads) : ""}});
+std::string origin_section(const SimulationResult& result) {
+  const std::string facts = fact_table(
+      {{"Command", result.facts.command},
+       {"Created", result.facts.created},
+       {"Pliant version", result.facts.version},
+       {"Scene", result.scene},
+       {"SHA-256 of the scene", result.facts.scene_sha256},
+       {"Threads", result.facts.threads > 0 ? std::to_string(result.facts.threads) : ""}});
   return "<section id=\"origin\"><h2>Origin of these results</h2>\n" + facts +
          "<p>Beside this file: <code>simulation.json</code> (the facts above), "
          "<code>energy.csv</code> (a row a frame) and the frames themselves. "
@@ -179,17 +195,20 @@ std::string origin_section(const SimulationResults& results) {
 
 std::string make_simulation_report(const std::filesystem::path& results_directory,
                                    const SimulationPictures& pictures) {
-  const report::SimulationResults results = report::read_simulation_results(results_directory);
+  const SimulationResult result = read_simulation_result(results_directory);
+  std::vector<EnergyRow> energies;
+  if (!result.energy.empty()) energies = read_energy_table(results_directory / result.energy);
   report::FigureSheet figures = report::page_figures();
   std::string body = "<section class=\"page-one\">\n<header><h1>";
-  body += report::escape_html(results.name) + " <span>simulation</span></h1></header>\n";
+  body += report::escape_html(result.name) + " <span>simulation</span></h1></header>\n";
   body +=
-      fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(report::verdict(results)));
-  body += report::motion_section(results, pictures) + report::facts(results);
-  body += report::energy_section(results, figures) + report::warning_section(results.warnings);
-  body += "</section>\n" + report::step_section(results);
-  body += report::field_section(results, pictures) + report::origin_section(results);
-  return report::page(results.name + ": simulation", body, figures);
+      fmt::format("<p class=\"verdict\">{}</p>\n", report::escape_html(report::verdict(result)));
+  body += report::motion_section(result, pictures) + report::facts(result);
+  body +=
+      report::energy_section(result, energies, figures) + report::warning_section(result.warnings);
+  body += "</section>\n" + report::step_section(result);
+  body += report::field_section(result, pictures) + report::origin_section(result);
+  return report::page(result.name + ": simulation", body, figures);
 }
 
 }  // namespace pliant

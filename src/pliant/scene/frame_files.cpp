@@ -95,16 +95,6 @@ std::string vtu_bytes(const Simulation& simulation) {
   return write_vtu(grid);
 }
 
-std::string energy_table(const Simulation& simulation) {
-  std::string table =
-      "time_s,kinetic_J,stored_J,work_J,total_J,drag_J,contact_J,rubbing_J,outside_J\n";
-  for (const EnergyRow& row : simulation.now().energies) {
-    table += fmt::format("{},{},{},{},{},{},{},{},{}\n", row.time, row.kinetic, row.stored,
-                         row.work, row.total(), row.drag, row.contact, row.rubbing, row.outside);
-  }
-  return table;
-}
-
 std::string clip_table(const Simulation& simulation) {
   const std::vector<SceneClip>& clips = simulation.scene().clips;
   const SimulationState& now = simulation.now();
@@ -160,10 +150,10 @@ std::vector<Point3> cloth_points(const Simulation& simulation) {
   return points;
 }
 
-std::vector<std::pair<std::string, std::string>> frame_fields(const Simulation& simulation) {
-  std::vector<std::pair<std::string, std::string>> fields;
+std::map<std::string, std::string> frame_fields(const Simulation& simulation) {
+  std::map<std::string, std::string> fields;
   for (const auto& [name, values] : all_fields(simulation)) {
-    fields.emplace_back(name, unit_of_field(name));
+    fields.emplace(name, unit_of_field(name));
   }
   return fields;
 }
@@ -183,7 +173,7 @@ std::vector<NamedFile> frame_files(const Simulation& simulation, int index) {
 }
 
 std::vector<NamedFile> series_files(const Simulation& simulation) {
-  std::vector<NamedFile> files{{"energy.csv", energy_table(simulation)}};
+  std::vector<NamedFile> files{{"energy.csv", energy_table(simulation.now().energies)}};
   if (!simulation.scene().clips.empty()) files.emplace_back("clips.csv", clip_table(simulation));
   if (simulation.scene().output.has(FrameFormat::vtu)) {
     files.emplace_back("simulation.pvd", pvd_text(simulation));

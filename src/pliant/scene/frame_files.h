@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,6 @@ std::string obstacles_obj(const Simulation& simulation);
 std::vector<Point3> cloth_points(const Simulation& simulation);
 
 /// Names of the fields that frames carry, and their units.
-std::vector<std::pair<std::string, std::string>> frame_fields(const Simulation& simulation);
+std::map<std::string, std::string> frame_fields(const Simulation& simulation);
 
 }  // namespace pliant

@@ -41,12 +41,10 @@ Pattern eight_clips() {
 
 double millimetres(double pixels, int dpi) { return pixels * 25.4 / dpi; }
 
-std::map<int, DetectedTag> tags_by_code(const GreyPicture& picture) {
-  std::map<int, DetectedTag> tags;
-  for (const DetectedTag& tag : detect_tags(picture)) {
-    EXPECT_TRUE(tags.emplace(tag.code, tag).second) << "code " << tag.code << " twice";
-  }
-  return tags;
+std::map<int, DetectedTag> tags_of(const GreyPicture& picture) {
+  const TagsByCode tags = tags_by_code(detect_tags(picture));
+  EXPECT_THAT(tags.twice, testing::IsEmpty());
+  return tags.once;
 }
 
 /// The largest difference of a side from what it should be, as a share of that.
@@ -73,7 +71,7 @@ void expect_board(const GreyPicture& picture, const Pattern& printed, int dpi) {
   constexpr double kPlaces = 0.05;  // mm, half a pixel at 300 dpi
   expect_size(picture, printed.sheet, dpi);
   const auto& board = std::get<TagBoard>(printed.kind);
-  const auto tags = tags_by_code(picture);
+  const auto tags = tags_of(picture);
   ASSERT_EQ(static_cast<int>(tags.size()), board.tag_count());
   const double error = largest_error_of_sides(tags, board.tag, dpi);
   std::printf("at %d dpi sides are off by %.3f %% at most\n", dpi, 100 * error);
@@ -116,7 +114,7 @@ TEST(SlowPatternDrawing, HasLabelsOfTheRightSize) {
   const auto& clips = std::get<ClipCodes>(printed.kind);
   const std::string pdf = draw_pattern(printed, SheetFormat::pdf, 600);
   const GreyPicture picture = pixels_of_pdf(pdf, 300);
-  const auto tags = tags_by_code(picture);
+  const auto tags = tags_of(picture);
   ASSERT_EQ(tags.size(), clips.codes.size());
   for (const int code : clips.codes) EXPECT_TRUE(tags.contains(code)) << code;
   EXPECT_LT(largest_error_of_sides(tags, clips.tag, 300), 0.002);

@@ -1,6 +1,8 @@
 #include "pliant/capture/coarse_search.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -14,6 +16,12 @@ Eigen::Vector2d reduced_place(const Eigen::Vector2d& full) {
   return (full.array() - (kFactor - 1) / 2.0).matrix() / kFactor;
 }
 
+/// A motion that a patch may have made, and how alike it is then.
+struct LikelyMotion {
+  PatchMotion motion;
+  double correlation = 0;
+};
+
 /// The best of some matches of a patch; nothing where one elsewhere is as good.
 std::optional<PatchMatch> sole_match(const std::vector<PatchMatch>& matches) {
   constexpr double kAsGood = 0.05, kElsewhere = 1;  // of correlation; pixels
@@ -24,6 +32,70 @@ std::optional<PatchMatch> sole_match(const std::vector<PatchMatch>& matches) {
            (other.motion.shift - best->motion.shift).norm() > kElsewhere;
   });
   return is_sole ? std::optional(*best) : std::nullopt;
+}
+
+/// The best of the motions that a patch may have made, and those elsewhere that are nearly as good.
+std::vector<LikelyMotion> most_likely(std::vector<LikelyMotion> all) {
+  constexpr std::size_t kMost = 4;
+  constexpr double kNearly = 0.2, kElsewhere = 3;  // of correlation; pixels
+  std::ranges::stable_sort(all, std::greater(), &LikelyMotion::correlation);
+  std::vector<LikelyMotion> chosen;
+  for (const LikelyMotion& one : all) {
+    if (chosen.size() == kMost || one.correlation < all.front().correlation - kNearly) break;
+    const bool is_elsewhere = std::ranges::all_of(chosen, [&](const LikelyMotion& other) {
+      return (other.motion.shift - one.motion.shift).norm() >= kElsewhere;
+    });
+    if (is_elsewhere) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+/// Where a patch may have gone by whole pixels, around a shift: all shifts by which it correlates
+/// by more than a half.
+std::vector<LikelyMotion> likely_shifts(const GreyPicture& rest, const GreyPicture& now,
+                                        const Eigen::Vector2i& place,
+                                        const Eigen::Vector2i& about) {
+  constexpr int kReach = 40, kSide = 2 * kReducedRadius + 1;
+  const auto within = [](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    return middle.x() >= kReducedRadius && middle.y() >= kReducedRadius &&
+           middle.x() + kReducedRadius < picture.cols() &&
+           middle.y() + kReducedRadius < picture.rows();
+  };
+  const auto patch_at = [](const GreyPicture& picture, const Eigen::Vector2i& middle) {
+    GreyPicture patch =
+        picture.block(middle.y() - kReducedRadius, middle.x() - kReducedRadius, kSide, kSide);
+    patch -= patch.mean();
+    return patch;
+  };
+  std::vector<LikelyMotion> likely;
+  if (!within(rest, place)) return likely;
+  const GreyPicture patch = patch_at(rest, place);
+  const float norm = patch.matrix().norm();
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
+      if (!within(now, place + shift)) continue;
+      const GreyPicture other = patch_at(now, place + shift);
+      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
+      if (correlation > kLeastLikely)
+        likely.push_back({{.shift = shift.cast<double>()}, correlation});
+    }
+  }
+  return likely;
+}
+
+/// What is found from the likeliest of some motions.
+/// @return in pixels of the whole pictures
+std::optional<PatchMotion> refined(const ReferencePatch& patch, const SplinePicture& now,
+                                   std::vector<LikelyMotion> likely) {
+  std::vector<PatchMatch> matches;
+  for (const LikelyMotion& start : most_likely(std::move(likely))) {
+    const auto match = patch.match(now, start.motion);
+    if (match && match->correlation >= kAlike) matches.push_back(*match);
+  }
+  const auto sole = sole_match(matches);
+  if (!sole) return std::nullopt;
+  return PatchMotion{.shift = kFactor * sole->motion.shift, .slope = sole->motion.slope};
 }
 
 }  // namespace
@@ -44,89 +116,30 @@ CoarseSearch::CoarseSearch(const GreyPicture& first, const GreyPicture& now)
       first_spline_(first_),
       now_spline_(now_) {}
 
-/// The best of the motions that a patch may have made, and those elsewhere that are nearly as good.
-std::vector<CoarseSearch::LikelyMotion> CoarseSearch::most_likely(std::vector<LikelyMotion> all) {
-  constexpr std::size_t kMost = 4;
-  constexpr double kNearly = 0.2, kElsewhere = 3;  // of correlation; pixels
-  std::ranges::stable_sort(all, std::greater(), &LikelyMotion::correlation);
-  std::vector<LikelyMotion> chosen;
-  for (const LikelyMotion& one : all) {
-    if (chosen.size() == kMost || one.correlation < all.front().correlation - kNearly) break;
-    const bool is_elsewhere = std::ranges::all_of(chosen, [&](const LikelyMotion& other) {
-      return (other.motion.shift - one.motion.shift).norm() >= kElsewhere;
-    });
-    if (is_elsewhere) chosen.push_back(one);
-  }
-  return chosen;
-}
-
-/// Where a patch may have gone by whole pixels: all shifts by which it correlates by more than a
-/// half.
-std::vector<CoarseSearch::LikelyMotion> CoarseSearch::likely_shifts(
-    const Eigen::Vector2i& place, const Eigen::Vector2i& about) const {
-  constexpr int kReach = 40, kSide = 2 * kReducedRadius + 1;
-  const auto within = [](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    return middle.x() >= kReducedRadius && middle.y() >= kReducedRadius &&
-           middle.x() + kReducedRadius < picture.cols() &&
-           middle.y() + kReducedRadius < picture.rows();
-  };
-  const auto patch_at = [](const GreyPicture& picture, const Eigen::Vector2i& middle) {
-    GreyPicture patch =
-        picture.block(middle.y() - kReducedRadius, middle.x() - kReducedRadius, kSide, kSide);
-    patch -= patch.mean();
-    return patch;
-  };
-  std::vector<LikelyMotion> likely;
-  if (!within(first_, place)) return likely;
-  const GreyPicture patch = patch_at(first_, place);
-  const float norm = patch.matrix().norm();
-  for (int y = -kReach; y <= kReach; ++y) {
-    for (int x = -kReach; x <= kReach; ++x) {
-      const Eigen::Vector2i shift = about + Eigen::Vector2i(x, y);
-      if (!within(now_, place + shift)) continue;
-      const GreyPicture other = patch_at(now_, place + shift);
-      const float correlation = (patch * other).sum() / (norm * other.matrix().norm());
-      if (correlation > kLeastLikely)
-        likely.push_back({{.shift = shift.cast<double>()}, correlation});
-    }
-  }
-  return likely;
-}
-
-std::optional<PatchMotion> CoarseSearch::found(
-    const Eigen::Vector2d& place,
-    const std::function<std::vector<LikelyMotion>(const ReferencePatch&)>& likely) const {
-  const auto patch = ReferencePatch::of(first_spline_, reduced_place(place), kReducedRadius);
-  if (!patch) return std::nullopt;
-  std::vector<PatchMatch> matches;
-  for (const LikelyMotion& start : most_likely(likely(*patch))) {
-    const auto match = patch->match(now_spline_, start.motion);
-    if (match && match->correlation >= kAlike) matches.push_back(*match);
-  }
-  const auto sole = sole_match(matches);
-  if (!sole) return std::nullopt;
-  return PatchMotion{.shift = kFactor * sole->motion.shift, .slope = sole->motion.slope};
+std::optional<ReferencePatch> CoarseSearch::patch_at(const Eigen::Vector2d& place) const {
+  return ReferencePatch::of(first_spline_, reduced_place(place), kReducedRadius);
 }
 
 std::optional<PatchMotion> CoarseSearch::around(const Eigen::Vector2d& place,
                                                 const Eigen::Vector2d& shift) const {
-  return found(place, [&](const ReferencePatch&) {
-    return likely_shifts(reduced_place(place).array().round().cast<int>(),
-                         (shift / kFactor).array().round().cast<int>());
-  });
+  const auto patch = patch_at(place);
+  if (!patch) return std::nullopt;
+  return refined(*patch, now_spline_,
+                 likely_shifts(first_, now_, reduced_place(place).array().round().cast<int>(),
+                               (shift / kFactor).array().round().cast<int>()));
 }
 
 std::optional<PatchMotion> CoarseSearch::among(const Eigen::Vector2d& place,
                                                const std::vector<PatchMotion>& motions) const {
-  return found(place, [&](const ReferencePatch& patch) {
-    std::vector<LikelyMotion> likely;
-    for (PatchMotion motion : motions) {
-      motion.shift /= kFactor;
-      const auto correlation = patch.correlation(now_spline_, motion);
-      if (correlation && *correlation > kLeastLikely) likely.push_back({motion, *correlation});
-    }
-    return likely;
-  });
+  const auto patch = patch_at(place);
+  if (!patch) return std::nullopt;
+  std::vector<LikelyMotion> likely;
+  for (PatchMotion motion : motions) {
+    motion.shift /= kFactor;
+    const auto correlation = patch->correlation(now_spline_, motion);
+    if (correlation && *correlation > kLeastLikely) likely.push_back({motion, *correlation});
+  }
+  return refined(*patch, now_spline_, std::move(likely));
 }
 
 }  // namespace pliant

@@ -18,7 +18,6 @@
 #include "pliant/capture/rest_places.h"
 #include "pliant/capture/sample_axes.h"
 #include "pliant/capture/seen_vertices.h"
-#include "pliant/capture/vertex_deviations.h"
 #include "pliant/geometry/regular_grid.h"
 #include "pliant/measurement/session/balance.h"
 #include "pliant/measurement/session/clip_grid.h"

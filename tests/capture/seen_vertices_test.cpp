@@ -1,4 +1,4 @@
-#include "pliant/capture/vertex_deviations.h"
+#include "pliant/capture/seen_vertices.h"
 
 #include <gtest/gtest.h>
 

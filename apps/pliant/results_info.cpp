@@ -8,7 +8,7 @@
 #include "pliant/io/result_manifest.h"
 #include "pliant/material/material_file.h"
 #include "pliant/report/report_data.h"
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 #include "pliant/study/study.h"
 
 #include "apps/pliant/file_info.h"
@@ -25,7 +25,7 @@ std::string number_text(const std::optional<double>& value) {
   return value ? format_number(*value, kInfoDigits) : "unknown";
 }
 
-std::string uncertainty_text(const report::ResultParameter& parameter) {
+std::string uncertainty_text(const ResultParameter& parameter) {
   if (parameter.fixed) return "fixed";
   if (parameter.at_bound) return "at its bound";
   if (!parameter.identified) return "not determined by the data";
@@ -36,7 +36,7 @@ std::string uncertainty_text(const report::ResultParameter& parameter) {
   return "no standard error";
 }
 
-void add_parameter(const report::ResultParameter& parameter, FileInfo& info) {
+void add_parameter(const ResultParameter& parameter, FileInfo& info) {
   info.json["parameters"].push_back({{"name", parameter.name},
                                      {"value", or_null(parameter.value)},
                                      {"unit", parameter.unit},
@@ -49,7 +49,7 @@ void add_parameter(const report::ResultParameter& parameter, FileInfo& info) {
       1));
 }
 
-std::string error_text(const report::ResultExperiment& experiment) {
+std::string error_text(const ResultExperiment& experiment) {
   if (experiment.rms_percent_of_length) {
     return fmt::format("{} mm, {} % of the strip's length", number_text(experiment.rms_position_mm),
                        number_text(experiment.rms_percent_of_length));
@@ -58,7 +58,7 @@ std::string error_text(const report::ResultExperiment& experiment) {
                      experiment.measures_lengths() ? "extension" : "force");
 }
 
-void add_experiment(const report::ResultExperiment& experiment, FileInfo& info) {
+void add_experiment(const ResultExperiment& experiment, FileInfo& info) {
   info.json["experiments"].push_back(
       {{"name", experiment.name},
        {"type", experiment.type},
@@ -74,29 +74,28 @@ void add_experiment(const report::ResultExperiment& experiment, FileInfo& info) 
                                 1));
 }
 
-void describe_results(const report::Results& results, FileInfo& info) {
+void describe_results(const Results& results, FileInfo& info) {
   info.json["name"] = results.name;
-  info.json["created"] = results.created;
-  info.json["version"] = results.version;
-  info.json["command"] = results.command;
+  info.json["created"] = results.facts.created;
+  info.json["version"] = results.facts.version;
+  info.json["command"] = results.facts.command;
   info.json["converged"] = results.converged;
   info.json["parameters"] = Json::array();
   info.json["experiments"] = Json::array();
   info.json["undetermined"] = results.judgement.undetermined;
   info.lines.push_back(labelled("name", results.name));
-  info.lines.push_back(labelled("made", fmt::format("{} by version {}: {}", results.created,
-                                                    results.version, results.command)));
+  info.lines.push_back(labelled("made", fmt::format("{} by version {}: {}", results.facts.created,
+                                                    results.facts.version, results.facts.command)));
   if (!results.evaluation) {
     info.lines.push_back(labelled("estimator", results.estimator));
     info.lines.push_back(labelled("converged", results.converged ? "yes" : "no"));
     info.lines.push_back(labelled("parameters", fmt::format("{}", results.parameters.size())));
   } else {
-    info.lines.push_back(labelled("material", results.material));
+    info.lines.push_back(labelled("material", results.facts.material_file));
   }
-  for (const report::ResultParameter& parameter : results.parameters)
-    add_parameter(parameter, info);
+  for (const ResultParameter& parameter : results.parameters) add_parameter(parameter, info);
   info.lines.push_back(labelled("experiments", fmt::format("{}", results.experiments.size())));
-  for (const report::ResultExperiment& experiment : results.experiments) {
+  for (const ResultExperiment& experiment : results.experiments) {
     add_experiment(experiment, info);
   }
   for (const std::string& text : results.judgement.undetermined) {
@@ -105,7 +104,7 @@ void describe_results(const report::Results& results, FileInfo& info) {
   info.warnings = results.warnings;
 }
 
-std::string type_of(const report::Results& results) {
+std::string type_of(const Results& results) {
   return results.evaluation ? "evaluation/1" : "fit/1";
 }
 
@@ -149,7 +148,7 @@ FileInfo results_directory_info(const fs::path& directory) {
 
 FileInfo results_file_info(const fs::path& path) {
   require_usual_name(path);
-  const report::Results results = report::read_results(fs::absolute(path).parent_path());
+  const Results results = read_results(fs::absolute(path).parent_path());
   FileInfo info = begin_info(path, type_of(results));
   describe_results(results, info);
   info.json["warnings"] = info.warnings;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

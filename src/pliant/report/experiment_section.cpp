@@ -55,6 +55,18 @@ std::string error_in_words(const ResultExperiment& e) {
                      detail.empty() ? detail : " (" + detail + ")");
 }
 
+/// `force: 12 mN, stated; neighbouring rows scatter by 15 mN`
+std::string noise_in_words(const ResultNoise& noise) {
+  const auto in_words = [&](double value) {
+    const ReadableUnit unit = readable_unit(noise.unit, value);
+    return format_significant(unit.factor * value, 2) + " " + unit.name;
+  };
+  std::string text = fmt::format("{}: {}{}", noise.quantity, in_words(noise.value),
+                                 noise.source.empty() ? "" : ", " + noise.source);
+  if (noise.floor) text += "; neighbouring rows scatter by " + in_words(*noise.floor);
+  return text;
+}
+
 /// What was tested and how well it came out, one phrase a fact.
 std::string description(const ResultExperiment& e, std::optional<MembraneMeasure> membrane,
                         bool evaluation) {
@@ -80,7 +92,7 @@ std::string description(const ResultExperiment& e, std::optional<MembraneMeasure
     facts.push_back("best curve without friction " +
                     format_significant(e.rms_elastic_position_mm, 2) + " mm");
   }
-  if (!e.noise.empty() && !e.validation) facts.push_back("noise of the " + e.noise);
+  if (e.noise && !e.validation) facts.push_back("noise of the " + noise_in_words(*e.noise));
   return fmt::format("{}", fmt::join(facts, " · "));
 }
 

@@ -7,7 +7,7 @@
 #include "pliant/report/figure.h"
 #include "pliant/report/plot_style.h"
 #include "pliant/report/prediction.h"
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "pliant/material/material.h"
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "pliant/report/html.h"
 #include "pliant/report/labels.h"
 #include "pliant/report/number_format.h"
+#include "pliant/report/page_budget.h"
 #include "pliant/report/sections.h"
 
 namespace pliant::report {
@@ -16,20 +19,20 @@ std::string assumptions(const Results& results) {
 }
 
 std::string more_warnings(const Results& results) {
-  const std::vector<std::string> others = results.warnings_of(/*on_page_one=*/false);
+  const std::vector<std::string> others = warnings_of(results, /*on_page_one=*/false);
   return others.empty() ? std::string() : "<h3>More warnings</h3>\n" + bullet_list(others);
 }
 
 std::string starts(const Results& results) {
   std::vector<std::string> lines;
-  for (const MultiStart& start : results.starts) {
+  for (const StartRecord& start : results.starts) {
     std::vector<std::string> ends;
     for (const double end : start.ends) ends.push_back(format_significant(end, 3));
-    const std::string what = start.followed
-                                 ? fmt::format("{}: {} of {} starts reached the same best fit",
-                                               start.component, start.reached_best, start.tried)
-                                 : fmt::format("{}, {}: the best of {} starts was followed",
-                                               start.component, start.search, start.tried);
+    const std::string what =
+        start.followed ? fmt::format("{}: {} of {} starts reached the same best fit",
+                                     start.component, start.reached_best, start.ends.size())
+                       : fmt::format("{}, {}: the best of {} starts was followed", start.component,
+                                     start.search, start.ends.size());
     lines.push_back(what + (ends.empty() ? ""
                                          : fmt::format(" (RMS {}, {}: {})",
                                                        start.followed ? "there" : "as they begin",
@@ -66,42 +69,43 @@ std::string stages(const Results& results) {
 /// Equilibria, derivatives and the rest: seconds, and what was done in them.
 std::string work(const Results& results) {
   if (!results.work) return {};
-  const FitWork& work = *results.work;
-  const double all = work.equilibrium_seconds + work.derivative_seconds + work.other_seconds;
+  const EquilibriumCounts& counts = results.work->counts;
+  const EquilibriumSeconds& seconds = results.work->seconds;
+  const double found = seconds.search + seconds.derivatives;
+  const double all = std::max(results.seconds.value_or(0), found);
   HtmlTable table({{"Work"}, {"Time", Align::number, "s"}, {"Share", Align::number}, {"Of it"}});
-  const auto row = [&](std::string_view name, double seconds, const std::string& what) {
+  const auto row = [&](std::string_view name, double spent, const std::string& what) {
     table.begin_row();
     table.cell(name);
-    table.cell(format_significant(seconds, 3));
-    table.cell(all > 0 ? format_percent(100 * seconds / all) : kNoValue);
+    table.cell(format_significant(spent, 3));
+    table.cell(all > 0 ? format_percent(100 * spent / all) : kNoValue);
     table.cell(what);
   };
-  row("Equilibria", work.equilibrium_seconds,
-      fmt::format("{} in {} iterations of Newton's method", work.equilibria,
-                  work.newton_iterations));
-  row("Derivatives", work.derivative_seconds,
+  row("Equilibria", seconds.search,
+      fmt::format("{} in {} iterations of Newton's method", counts.equilibria, counts.iterations));
+  row("Derivatives", seconds.derivatives,
       fmt::format("of {} equilibria by all parameters that were searched for",
-                  work.differentiated));
-  row("The rest", work.other_seconds, "least squares, meshes, reading");
+                  counts.differentiated));
+  row("The rest", all - found, "least squares, meshes, reading");
   std::string html =
       "<h3>Where the time went</h3>\n"
       "<p>The sheet of each frame is brought into equilibrium for each material that is tried, "
       "and how it would change with the material follows from the same equations: "
       "derivatives need no further equilibrium.";
-  if (work.equilibria > 0 && work.differentiated > 0) {
+  if (counts.equilibria > 0 && counts.differentiated > 0) {
+    const int by_differences = counts.equilibria + counts.differences;
     html += fmt::format(
         " Forward differences would have needed {} equilibria instead of {}, {} times as many.",
-        work.by_differences, work.equilibria,
-        format_significant(static_cast<double>(work.by_differences) / work.equilibria, 2));
+        by_differences, counts.equilibria,
+        format_significant(static_cast<double>(by_differences) / counts.equilibria, 2));
   }
-  return html + fmt::format(" {} Hessians were factorised.</p>\n", work.factorizations) +
-         table.html();
+  return html + fmt::format(" {} Hessians were factorised.</p>\n", counts.factors) + table.html();
 }
 
 std::string data_files(const Results& results) {
   if (results.data.empty()) return {};
   HtmlTable table({{"Experiment"}, {"File"}, {"SHA-256"}});
-  for (const DataDigest& d : results.data) {
+  for (const DataFile& d : results.data) {
     table.begin_row();
     for (const std::string* cell : {&d.experiment, &d.file, &d.sha256}) table.cell(*cell);
   }
@@ -109,9 +113,9 @@ std::string data_files(const Results& results) {
 }
 
 std::string provenance(const Results& results) {
-  std::vector<std::pair<std::string, std::string>> facts{{"Command", results.command},
-                                                         {"Created", results.created},
-                                                         {"Pliant version", results.version},
+  std::vector<std::pair<std::string, std::string>> facts{{"Command", results.facts.command},
+                                                         {"Created", results.facts.created},
+                                                         {"Pliant version", results.facts.version},
                                                          {"Estimator", results.estimator}};
   if (results.seconds) {
     facts.emplace_back("Computing time", format_significant(results.seconds, 2) + " s");

@@ -7,10 +7,7 @@ namespace {
 
 using Align = HtmlTable::Align;
 
-std::string information_criterion(std::optional<double> value) {
-  if (!value) return kNoValue;
-  return format_significant(value, 5);
-}
+std::string information_criterion(double value) { return format_significant(value, 5); }
 
 }  // namespace
 
@@ -24,15 +21,15 @@ std::string model_section(const Results& results) {
                    {"BIC", Align::number},
                    {"BIC above best", Align::number},
                    {"Told by"}});
-  for (const RankedModel& model : results.models) {
-    table.begin_row(model.delta_bic && *model.delta_bic <= 0.0 ? "best" : "");
+  for (const ModelRank& model : results.models) {
+    table.begin_row(model.delta_bic <= 0.0 ? "best" : "");
     table.cell(model.component);
     table.cell(model.name);
     table.cell(std::to_string(model.parameters));
-    table.cell(format_percent(model.rms_percent_of_peak));
+    table.cell(format_percent(model.rms_percent));
     table.cell(information_criterion(model.aic));
     table.cell(information_criterion(model.bic));
-    table.cell(model.delta_bic ? format_significant(model.delta_bic, 3) : std::string(kNoValue));
+    table.cell(format_significant(model.delta_bic, 3));
     table.cell(model.told_by);
   }
   return "<section id=\"models\"><h2>Comparison of models</h2>\n"

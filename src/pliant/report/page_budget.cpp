@@ -59,7 +59,7 @@ int height_of_columns(const Results& results) {
   std::vector<std::string> undetermined = results.judgement.undetermined;
   undetermined.resize(std::min(undetermined.size(), std::size_t{5}));
   return kHeading +
-         std::max(height_of_list(results.warnings_of(/*on_page_one=*/true), kLettersOfColumn),
+         std::max(height_of_list(warnings_of(results, /*on_page_one=*/true), kLettersOfColumn),
                   height_of_list(undetermined, kLettersOfColumn)) +
          kLine;
 }
@@ -69,6 +69,15 @@ int rows_of_facts(std::size_t facts) {
 }
 
 }  // namespace
+
+std::vector<std::string> warnings_of(const Results& results, bool on_page_one) {
+  constexpr std::size_t kOnPageOne = 4;
+  const std::vector<std::string>& all = results.warnings;
+  const std::size_t first = std::min(results.questions.size(), all.size());
+  const std::size_t last = std::min(first + kOnPageOne, all.size());
+  const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+  return on_page_one ? std::vector(at(first), at(last)) : std::vector(at(last), all.end());
+}
 
 PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts,
                        const std::vector<std::size_t>& other_tables) {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 
@@ -21,5 +22,9 @@ struct PageBudget {
 /// @param other_tables    rows of each table that stands there in place of that of agreement
 PageBudget page_budget(const Results& results, std::size_t verdict_length, std::size_t facts,
                        const std::vector<std::size_t>& other_tables = {});
+
+/// The warnings beside the questions: the first of them, which stand on page one, or the others,
+/// so that each comes once.
+std::vector<std::string> warnings_of(const Results& results, bool on_page_one);
 
 }  // namespace pliant::report

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -135,17 +136,16 @@ std::string nuisance_table(const std::vector<ResultParameter>& nuisance) {
   return html + table.html();
 }
 
-std::string singular_value_table(const std::vector<SingularValues>& all) {
+std::string singular_value_table(const std::map<std::string, std::vector<double>>& all) {
   if (all.empty()) return {};
   HtmlTable table(
       {{"Component"}, {"Smallest / largest", Align::number}, {"Singular values, largest first"}});
-  for (const SingularValues& singular : all) {
-    std::vector<double> values = singular.values;
+  for (auto [component, values] : all) {
     std::sort(values.rbegin(), values.rend());
     std::vector<std::string> texts;
     for (const double value : values) texts.push_back(format_significant(value, 2));
     table.begin_row();
-    table.cell(singular.component);
+    table.cell(component);
     table.cell(values.empty() || values.front() <= 0.0
                    ? std::string(kNoValue)
                    : format_significant(values.back() / values.front(), 2));

@@ -37,7 +37,7 @@ json limit_line(double value) {
           {"line", {{"color", "#555f6b"}, {"width", 1}, {"dash", "2px,3px"}}}};
 }
 
-std::vector<double> parabola(const ProfileLikelihood& profile, double std_error) {
+std::vector<double> parabola(const Profile& profile, double std_error) {
   const auto best = std::min_element(profile.delta_chi2.begin(), profile.delta_chi2.end());
   const double centre = profile.value[static_cast<std::size_t>(best - profile.delta_chi2.begin())];
   std::vector<double> values;
@@ -48,7 +48,7 @@ std::vector<double> parabola(const ProfileLikelihood& profile, double std_error)
 
 }  // namespace
 
-ProfileLikelihood in_readable_unit(ProfileLikelihood profile) {
+Profile in_readable_unit(Profile profile) {
   double largest = 0;
   for (const double value : profile.value) largest = std::max(largest, std::abs(value));
   const ReadableUnit unit = readable_unit(profile.unit, largest);
@@ -60,7 +60,7 @@ ProfileLikelihood in_readable_unit(ProfileLikelihood profile) {
   return profile;
 }
 
-Figure profile_figure(const ProfileLikelihood& profile) {
+Figure profile_figure(const Profile& profile) {
   const double threshold = chi_square_quantile(0.95, 1);
   Figure figure;
   figure.layout = base_layout();

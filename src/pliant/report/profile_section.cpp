@@ -12,7 +12,7 @@ namespace {
 constexpr PrintSize kProfileSize = {345, 240};
 
 /// An end that the scan did not reach is named, not left out.
-std::string interval(const ProfileLikelihood& profile) {
+std::string interval(const Profile& profile) {
   const UncertainFormat format(profile.lower ? profile.lower : profile.upper, profile.std_error);
   return fmt::format("95 % interval {} to {} {}", profile.lower ? format(profile.lower) : "(open)",
                      profile.upper ? format(profile.upper) : "(open)", shown_unit(profile.unit));
@@ -30,8 +30,8 @@ std::string profile_section(const Results& results, FigureSheet& figures) {
       "marked "
       "by dotted lines. Where the dashed parabola of the standard error differs, trust the "
       "curve.</p>\n<div class=\"pair\">\n";
-  for (const ProfileLikelihood& stated : results.profiles) {
-    const ProfileLikelihood profile = in_readable_unit(stated);
+  for (const Profile& stated : results.profiles) {
+    const Profile profile = in_readable_unit(stated);
     Figure figure = profile_figure(profile);
     figure.print_size = kProfileSize;
     html += fmt::format("<figure><figcaption><code>{}</code>, {}</figcaption>\n{}</figure>\n",

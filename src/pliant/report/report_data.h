@@ -8,9 +8,9 @@
 #include "pliant/material/material.h"
 #include "pliant/report/curves.h"
 #include "pliant/report/prediction.h"
-#include "pliant/report/results.h"
 #include "pliant/report/sheet_session.h"
 #include "pliant/report/strip_shapes_file.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

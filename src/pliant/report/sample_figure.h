@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pliant/report/figure.h"
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

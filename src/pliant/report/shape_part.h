@@ -3,8 +3,8 @@
 #include <string>
 
 #include "pliant/report/figure.h"
-#include "pliant/report/results.h"
 #include "pliant/report/strip_shapes_file.h"
+#include "pliant/study/results.h"
 
 namespace pliant::report {
 

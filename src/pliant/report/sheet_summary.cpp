@@ -261,7 +261,7 @@ std::string sheet_search(const Results& results) {
     const auto kept = std::ranges::count_if(results.stages, &FitStage::accepted);
     lines.push_back(fmt::format("{} stages, {} of them kept", results.stages.size(), kept));
   }
-  if (results.work) lines.push_back(fmt::format("{} equilibria", results.work->equilibria));
+  if (results.work) lines.push_back(fmt::format("{} equilibria", results.work->counts.equilibria));
   if (results.seconds) lines.push_back(format_significant(results.seconds, 3) + " s");
   if (lines.empty()) return {};
   return fmt::format("<p class=\"small\">Search: {}.</p>\n",

@@ -12,6 +12,8 @@
 namespace pliant::report {
 namespace {
 
+using Align = HtmlTable::Align;
+
 std::string usual(const TextileFigure& kind) {
   if (kind.usual_most == 0) return {};
   return fmt::format("{} to {}", kind.usual_least, kind.usual_most);

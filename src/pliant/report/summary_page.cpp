@@ -78,7 +78,8 @@ Facts all_facts(const ReportData& data) {
                       : std::pair("Area density",
                                   format_significant(1000.0 * *results.density, 3) + " g/m²"));
   }
-  if (!results.material.empty()) all.emplace_back("Material file", results.material);
+  if (!results.facts.material_file.empty())
+    all.emplace_back("Material file", results.facts.material_file);
   if (data.is_of_sheets()) {
     all.emplace_back(data.is_of_strips() ? "Strips" : "Sessions", sessions(data));
   } else {
@@ -224,8 +225,8 @@ std::string doubts(const Results& results) {
 }
 
 std::string warnings(const Results& results) {
-  const std::vector<std::string> first = results.warnings_of(/*on_page_one=*/true);
-  const std::size_t more = results.warnings_of(/*on_page_one=*/false).size();
+  const std::vector<std::string> first = warnings_of(results, /*on_page_one=*/true);
+  const std::size_t more = warnings_of(results, /*on_page_one=*/false).size();
   if (first.empty()) return "<section><h2>Warnings</h2><p>None.</p></section>\n";
   return "<section class=\"warnings\"><h2>Warnings</h2>\n" + bullet_list(first) +
          (more > 0 ? element("p", fmt::format("{} more below.", more)) : std::string()) +
@@ -249,14 +250,14 @@ std::string criteria(const Results& results) {
 /// data.
 std::string identity(const Results& results) {
   constexpr std::size_t kMost = 4, kDigits = 12;
-  std::string text = "Pliant " + results.version;
-  if (!results.created.empty()) text += ", " + results.created;
+  std::string text = "Pliant " + results.facts.version;
+  if (!results.facts.created.empty()) text += ", " + results.facts.created;
   if (results.data.empty()) return text;
   if (results.data.size() > kMost) {
     return text + fmt::format(". SHA-256 of {} data files below", results.data.size());
   }
   text += ". SHA-256 of the data:";
-  for (const DataDigest& d : results.data) {
+  for (const DataFile& d : results.data) {
     text += fmt::format(" {} {}…", d.file, d.sha256.substr(0, kDigits));
   }
   return text;

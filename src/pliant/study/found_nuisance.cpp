@@ -1,7 +1,6 @@
 #include "pliant/study/found_nuisance.h"
 
-#include "pliant/io/document.h"
-#include "pliant/io/fields.h"
+#include "pliant/study/results.h"
 
 namespace pliant {
 namespace {
@@ -9,13 +8,12 @@ namespace {
 bool is_of_cord(const std::string& name) { return name.ends_with(".cord_friction"); }
 
 /// Whether a fit wrote the material.
-bool made(Fields& fit, const Material& material) {
-  for (const char* key : {"study_sha256", "created"}) {
+bool made(const RunFacts& fit, const Material& material) {
+  const auto states = [&](const char* key, const std::string& own) {
     const auto stated = material.provenance.find(key);
-    const auto own = fit.optional(key);
-    if (!own || stated == material.provenance.end() || own->text() != stated->second) return false;
-  }
-  return true;
+    return !own.empty() && stated != material.provenance.end() && stated->second == own;
+  };
+  return states("study_sha256", fit.study_sha256) && states("created", fit.created);
 }
 
 }  // namespace
@@ -23,19 +21,18 @@ bool made(Fields& fit, const Material& material) {
 FoundNuisance nuisance_beside(const std::filesystem::path& file, const Material& material,
                               const std::string& study_sha256) {
   FoundNuisance found;
-  const std::filesystem::path results = file.parent_path() / "fit.json";
-  if (!std::filesystem::exists(results)) return found;
-  const Document document = read_json(results);
-  Fields fit = Value(document).fields();
-  if (!made(fit, material)) return found;
-  const bool same_study = fit.require("study_sha256").text() == study_sha256;
-  for (const Value& item : fit.require("nuisance").items()) {
-    Fields fields = item.fields();
-    const std::string name = fields.require("name").text();
-    const auto value = fields.optional("value");
-    if (!value) continue;
-    if (is_of_cord(name)) found.cords[name] = value->number();
-    if (!is_of_cord(name) && same_study) found.others[name] = value->number();
+  const std::filesystem::path directory = file.parent_path();
+  if (!std::filesystem::exists(directory / "fit.json")) return found;
+  const Results fit = read_results(directory);
+  if (!made(fit.facts, material)) return found;
+  const bool same_study = fit.facts.study_sha256 == study_sha256;
+  for (const ResultParameter& number : fit.nuisance) {
+    if (!number.value) continue;
+    if (is_of_cord(number.name)) {
+      found.cords[number.name] = *number.value;
+    } else if (same_study) {
+      found.others[number.name] = *number.value;
+    }
   }
   return found;
 }

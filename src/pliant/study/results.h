@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "pliant/material/material.h"
+#include "pliant/estimation/fit_result.h"
+#include "pliant/study/result_files.h"
 
-namespace pliant::report {
+namespace pliant {
 
 /// One estimated number as fit.json states it; values in `unit`.
 struct ResultParameter {
@@ -46,6 +46,13 @@ struct ResultLoopFigure {
   std::optional<double> measured, predicted;
 };
 
+/// Noise by which rows were weighted; numbers in `unit`.
+struct ResultNoise {
+  std::string quantity, unit, source;
+  double value = 0;
+  std::optional<double> floor;  ///< what neighbouring rows scatter by
+};
+
 struct ResultExperiment {
   std::string name, type, direction, component;
   std::string quantity;  ///< what is measured and predicted, with its unit: `force_N`
@@ -69,7 +76,7 @@ struct ResultExperiment {
   std::optional<double> rms_percent_of_length;     ///< of distances from a predicted profile
   std::optional<double> fold_height_error_mm;      ///< of sessions; absent in older results
   int points = 0, specimens = 0, excluded = 0;
-  std::string noise;  ///< in words; empty where not stated
+  std::optional<ResultNoise> noise;
   std::optional<std::array<double, 2>> strain_range;
   bool unloads = false;  ///< by enough to show friction, without a loop too
   std::optional<LoopMeasures> measured_loop, predicted_loop;
@@ -85,45 +92,6 @@ struct ResultWholeSheet {
   std::optional<double> measured_mean, predicted_mean, rms;
   int points = 0;
   std::vector<std::string> told, handled;
-};
-
-struct FitStage {
-  std::string component, name, unit;
-  std::optional<double> rms;
-  bool accepted = true;
-  std::string ended = {};  ///< why growth ended with it
-};
-
-struct MultiStart {
-  std::string component, search, unit;
-  int tried = 0, reached_best = 0;
-  bool followed = true;      ///< else the starts were compared where they begin
-  std::vector<double> ends;  ///< RMS where each start has led, in `unit`
-};
-
-struct RankedModel {
-  std::string component, name;
-  int parameters = 0;
-  std::optional<double> rms_percent_of_peak, aic, bic, delta_bic;
-  std::string told_by;  ///< the test that would tell it; empty where none is known
-};
-
-struct ProfileLikelihood {
-  std::string parameter, unit;
-  std::vector<double> value, delta_chi2;
-  std::optional<double> lower, upper, std_error;
-};
-
-struct SingularValues {
-  std::string component;
-  std::vector<double> values;
-};
-
-/// What the equilibria of a fit of sheets have cost.
-struct FitWork {
-  int equilibria = 0, newton_iterations = 0, factorizations = 0, differentiated = 0;
-  int by_differences = 0;  ///< equilibria with derivatives by forward differences
-  double equilibrium_seconds = 0, derivative_seconds = 0, other_seconds = 0;
 };
 
 /// What the fit says of its own fitness for use; empty in results of earlier versions.
@@ -144,16 +112,12 @@ struct ResultFigure {
   bool is_determined() const { return lower && upper && (*lower > 0 || *upper < 0); }
 };
 
-/// A file that was read, by its digest.
-struct DataDigest {
-  std::string experiment, file, sha256;
-};
-
 /// fit.json or evaluation.json of a results directory.
 struct Results {
   bool evaluation = false;
-  std::string name, material, command, created, version, estimator;
-  std::vector<DataDigest> data;
+  std::string name, estimator;
+  RunFacts facts;
+  std::vector<DataFile> data;
   std::optional<double> density;            ///< kg/m^2; of a solid kg/m^3
   std::optional<MembraneMeasure> membrane;  ///< absent in results of earlier versions
   std::vector<ResultFigure> figures;        ///< alike; in the order of the components' names
@@ -162,14 +126,14 @@ struct Results {
   std::map<std::string, std::string> info, conditions;
   std::vector<ResultParameter> parameters, nuisance;
   std::vector<std::vector<double>> covariance;  ///< parameters, then nuisance; NaN = unknown
-  std::vector<SingularValues> singular_values;
+  std::map<std::string, std::vector<double>> singular_values;  ///< by component
   std::vector<ResultExperiment> experiments;
   std::vector<ResultWholeSheet> whole_sheets;
-  std::optional<FitWork> work;
+  std::optional<EquilibriumWork> work;
   std::vector<FitStage> stages;
-  std::vector<MultiStart> starts;
-  std::vector<RankedModel> models;
-  std::vector<ProfileLikelihood> profiles;
+  std::vector<StartRecord> starts;
+  std::vector<ModelRank> models;
+  std::vector<Profile> profiles;
   std::vector<std::string> assumptions, warnings;
   std::vector<std::string> questions;  ///< the first of the warnings: they stay on page one
   std::vector<std::string> skipped;    ///< experiments that were not predicted, and why
@@ -182,14 +146,10 @@ struct Results {
   bool has_samples() const;
   /// Whether a component does.
   bool differs_in(const std::string& component) const;
-
-  /// The warnings beside the questions: the first of them, which stand on page one, or the others,
-  /// so that each comes once.
-  std::vector<std::string> warnings_of(bool on_page_one) const;
 };
 
 /// Reads `directory`/fit.json, or evaluation.json where there is no fit.json.
 /// @throws InputError where neither exists, the JSON is broken, or a field is not what it must be
 Results read_results(const std::filesystem::path& directory);
 
-}  // namespace pliant::report
+}  // namespace pliant

@@ -1,6 +1,7 @@
-#include "pliant/report/results.h"
+#include "pliant/study/results.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +11,8 @@
 #include "pliant/experiment/registry.h"
 #include "pliant/io/json_object.h"
 #include "pliant/material/material.h"
-#include "pliant/report/number_format.h"
-#include "pliant/report/readable_unit.h"
 
-namespace pliant::report {
+namespace pliant {
 namespace {
 
 std::filesystem::path results_file(const std::filesystem::path& directory) {
@@ -52,7 +51,7 @@ ResultParameter read_parameter(const JsonObject& json) {
   return p;
 }
 
-DataDigest read_data(const JsonObject& json) {
+DataFile read_data(const JsonObject& json) {
   return {json.text("experiment"), json.text("file"), json.text("sha256")};
 }
 
@@ -83,20 +82,10 @@ std::optional<LoopMeasures> read_loop(const std::optional<JsonObject>& json) {
                       json->number("hysteresis_ratio"), json->number("loop_loss")};
 }
 
-std::string noise_in_words(const std::optional<JsonObject>& json) {
-  if (!json || !json->has("value")) return {};
-  const std::string source = json->text_or("source", "");
-  const auto in_words = [unit = json->text_or("unit", "")](double value) {
-    const ReadableUnit readable = readable_unit(unit, value);
-    return format_significant(readable.factor * value, 2) + " " + readable.name;
-  };
-  std::string text =
-      fmt::format("{}: {}{}", json->text_or("quantity", "noise"), in_words(*json->number("value")),
-                  source.empty() ? "" : ", " + source);
-  if (const auto floor = json->number("floor")) {
-    text += fmt::format("; neighbouring rows scatter by {}", in_words(*floor));
-  }
-  return text;
+std::optional<ResultNoise> read_noise(const std::optional<JsonObject>& json) {
+  if (!json || !json->has("value")) return std::nullopt;
+  return ResultNoise{json->text_or("quantity", "noise"), json->text_or("unit", ""),
+                     json->text_or("source", ""), *json->number("value"), json->number("floor")};
 }
 
 std::optional<std::array<double, 2>> read_range(const JsonObject& json, std::string_view key) {
@@ -152,7 +141,7 @@ ResultExperiment read_experiment(const JsonObject& json) {
   e.points = json.integer_or("points", 0);
   e.specimens = json.integer_or("specimens", 0);
   e.excluded = json.integer_or("excluded", 0);
-  e.noise = noise_in_words(json.object("noise"));
+  e.noise = read_noise(json.object("noise"));
   e.strain_range = read_range(json, "strain_range");
   if (const auto loop = json.object("loop")) {
     e.measured_loop = read_loop(loop->object("measured"));
@@ -182,62 +171,59 @@ ResultWholeSheet read_whole_sheet(const JsonObject& json) {
   return whole;
 }
 
-FitStage read_stage(const JsonObject& json) {
-  return {json.text_or("component", ""),  json.text_or("name", ""),
-          json.text_or("unit", ""),       json.number("rms"),
-          json.flag_or("accepted", true), json.text_or("ended", "")};
+// JSON knows no NaN: null is an unknown number.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+double number_of(const JsonObject& json, std::string_view key) {
+  return json.number(key).value_or(kUnknown);
 }
 
-std::optional<FitWork> read_work(const std::optional<JsonObject>& json) {
+FitStage read_stage(const JsonObject& json) {
+  return {json.text_or("component", ""), json.text_or("name", ""),       json.text_or("unit", ""),
+          number_of(json, "rms"),        json.flag_or("accepted", true), json.text_or("ended", "")};
+}
+
+std::optional<EquilibriumWork> read_work(const std::optional<JsonObject>& json) {
   if (!json) return std::nullopt;
-  FitWork work;
-  work.equilibria = json->integer_or("equilibria", 0);
-  work.newton_iterations = json->integer_or("newton_iterations", 0);
-  work.factorizations = json->integer_or("factorizations", 0);
-  work.differentiated = json->integer_or("differentiated", 0);
-  work.by_differences = json->integer_or("equilibria_by_differences", 0);
+  EquilibriumWork work;
+  EquilibriumCounts& counts = work.counts;
+  counts.equilibria = json->integer_or("equilibria", 0);
+  counts.iterations = json->integer_or("newton_iterations", 0);
+  counts.factors = json->integer_or("factorizations", 0);
+  counts.differentiated = json->integer_or("differentiated", 0);
+  counts.differences = json->integer_or("equilibria_by_differences", 0) - counts.equilibria;
   if (const auto seconds = json->object("seconds")) {
-    work.equilibrium_seconds = seconds->number("equilibria").value_or(0);
-    work.derivative_seconds = seconds->number("derivatives").value_or(0);
-    work.other_seconds = seconds->number("rest").value_or(0);
+    work.seconds = {seconds->number("equilibria").value_or(0),
+                    seconds->number("derivatives").value_or(0)};
   }
   return work;
 }
 
-MultiStart read_start(const JsonObject& json) {
-  return {json.text_or("component", ""),
-          json.text_or("search", "law"),
-          json.text_or("unit", "times the noise"),
-          json.integer_or("tried", 0),
-          json.integer_or("reached_best", 0),
-          json.flag_or("followed", true),
-          json.numbers("ends")};
+StartRecord read_start(const JsonObject& json) {
+  StartRecord start{json.text_or("component", ""),           json.text_or("search", "law"),
+                    json.text_or("unit", "times the noise"), json.numbers("ends"),
+                    json.integer_or("reached_best", 0),      json.flag_or("followed", true)};
+  // Earlier versions did not say where each had led.
+  const auto tried = static_cast<std::size_t>(json.integer_or("tried", 0));
+  start.ends.resize(std::max(tried, start.ends.size()), kUnknown);
+  return start;
 }
 
-RankedModel read_model(const JsonObject& json) {
-  return {json.text_or("component", ""),
-          json.text_or("name", ""),
-          json.integer_or("parameters", 0),
-          json.number("rms_percent_of_peak"),
-          json.number("aic"),
-          json.number("bic"),
-          json.number("delta_bic"),
-          json.text_or("told_by", "")};
+ModelRank read_model(const JsonObject& json) {
+  return {json.text_or("component", ""),    json.text_or("name", ""),
+          json.integer_or("parameters", 0), number_of(json, "rms_percent_of_peak"),
+          number_of(json, "aic"),           number_of(json, "bic"),
+          number_of(json, "delta_bic"),     json.text_or("told_by", "")};
 }
 
-ProfileLikelihood read_profile(const JsonObject& json) {
-  ProfileLikelihood profile{json.text("parameter"),  json.text_or("unit", ""),
-                            json.numbers("value"),   json.numbers("delta_chi2"),
-                            json.number("lower"),    json.number("upper"),
-                            json.number("std_error")};
+Profile read_profile(const JsonObject& json) {
+  Profile profile{json.text("parameter"),     json.text_or("unit", ""), json.numbers("value"),
+                  json.numbers("delta_chi2"), json.number("lower"),     json.number("upper"),
+                  json.number("std_error")};
   if (profile.value.size() != profile.delta_chi2.size()) {
     json.fail("delta_chi2", "not as long as `value`", "one number a value");
   }
   return profile;
-}
-
-SingularValues read_singular_values(const JsonObject& json) {
-  return {json.text_or("component", ""), json.numbers("values")};
 }
 
 ResultJudgement read_judgement(const std::optional<JsonObject>& json) {
@@ -288,10 +274,9 @@ Results read_results(const std::filesystem::path& directory) {
   Results r;
   r.evaluation = type == "evaluation/1";
   r.name = json.text_or("name", "unnamed");
-  r.material = json.text_or("material", "");
-  r.command = json.text_or("command", "");
-  r.created = json.text_or("created", "");
-  r.version = json.text_or("version", "");
+  r.facts = {json.text_or("command", ""),      json.text_or("created", ""),
+             json.text_or("version", ""),      json.text_or("study", ""),
+             json.text_or("study_sha256", ""), json.text_or("material", "")};
   r.estimator = json.text_or("estimator", "");
   r.data = read_all(json, "data", read_data);
   r.density = json.number("density");
@@ -305,7 +290,9 @@ Results read_results(const std::filesystem::path& directory) {
   r.nuisance = read_all(json, "nuisance", read_parameter);
   r.covariance = json.number_rows("covariance");
   check_covariance(json, r);
-  r.singular_values = read_all(json, "singular_values", read_singular_values);
+  for (const JsonObject& one : json.objects("singular_values")) {
+    r.singular_values[one.text_or("component", "")] = one.numbers("values");
+  }
   r.experiments = read_all(json, "experiments", read_experiment);
   r.whole_sheets = read_all(json, "whole_sheets", read_whole_sheet);
   assign_nuisance_components(r);
@@ -322,14 +309,6 @@ Results read_results(const std::filesystem::path& directory) {
   r.questions = json.texts("questions");
   r.skipped = read_all(json, "skipped", read_skipped);
   return r;
-}
-
-std::vector<std::string> Results::warnings_of(bool on_page_one) const {
-  constexpr std::size_t kOnPageOne = 4;
-  const std::size_t first = std::min(questions.size(), warnings.size());
-  const std::size_t last = std::min(first + kOnPageOne, warnings.size());
-  const auto at = [&](std::size_t i) { return warnings.begin() + static_cast<std::ptrdiff_t>(i); };
-  return on_page_one ? std::vector(at(first), at(last)) : std::vector(at(last), warnings.end());
 }
 
 bool Results::is_of_solid() const {
@@ -352,4 +331,4 @@ bool Results::has_figures(const std::string& component) const {
   return std::ranges::find(figures, component, &ResultFigure::component) != figures.end();
 }
 
-}  // namespace pliant::report
+}  // namespace pliant

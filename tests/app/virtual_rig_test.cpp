@@ -30,8 +30,8 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   const CalibrationMisses calibration = calibration_misses(seen);
   EXPECT_LT(calibration.focal, 2);  // of 2,000 pixels
   // The numbers of a rig lean on each other: an interval that misses is seldom alone.
-  EXPECT_GE(calibration.held, 0.9 * calibration.numbers);
-  EXPECT_LT(calibration.worst, 3);
+  EXPECT_GE(calibration.held, 0.75 * calibration.numbers);
+  EXPECT_LT(calibration.worst, 3.5);
 
   const Session truth = read_session(folder.path() / "lab" / "stretch");
   const Session session = read_session(seen / "made" / "sheet");
@@ -61,6 +61,22 @@ TEST(SlowVirtualRig, SeesASheetAsItIsAndTellsItsLaw) {
   const double found = stiffness(seen / "made" / "study.yaml", "fit-seen");
   const double known = stiffness(folder.path() / "lab" / "study.yaml", "fit-truth");
   EXPECT_NEAR(found, known, 0.03 * known);
+}
+
+TEST(SlowVirtualRig, IsCalibratedToItsErrors) {
+  int held = 0, numbers = 0;
+  for (const char* seed : {"1", "2", "3"}) {
+    const TemporaryFolder folder;
+    const std::string lab = PLIANT_SOURCE_DIR "/examples/virtual-rig/lab.yaml";
+    const std::string out = (folder.path() / "lab").string();
+    ASSERT_EQ(run_program({"lab", lab, "-o", out, "--seed", seed}).status, 0);
+    const auto seen = folder.path() / "lab" / "stretch-seen";
+    ASSERT_EQ(run_on(seen, {"calibrate", "rig.yaml"}, "calibration").status, 0);
+    const CalibrationMisses calibration = calibration_misses(seen);
+    held += calibration.held;
+    numbers += calibration.numbers;
+  }
+  EXPECT_GE(held, 0.92 * numbers);
 }
 
 TEST(SlowVirtualRig, SeesASheetThatHangsOverATable) {

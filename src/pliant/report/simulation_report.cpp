@@ -136,12 +136,9 @@ std::string field_section(const SimulationResult& result, const SimulationPictur
 /// What the time of a step goes to, in words.
 std::string_view words_for(const std::string& phase) {
   static const std::map<std::string, std::string_view> words{
-      {"assembly", "forces and Hessians"},
-      {"equations", "linear equations"},
-      {"energies", "energies along the search"},
-      {"pairs", "search for what is near"},
-      {"ways", "how far vertices may go"},
-      {"history", "what is remembered of it"}};
+      {"assembly", "forces and Hessians"},       {"equations", "linear equations"},
+      {"energies", "energies along the search"}, {"pairs", "search for what is near"},
+      {"ways", "how far vertices may go"},       {"history", "what is remembered of it"}};
   return words.at(phase);
 }
 
